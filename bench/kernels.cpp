@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Time of one element: force alone, and energy, force and tangent together.
+///
+/// For each element, rule and number of elements side by side (lanes) the least time over many
+/// short runs; operations as counted by a scalar that counts; and the share of the peak that the
+/// core reaches in a loop of fused multiply-adds. kernels is compiled for this machine,
+/// kernels_baseline is the same source at plain -O2.
+///
+///     kernels --csv > kernels.csv
+
+#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/section/profiles.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <counting.hpp>
+#include <peak.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace ancf;
+
+struct Settings {
+    bool csv = false;
+    int repeats = 400;
+    std::string only;
+    double peak = 0.0;
+};
+
+/// A bent, twisted and sheared state.
+template <class Element>
+typename Element::Coordinates bent_state() {
+    typename Element::Coordinates e;
+    e << 0.1, -0.2, 0.3, 0.9, 0.1, -0.1, -0.05, 1.02, 0.03, 0.02, 0.01, 0.97,  //
+        1.0, 0.1, 0.25, 0.8, 0.5, -0.2, -0.5, 0.9, 0.1, 0.1, -0.2, 1.05;
+    return e;
+}
+
+/// Returns nanoseconds of one call: the least of many runs of a few microseconds to tens of them.
+template <class Call>
+double nanoseconds(const Call& call, int repeats) {
+    constexpr int calls = 20;
+    double best = 1e9;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        const double start = bench::detail::now();
+        for (int k = 0; k < calls; ++k) call();
+        best = std::min(best, bench::detail::now() - start);
+    }
+    return best / calls * 1e9;
+}
+
+double first_lane(double value) { return value; }
+template <int Lanes>
+double first_lane(const Pack<Lanes>& value) {
+    return value[0];
+}
+
+volatile double sink;
+
+void report(const Settings& settings, const char* element, const std::string& rule, int lanes,
+            const char* what, double time, long flops) {
+    const double fraction = static_cast<double>(flops) / (time * 1e-9) / settings.peak;
+    std::printf(
+        settings.csv ? "%s,%s,%d,%s,%.1f,%ld,%.4f\n" : "%-22s %-9s %5d  %-5s %9.1f %8ld %8.3f\n",
+        element, rule.c_str(), lanes, what, time, flops, fraction);
+    std::fflush(stdout);
+}
+
+template <class S, class Element>
+void measure(const Settings& settings, const char* name, const std::string& rule,
+             const Element& element, int lanes, long force_flops, long all_flops) {
+    Vector<S, Element::dofs> e = bent_state<Element>().template cast<S>();
+    const auto touch = [&e] { e(0) += S(1e-13); };  // no call is like the one before
+    const double force = nanoseconds(
+        [&] {
+            touch();
+            sink = first_lane(element.force(e)(3));
+        },
+        settings.repeats);
+    report(settings, name, rule, lanes, "force", force / lanes, force_flops);
+    const double all = nanoseconds(
+        [&] {
+            touch();
+            const auto evaluation = element.evaluate(e);
+            sink = first_lane(evaluation.tangent(3, 4)) + first_lane(evaluation.energy);
+        },
+        settings.repeats);
+    report(settings, name, rule, lanes, "all", all / lanes, all_flops);
+}
+
+/// Measures single elements and, where asked for, packs of four and eight.
+template <class Element, bool Packs = true>
+void run(const Settings& settings, const char* name, const std::vector<Rule>& rules) {
+    if (!settings.only.empty() && settings.only != name) return;
+    const Material material = Material::isotropic(2.07e11, 0.3, 7850.0);
+    for (const Rule& rule : rules) {
+        const Element element(material, rectangle(0.1, 0.2), 1.0, {rule});
+        const Vector<bench::Counting, Element::dofs> e =
+            bent_state<Element>().template cast<bench::Counting>();
+        bench::Counting::reset();
+        sink = element.force(e)(3).value();
+        const long force = bench::Counting::operations();
+        bench::Counting::reset();
+        sink = element.evaluate(e).tangent(3, 4).value();
+        const long all = bench::Counting::operations();
+        measure<double>(settings, name, rule.name(), element, 1, force, all);
+        if constexpr (Packs) {
+            measure<Pack<4>>(settings, name, rule.name(), element, 4, force, all);
+            measure<Pack<8>>(settings, name, rule.name(), element, 8, force, all);
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Settings settings;
+    CLI::App app("Time of one element: force, and energy, force and tangent");
+    app.add_flag("--csv", settings.csv, "comma-separated values");
+    app.add_option("--repeats", settings.repeats, "runs of which the fastest counts")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--element", settings.only, "one element alone");
+    CLI11_PARSE(app, argc, argv);
+
+    settings.peak = bench::peak_rate();
+    std::fprintf(stderr, "peak of one core: %.1f GFlop/s\n", settings.peak * 1e-9);
+    std::printf(settings.csv ? "%s,%s,%s,%s,%s,%s,%s\n" : "%-22s %-9s %5s  %-5s %9s %8s %8s\n",
+                "element", "rule", "lanes", "what", "ns_per_element", "flops", "peak_fraction");
+    const std::vector<Rule> rules{Rule::paper(), Rule::gauss(3), Rule::mixed()};
+    run<CrossSectionBeam<3>>(settings, "cross-section", rules);
+    run<CrossSectionBeam<3, Geodesic>>(settings, "cross-section-geodesic", rules);
+    run<CrossSectionBeam<3, Projected, PointwiseShear>, false>(settings, "cross-section-pointwise",
+                                                               {Rule::paper()});
+    run<ContinuumBeam<3>>(settings, "continuum", {Rule::paper(), Rule::gauss(3), Rule::lobatto3()});
+    return 0;
+}

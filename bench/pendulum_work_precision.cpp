@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Work against precision of every integrator on three pendulums: CSV on stdout.
+///
+/// The rubber pendulum of [Dufva2006, section 5.1], the same on a massless link of 0.4 m, and a steel one
+/// (2 m, 10 mm square). The error is the largest distance of the tip from a reference solution at 24
+/// times in 1.2 s; the reference is a run of the same mesh with a far smaller tolerance or step.
+
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/output/csv.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+
+#if ANCF_WITH_SUITESPARSE
+#include <ancf/suitesparse/umfpack.hpp>
+#else
+#include <ancf/solver/eigen_solver.hpp>
+#endif
+#if ANCF_WITH_SUNDIALS
+#include <ancf/sundials/ida.hpp>
+#endif
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Point = ancf::Vector<double, 3>;
+using Scene = ancf::Model<ancf::CrossSectionBeam<3>>;
+using Problem = ancf::DynamicProblem<Scene>;
+#if ANCF_WITH_SUITESPARSE
+using GeneralSolver = ancf::suitesparse::Umfpack;
+#else
+using GeneralSolver = ancf::EigenLu;
+#endif
+
+struct Pendulum {
+    Scene model;
+    int tip = 0;  // index of the tip's position in the coordinates
+};
+
+/// Builds a case by its name.
+Pendulum build(const std::string& name, int elements) {
+    const bool steel = name == "steel";
+    const double depth = steel ? 0.01 : 0.05;
+    const auto material = steel ? ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0)
+                                : ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
+    const auto section = ancf::rectangle(depth, depth).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
+    Pendulum pendulum;
+    const auto beam = ancf::straight_beam(pendulum.model, material, section, Point::Zero(),
+                                          {steel ? 2.0 : 1.2, 0.0, 0.0}, elements,
+                                          ancf::CrossSectionOptions::paper());
+    if (name == "link")
+        pendulum.model.add(ancf::Distance<3>(beam.first(), Point(0.0, 0.4, 0.0), 0.4));
+    else
+        pendulum.model.add(ancf::Pin<3>(beam.first(), Point::Zero()));
+    pendulum.model.set_gravity({0.0, -9.81, 0.0});
+    pendulum.tip = pendulum.model.coordinate(beam.last(), ancf::Field::r);
+    return pendulum;
+}
+
+/// One way to integrate, with the values of its one setting.
+struct Integrator {
+    std::string name;
+    std::string setting;  // tolerance, or step in s
+    std::vector<double> values;
+    std::function<ancf::DynamicsReport(Problem&, const ancf::Schedule&, double)> integrate;
+};
+
+/// Returns 1e-first, 3e-(first + 1), 1e-(first + 1) and so on down to 1e-last.
+std::vector<double> tolerances(int first, int last) {
+    std::vector<double> values;
+    for (int k = first; k <= last; ++k) {
+        if (k > first) values.push_back(std::stod("3e-" + std::to_string(k)));
+        values.push_back(std::stod("1e-" + std::to_string(k)));
+    }
+    return values;
+}
+
+std::vector<double> halves(double from, int count) {
+    std::vector<double> values;
+    for (int k = 0; k < count; ++k) values.push_back(std::ldexp(from, -k));
+    return values;
+}
+
+#if ANCF_WITH_SUNDIALS
+Integrator ida(std::string name, ancf::sundials::Form form, std::vector<double> values) {
+    return {std::move(name), "tolerance", std::move(values),
+            [form](Problem& problem, const ancf::Schedule& schedule, double tolerance) {
+                ancf::sundials::IdaOptions options;
+                options.form = form;
+                options.tolerance = tolerance;
+                options.follow_energy = false;
+                return ancf::sundials::Ida(options).integrate(problem, schedule);
+            }};
+}
+#endif
+
+Integrator generalized_alpha(double rho, std::vector<double> steps) {
+    return {"generalized-alpha " + ancf::number_text(rho, 2), "step", std::move(steps),
+            [rho](Problem& problem, const ancf::Schedule& schedule, double step) {
+                ancf::GeneralizedAlphaOptions options;
+                options.rho = rho;
+                options.step = step;
+                options.follow_energy = false;
+                GeneralSolver solver;
+                return ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
+            }};
+}
+
+Integrator adaptive_generalized_alpha(std::vector<double> values) {
+    return {"generalized-alpha adaptive", "tolerance", std::move(values),
+            [](Problem& problem, const ancf::Schedule& schedule, double tolerance) {
+                ancf::GeneralizedAlphaOptions options;
+                options.tolerance = tolerance;
+                options.step = 1e-4;
+                options.follow_energy = false;
+                GeneralSolver solver;
+                return ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
+            }};
+}
+
+Integrator energy_momentum(std::vector<double> steps) {
+    return {"energy-momentum", "step", std::move(steps),
+            [](Problem& problem, const ancf::Schedule& schedule, double step) {
+                ancf::EnergyMomentumOptions options;
+                options.step = step;
+                options.follow_energy = false;
+                GeneralSolver solver;
+                return ancf::EnergyMomentum(options).integrate(problem, solver, schedule);
+            }};
+}
+
+std::vector<Integrator> integrators(const std::string& name) {
+    std::vector<Integrator> all;
+#if ANCF_WITH_SUNDIALS
+    using ancf::sundials::Form;
+    const bool steel = name == "steel";
+    all.push_back(ida("IDA index 3", Form::index3, tolerances(4, steel ? 9 : 11)));
+    // the rates of a stiff scene are in the error test of this form: it follows every vibration
+    all.push_back(ida("IDA GGL", Form::gear_gupta_leimkuhler, tolerances(3, steel ? 6 : 9)));
+#endif
+    all.push_back(generalized_alpha(0.8, halves(4e-3, 9)));
+    all.push_back(adaptive_generalized_alpha(tolerances(3, 8)));
+    all.push_back(energy_momentum(halves(4e-3, 8)));
+    static_cast<void>(name);
+    return all;
+}
+
+/// What a run gave.
+struct Run {
+    ancf::DynamicsReport report;
+    std::vector<Point> tips;  // at the times of the schedule
+    double energy = 0.0;      // largest change of the total energy at those times, J
+    double seconds = 0.0;     // of one processor
+};
+
+Run run(const std::string& name, int elements, const Integrator& integrator, double value) {
+    Pendulum pendulum = build(name, elements);
+    Problem problem(pendulum.model);
+    Run result;
+    ancf::Schedule schedule = ancf::equal_intervals(0.0, 1.2, 0.05);
+    double before = 0.0;
+    schedule.observe = [&](const ancf::Snapshot& seen) {
+        if (result.tips.empty()) before = seen.energies.total();
+        result.tips.push_back(seen.state.q.segment<3>(pendulum.tip));
+        result.energy = std::max(result.energy, std::abs(seen.energies.total() - before));
+    };
+    const std::clock_t began = std::clock();
+    result.report = integrator.integrate(problem, schedule, value);
+    result.seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+    return result;
+}
+
+/// Repeats a short run and keeps the shortest time.
+Run timed_run(const std::string& name, int elements, const Integrator& integrator, double value) {
+    constexpr double enough = 0.3;  // s
+    Run best = run(name, elements, integrator, value);
+    double spent = best.seconds;
+    for (int k = 0; k < 4 && spent < enough; ++k) {
+        Run again = run(name, elements, integrator, value);
+        spent += again.seconds;
+        if (again.seconds < best.seconds) best = std::move(again);
+    }
+    return best;
+}
+
+/// Integrates with a far smaller tolerance or step than any that is measured.
+Run reference(const std::string& name, int elements) {
+#if ANCF_WITH_SUNDIALS
+    if (name != "steel")
+        return run(name, elements, ida("", ancf::sundials::Form::gear_gupta_leimkuhler, {}), 1e-11);
+#endif
+    return run(name, elements, generalized_alpha(1.0, {}), name == "steel" ? 2.5e-6 : 1e-5);
+}
+
+double error(const Run& got, const Run& exact) {
+    if (got.tips.size() != exact.tips.size()) return std::numeric_limits<double>::quiet_NaN();
+    double largest = 0.0;
+    for (std::size_t k = 0; k < got.tips.size(); ++k)
+        largest = std::max(largest, (got.tips[k] - exact.tips[k]).norm());
+    return largest;
+}
+
+void measure(const std::vector<std::string>& names, int elements) {
+    ancf::CsvWriter csv(
+        std::cout, {"case", "elements", "integrator", "setting", "value", "error", "energy_error",
+                    "steps", "linear_solves", "factorisations", "cpu_seconds", "status"});
+    for (const std::string& name : names) {
+        const Run exact = reference(name, elements);
+        ancf::detail::require(exact.report.status == ancf::Status::converged, name,
+                              ": the reference failed: ", exact.report.message);
+        for (const Integrator& integrator : integrators(name))
+            for (const double value : integrator.values) {
+                const Run got = timed_run(name, elements, integrator, value);
+                csv.row(name, elements, integrator.name, integrator.setting, value,
+                        error(got, exact), got.energy, got.report.steps, got.report.iterations,
+                        got.report.factorisations, got.seconds, to_string(got.report.status));
+                std::cout.flush();
+            }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::vector<std::string> names = {"pendulum", "link", "steel"};
+    int elements = 4;
+    CLI::App app("Work against precision of every integrator on three pendulums: CSV on stdout.");
+    app.add_option("--cases", names, "pendulum, link, steel")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"pendulum", "link", "steel"}));
+    app.add_option("--elements", elements, "number of elements")->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try {
+        measure(names, elements);
+    } catch (const std::exception& failure) {
+        std::cerr << failure.what() << '\n';
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}

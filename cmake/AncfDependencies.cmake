@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Looks for what ancf stands on; used by ancf's own build and by its installed package alike, so that
+# the same header package serves a consumer with Eigen only and one with everything.
+#
+# ancf_find_dependencies(PART): PART is core, suitesparse or sundials. Sets ancf_PART_FOUND and, where it
+# is false, ancf_PART_MESSAGE: what is missing and how to get it.
+#
+# These are macros: find_package must leave its targets and variables with the caller.
+
+set(_ancf_module_dir ${CMAKE_CURRENT_LIST_DIR})
+
+macro(ancf_find_dependencies part)
+    if("${part}" STREQUAL "core")
+        _ancf_find_eigen()
+    elseif("${part}" STREQUAL "suitesparse")
+        _ancf_find_suitesparse()
+    elseif("${part}" STREQUAL "sundials")
+        _ancf_find_sundials()
+    else()
+        set(ancf_${part}_FOUND FALSE)
+        set(ancf_${part}_MESSAGE
+            "ancf has no component '${part}'; there are: suitesparse, sundials (the core needs no name)")
+    endif()
+endmacro()
+
+# Sets ancf_PART_MESSAGE. The last four arguments are package names.
+function(_ancf_explain part problem debian fedora homebrew conda)
+    set(ancf_${part}_MESSAGE "${problem}
+  Debian, Ubuntu:  apt install ${debian}
+  Fedora:          dnf install ${fedora}
+  macOS:           brew install ${homebrew}
+  conda:           conda install -c conda-forge ${conda}"
+        PARENT_SCOPE)
+endfunction()
+
+# No version is asked for: Eigen 5 refuses a request for 3.4, and a range shuts out the next one.
+macro(_ancf_find_eigen)
+    find_package(Eigen3 QUIET CONFIG)
+    set(ancf_core_FOUND FALSE)
+    if(NOT TARGET Eigen3::Eigen)
+        _ancf_explain(core "ancf needs Eigen 3.4 or newer, which was not found."
+            libeigen3-dev eigen3-devel eigen eigen)
+    elseif(DEFINED Eigen3_VERSION AND Eigen3_VERSION VERSION_LESS 3.4)
+        _ancf_explain(core "ancf needs Eigen 3.4 or newer, found ${Eigen3_VERSION} in ${Eigen3_DIR}."
+            libeigen3-dev eigen3-devel eigen eigen)
+    else()
+        set(ancf_core_FOUND TRUE)
+    endif()
+endmacro()
+
+macro(_ancf_find_suitesparse)
+    list(PREPEND CMAKE_MODULE_PATH "${_ancf_module_dir}")
+    find_package(SuiteSparse QUIET MODULE COMPONENTS CHOLMOD UMFPACK)
+    list(POP_FRONT CMAKE_MODULE_PATH)
+    set(ancf_suitesparse_FOUND FALSE)
+    if(NOT SuiteSparse_FOUND)
+        _ancf_explain(suitesparse
+            "ancf's component suitesparse needs CHOLMOD and UMFPACK of SuiteSparse 5.12 or newer, which were not found."
+            libsuitesparse-dev suitesparse-devel suite-sparse suitesparse)
+    elseif(SuiteSparse_VERSION VERSION_LESS 5.12)
+        _ancf_explain(suitesparse
+            "ancf's component suitesparse needs SuiteSparse 5.12 or newer, found ${SuiteSparse_VERSION}."
+            libsuitesparse-dev suitesparse-devel suite-sparse suitesparse)
+    else()
+        set(ancf_suitesparse_FOUND TRUE)
+    endif()
+endmacro()
+
+macro(_ancf_find_sundials)
+    # A SUNDIALS with OpenMP vectors asks for OpenMP even where nobody uses them and leaves half of its targets
+    # undefined when the compiler has none. An empty stand-in keeps the serial parts usable.
+    if(NOT TARGET OpenMP::OpenMP_C)
+        find_package(OpenMP QUIET)
+        if(NOT OpenMP_FOUND AND NOT TARGET OpenMP::OpenMP_C)
+            add_library(OpenMP::OpenMP_C INTERFACE IMPORTED)
+        endif()
+    endif()
+    find_package(SUNDIALS QUIET CONFIG COMPONENTS ida nvecserial sunmatrixsparse sunlinsolklu)
+    set(ancf_sundials_FOUND FALSE)
+    if(NOT SUNDIALS_FOUND OR NOT TARGET SUNDIALS::ida OR NOT TARGET SUNDIALS::sunlinsolklu)
+        _ancf_explain(sundials
+            "ancf's component sundials needs IDA of SUNDIALS 6.4 or newer, built with KLU, which was not found."
+            libsundials-dev sundials-devel sundials sundials)
+    elseif(SUNDIALS_VERSION VERSION_LESS 6.4)
+        _ancf_explain(sundials "ancf's component sundials needs SUNDIALS 6.4 or newer, found ${SUNDIALS_VERSION}."
+            libsundials-dev sundials-devel sundials sundials)
+    else()
+        set(ancf_sundials_FOUND TRUE)
+    endif()
+endmacro()

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What ancf's own programs are compiled with. Nothing here reaches a consumer of the library.
+#
+# ancf_add_program(NAME SOURCE...): a test, example or bench program with the warnings, the sanitizers and all
+# components that are there; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0 in its sources.
+
+add_library(ancf_development INTERFACE)
+target_compile_options(ancf_development INTERFACE
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wconversion -Wshadow>
+    $<$<CXX_COMPILER_ID:MSVC>:/W4>)
+if(ANCF_WARNINGS_AS_ERRORS)
+    target_compile_options(ancf_development INTERFACE
+        $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Werror> $<$<CXX_COMPILER_ID:MSVC>:/WX>)
+endif()
+if(ANCF_SANITIZE)
+    list(JOIN ANCF_SANITIZE "," sanitizers)
+    target_compile_options(ancf_development INTERFACE
+        -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(ancf_development INTERFACE -fsanitize=${sanitizers})
+endif()
+
+target_link_libraries(ancf_development INTERFACE ancf::ancf)
+foreach(component suitesparse sundials)
+    string(TOUPPER ANCF_WITH_${component} definition)
+    if(TARGET ancf::${component})
+        target_link_libraries(ancf_development INTERFACE ancf::${component})
+        target_compile_definitions(ancf_development INTERFACE ${definition}=1)
+    else()
+        target_compile_definitions(ancf_development INTERFACE ${definition}=0)
+    endif()
+endforeach()
+
+function(ancf_add_program name)
+    add_executable(${name} ${ARGN})
+    target_link_libraries(${name} PRIVATE ancf_development)
+endfunction()
+
+# ancf_require_package(NAME TARGET FOR DEBIAN): finds what only the repository's own programs need.
+macro(ancf_require_package name target purpose debian)
+    find_package(${name} QUIET CONFIG)
+    if(NOT TARGET ${target})
+        message(FATAL_ERROR "${purpose} need ${name}, which was not found (Debian, Ubuntu: apt install ${debian}).")
+    endif()
+endmacro()

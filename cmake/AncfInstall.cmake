@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Headers, CMake package, pkg-config file, Debian package. Nothing depends on the architecture.
+
+include(CMakePackageConfigHelpers)
+
+set(ANCF_INSTALL_CMAKEDIR ${CMAKE_INSTALL_DATADIR}/cmake/ancf)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ancf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(TARGETS ancf EXPORT ancfTargets)
+install(TARGETS ancf_suitesparse EXPORT ancfSuitesparseTargets)
+install(TARGETS ancf_sundials EXPORT ancfSundialsTargets)
+foreach(export ancfTargets ancfSuitesparseTargets ancfSundialsTargets)
+    install(EXPORT ${export} NAMESPACE ancf:: DESTINATION ${ANCF_INSTALL_CMAKEDIR})
+endforeach()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ancfConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/cmake/ancfConfig.cmake INSTALL_DESTINATION ${ANCF_INSTALL_CMAKEDIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/ancfConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES
+    ${PROJECT_BINARY_DIR}/cmake/ancfConfig.cmake
+    ${PROJECT_BINARY_DIR}/cmake/ancfConfigVersion.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/AncfDependencies.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindSuiteSparse.cmake
+    DESTINATION ${ANCF_INSTALL_CMAKEDIR})
+
+# The prefix is found from the file's own place, so that an installed tree can be moved.
+file(RELATIVE_PATH ANCF_PC_TO_PREFIX /${CMAKE_INSTALL_DATADIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" ANCF_PC_TO_PREFIX "${ANCF_PC_TO_PREFIX}")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/ancf.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
+
+if(PROJECT_IS_TOP_LEVEL)
+    set(CPACK_GENERATOR DEB)
+    set(CPACK_PACKAGE_NAME libancf-dev)
+    set(CPACK_PACKAGE_VENDOR "The ancf authors")
+    set(CPACK_PACKAGE_CONTACT "The ancf authors <${PROJECT_NAME}@localhost>")
+    set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+    set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+    set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+    set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
+    set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+    set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
+    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libsuitesparse-dev, libsundials-dev")
+    include(CPack)
+endif()

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/error.hpp>
+#include <ancf/output/shape.hpp>
+#include <ancf/output/surface.hpp>
+#include <ancf/output/vtk.hpp>
+
+#include <support/files.hpp>
+
+#include <fstream>
+
+namespace examples {
+
+void OutputOptions::add_to(CommandLine& line) {
+    line.set_group("Output");
+    line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
+    add_files_to(line);
+}
+
+void OutputOptions::add_files_to(CommandLine& line) {
+    line.set_group("Output");
+    line.add_file("--vtk", vtk,
+                  "the deformed beam (of the last mesh) for ParaView: .vtp, .vtu or .vtk");
+    line.add_file("--shape", shape, "its centre line and the outline of its sections, as CSV");
+}
+
+void OutputOptions::check() const {
+    if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
+}
+
+template <class Element>
+void OutputOptions::write(const ancf::Model<Element>& model, const ancf::Beam<Element>& beam,
+                          const ancf::Section& section) const {
+    constexpr int stations = 17;  // per element
+    if (!vtk.empty()) {
+        ancf::Surface surface;
+        surface.add(model, beam, section, stations);
+        ancf::write_vtk(vtk, surface);
+    }
+    if (!shape.empty()) {
+        std::ofstream out(shape);
+        ancf::write_shape(out, ancf::deformed_shape(model, beam, section, stations));
+        out.close();
+        ancf::detail::require(!out.fail(), "cannot write ", shape);
+    }
+}
+
+#define ANCF_EXAMPLES_WRITE(Element)                                                            \
+    template void OutputOptions::write(const ancf::Model<Element>&, const ancf::Beam<Element>&, \
+                                       const ancf::Section&) const;
+ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_WRITE)
+
+}  // namespace examples

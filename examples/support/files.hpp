@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What a program writes: CSV instead of a table, and the deformed beam for ParaView and gnuplot.
+
+#pragma once
+
+#include <ancf/model/beam.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/section/section.hpp>
+
+#include <support/command_line.hpp>
+#include <support/elements.hpp>
+
+#include <string>
+
+namespace examples {
+
+/// Where a program writes its results.
+struct OutputOptions {
+    bool csv = false;
+    std::string vtk;
+    std::string shape;
+
+    /// Adds --csv and the files.
+    void add_to(CommandLine& line);
+
+    /// Adds the files alone.
+    void add_files_to(CommandLine& line);
+
+    /// Refuses a file of unknown format before any work is done.
+    /// @throws InvalidArgument naming the file.
+    void check() const;
+
+    /// Writes the files that were asked for.
+    /// @throws InvalidArgument for a file that cannot be written.
+    template <class Element>
+    void write(const ancf::Model<Element>& model, const ancf::Beam<Element>& beam,
+               const ancf::Section& section) const;
+};
+
+}  // namespace examples

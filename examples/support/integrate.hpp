@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Integration of a scene of any elements with an integrator chosen when the program runs.
+///
+/// Each integrator is compiled once for each element type, in this folder's sources.
+
+#pragma once
+
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/output/state_file.hpp>
+
+#if ANCF_WITH_SUITESPARSE
+#include <ancf/suitesparse/umfpack.hpp>
+#else
+#include <ancf/solver/eigen_solver.hpp>
+#endif
+#if ANCF_WITH_SUNDIALS
+#include <ancf/sundials/ida.hpp>
+#endif
+
+#include <support/motion.hpp>
+#include <support/progress.hpp>
+
+#include <string>
+#include <utility>
+
+namespace examples {
+
+/// The linear solver of integrators that bring none along.
+#if ANCF_WITH_SUITESPARSE
+using GeneralSolver = ancf::suitesparse::Umfpack;
+#else
+using GeneralSolver = ancf::EigenLu;
+#endif
+
+/// Integrates by IDA.
+template <class Scene>
+[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem<Scene>& problem,
+                                      const MotionOptions& options,
+                                      const ancf::Schedule& schedule) {
+#if ANCF_WITH_SUNDIALS
+    ancf::sundials::IdaOptions ida;
+    ida.tolerance = options.tolerance;
+    if (options.integrator == "ida-ggl") ida.form = ancf::sundials::Form::gear_gupta_leimkuhler;
+    auto report = ancf::sundials::Ida(ida).integrate(problem, schedule);
+    std::string detail = "order at most " + std::to_string(report.order) + ", " + report.code;
+    return {std::move(report), std::move(detail)};
+#else
+    static_cast<void>(problem);
+    static_cast<void>(schedule);
+    ancf::detail::reject("--integrator ", options.integrator,
+                         " needs SUNDIALS, and this program was built without it");
+#endif
+}
+
+/// Integrates by the integrator of the options.
+template <class Scene>
+[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem<Scene>& problem,
+                                       const MotionOptions& options, const ancf::Schedule& schedule,
+                                       const ancf::Memory& memory) {
+    if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
+    GeneralSolver solver;
+    if (options.integrator == "energy") {
+        ancf::EnergyMomentumOptions method;
+        method.step = options.step;
+        return {ancf::EnergyMomentum(method).integrate(problem, solver, schedule, memory), ""};
+    }
+    ancf::GeneralizedAlphaOptions method;
+    method.step = options.step;
+    method.rho = options.rho;
+    return {ancf::GeneralizedAlpha(method).integrate(problem, solver, schedule, memory),
+            "rho " + ancf::number_text(options.rho, 6)};
+}
+
+template <class Element>
+Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
+                 ancf::Schedule schedule) {
+    ancf::Memory memory;
+    if (!options.restart.empty()) {
+        ancf::SavedState saved = ancf::load_state(options.restart);
+        ancf::State& state = model.state();
+        ancf::detail::require(
+            saved.state.q.size() == state.q.size() && saved.state.v.size() == state.v.size() &&
+                saved.state.multipliers.size() == state.multipliers.size(),
+            options.restart, ": the scene has ", state.q.size(), " coordinates and ",
+            state.multipliers.size(), " multipliers, the file ", saved.state.q.size(), " and ",
+            saved.state.multipliers.size());
+        state = std::move(saved.state);
+        if (!options.by_ida()) memory = std::move(saved.memory);
+    }
+    const double start = model.state().time;
+    schedule.end += start;
+    for (double& time : schedule.times) time += start;
+    ProgressBar bar(start);
+    schedule.progress = [&](double time, double end) {
+        bar.show(time, end);
+        return true;
+    };
+    ancf::DynamicProblem<ancf::Model<Element>> problem(model);
+    Motion motion = integrate_problem(problem, options, schedule, memory);
+    bar.clear();
+    if (!options.save.empty())
+        ancf::save_state(options.save, {model.state(), motion.report.memory});
+    return motion;
+}
+
+}  // namespace examples

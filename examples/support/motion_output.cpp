@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/error.hpp>
+#include <ancf/output/csv.hpp>
+#include <ancf/output/shape.hpp>
+#include <ancf/output/surface.hpp>
+
+#include <support/motion_output.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace examples {
+
+namespace {
+
+constexpr int stations = 17;  // per element
+
+}  // namespace
+
+void MotionOutputOptions::add_to(CommandLine& line) {
+    line.set_group("Output");
+    line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
+    line.add_file("--vtk", vtk, "folder of a series for ParaView, one file per output time");
+    line.add_file("--shapes", shapes, "centre lines and outlines at every output time, as CSV");
+}
+
+template <class Element>
+MotionWriter<Element>::MotionWriter(const ancf::Model<Element>& model,
+                                    std::vector<ancf::Beam<Element>> beams,
+                                    const ancf::Section& section, ancf::NodeId tip,
+                                    const MotionOutputOptions& options, const std::string& name)
+    : shown_(model),
+      beams_(std::move(beams)),
+      section_(section),
+      tip_(model.coordinate(tip, ancf::Field::r)),
+      options_(options),
+      sheet_(options.csv,
+             {"t", "x", "y", "z", "kinetic", "strain", "potential", "total", "constraint",
+              "constraint_rate"},
+             {"t", "x", "y", "z", "kinetic", "strain", "potential", "total", "constraint",
+              "its rate"}) {
+    if (!options.vtk.empty()) series_.emplace(options.vtk, name);
+    if (options.shapes.empty()) return;
+    shapes_.open(options.shapes);
+    ancf::detail::require(shapes_.is_open(), "cannot write ", options.shapes);
+    shapes_ << "t,beam,s,x,y,z";
+    for (std::size_t k = 0; k < section.outline().size(); ++k)
+        for (const char* axis : {"x", "y", "z"}) shapes_ << ',' << axis << k;
+    shapes_ << '\n';
+}
+
+template <class Element>
+void MotionWriter<Element>::write(const ancf::Snapshot& seen) {
+    const double time = seen.state.time;
+    const double* place = seen.state.q.data() + tip_;
+    const ancf::Energies& energies = seen.energies;
+    sheet_.add_csv(time, place[0], place[1], place[2], energies.kinetic, energies.strain,
+                   energies.potential, energies.total(), seen.violation, seen.violation_rate);
+    sheet_.add_table({fixed(time, 3), fixed(place[0], 6), fixed(place[1], 6), fixed(place[2], 6),
+                      fixed(energies.kinetic, 4), fixed(energies.strain, 4),
+                      fixed(energies.potential + 0.0, 4), scientific(energies.total()),
+                      scientific(seen.violation), scientific(seen.violation_rate)});
+    if (!series_ && !shapes_.is_open()) return;
+    shown_.state() = seen.state;
+    if (shapes_.is_open()) write_shapes(time);
+    if (!series_) return;
+    ancf::Surface surface;
+    for (const auto& beam : beams_) surface.add(shown_, beam, section_, stations);
+    series_->add(time, surface);
+}
+
+template <class Element>
+void MotionWriter<Element>::write_shapes(double time) {
+    for (std::size_t k = 0; k < beams_.size(); ++k)
+        for (const auto& station : ancf::deformed_shape(shown_, beams_[k], section_, stations)) {
+            shapes_ << ancf::number_text(time) << ',' << k << ',' << ancf::number_text(station.s);
+            for (const double value : station.centre) shapes_ << ',' << ancf::number_text(value);
+            for (const auto& corner : station.outline)
+                for (const double value : corner) shapes_ << ',' << ancf::number_text(value);
+            shapes_ << '\n';
+        }
+}
+
+template <class Element>
+void MotionWriter<Element>::finish(const std::string& title) {
+    sheet_.finish(title);
+    if (!shapes_.is_open()) return;
+    shapes_.close();
+    ancf::detail::require(!shapes_.fail(), "cannot write ", options_.shapes);
+}
+
+#define ANCF_EXAMPLES_MOTION_WRITER(Element) template class MotionWriter<Element>;
+ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_MOTION_WRITER)
+
+}  // namespace examples

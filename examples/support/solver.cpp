@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <support/elements.hpp>
+#include <support/solve.hpp>
+#include <support/solver.hpp>
+
+namespace examples {
+
+SolverOptions::SolverOptions() : solver(ANCF_WITH_SUITESPARSE ? "cholmod" : "eigen") {}
+
+void SolverOptions::add_to(CommandLine& line) {
+    constexpr int most = 1'000'000;
+    line.set_group("Solution");
+    line.add_choice("--solver", solver, {"cholmod", "umfpack", "eigen"}, "linear solver");
+    line.add_count("--steps", statics.steps, 1, most, "equal load steps");
+    line.add_count("--max-iterations", statics.max_iterations, 1, most,
+                   "linear solves per load step");
+    line.add_flag("--adaptive", statics.adaptive, "halve a load step that fails");
+    line.add_flag("--line-search", statics.line_search,
+                  "shorten corrections that enlarge the residual");
+}
+
+template <class Element>
+ancf::StaticsReport solve(ancf::Model<Element>& model, const SolverOptions& options) {
+    return solve_scene(model, options);
+}
+
+#define ANCF_EXAMPLES_SOLVE(Element) \
+    template ancf::StaticsReport solve(ancf::Model<Element>&, const SolverOptions&);
+ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_SOLVE)
+
+}  // namespace examples

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The options of a static solution, and the solution of models of one element type.
+
+#pragma once
+
+#include <ancf/model/model.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/command_line.hpp>
+#include <support/elements.hpp>
+
+#include <string>
+
+namespace examples {
+
+/// How a static problem is solved, from the command line.
+struct SolverOptions {
+    std::string solver;  ///< cholmod or umfpack where SuiteSparse is there, or eigen
+    ancf::StaticsOptions statics;
+
+    SolverOptions();
+    void add_to(CommandLine& line);
+};
+
+/// Brings a model to equilibrium.
+/// @throws InvalidArgument for a linear solver that is not there.
+template <class Element>
+[[nodiscard]] ancf::StaticsReport solve(ancf::Model<Element>& model, const SolverOptions& options);
+
+/// Returns the load steps of a run: those asked for, or those that an adaptive run tried.
+[[nodiscard]] inline int steps(const SolverOptions& options, const ancf::StaticsReport& report) {
+    return options.statics.adaptive ? static_cast<int>(report.steps.size()) : options.statics.steps;
+}
+
+/// Returns the number of unknown coordinates.
+template <class Scene>
+[[nodiscard]] int free_coordinates(const Scene& model) {
+    return model.layout().size() - static_cast<int>(model.supports().size());
+}
+
+}  // namespace examples

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// All of the core, which needs Eigen alone. The components suitesparse and sundials are included by name.
+///
+/// It is the quick way in; the narrower headers compile faster.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cable.hpp>
+#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/torsion_beam.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/model/curve.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/model/polyline.hpp>
+#include <ancf/output/csv.hpp>
+#include <ancf/output/shape.hpp>
+#include <ancf/output/state_file.hpp>
+#include <ancf/output/surface.hpp>
+#include <ancf/output/vtk.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/polygon.hpp>
+#include <ancf/section/profiles.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/section/stiffness.hpp>
+#include <ancf/solver/automatic.hpp>
+#include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/path.hpp>
+#include <ancf/solver/scaled.hpp>
+#include <ancf/solver/statics.hpp>
+#include <ancf/types.hpp>
+#include <ancf/version.hpp>

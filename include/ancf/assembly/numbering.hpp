@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Which coordinates are unknowns, and which equation each has.
+///
+/// Equations follow the nodes; the multipliers of the constraints come last. Each node and each
+/// constraint is one block of the system.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/layout.hpp>
+#include <ancf/model/support.hpp>
+#include <ancf/types.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace ancf {
+
+/// The equations of a scene.
+class Numbering {
+public:
+    Numbering() = default;
+
+    /// @throws InvalidArgument for a support on a vector that its node does not carry.
+    template <class Model>
+    explicit Numbering(const Model& model);
+
+    /// Returns the number of equations: free coordinates, then multipliers.
+    [[nodiscard]] int unknowns() const noexcept { return free_ + multipliers_; }
+    [[nodiscard]] int free_coordinates() const noexcept { return free_; }
+    [[nodiscard]] int multipliers() const noexcept { return multipliers_; }
+    [[nodiscard]] int coordinates() const noexcept { return static_cast<int>(equation_.size()); }
+
+    /// Returns the equation of a coordinate, -1 where a support holds it.
+    [[nodiscard]] int equation(int coordinate) const noexcept {
+        return equation_[static_cast<std::size_t>(coordinate)];
+    }
+
+    /// Returns the node, and so the block, of a coordinate.
+    [[nodiscard]] int block(int coordinate) const noexcept {
+        return block_[static_cast<std::size_t>(coordinate)];
+    }
+
+    /// Returns the block of a constraint.
+    [[nodiscard]] int constraint_block(int constraint) const noexcept {
+        return nodes_ + constraint;
+    }
+
+    /// Returns the number of equations of each block.
+    [[nodiscard]] const std::vector<int>& block_sizes() const noexcept { return sizes_; }
+
+    /// Returns the supported coordinates in ascending order.
+    [[nodiscard]] const std::vector<int>& held() const noexcept { return held_; }
+
+    /// Copies the free entries of a vector of coordinates.
+    void gather_free(const VectorX& coordinates, VectorX& free) const {
+        free.resize(free_);
+        for (std::size_t k = 0; k < equation_.size(); ++k)
+            if (equation_[k] >= 0) free[equation_[k]] = coordinates[static_cast<Eigen::Index>(k)];
+    }
+
+    /// Adds to the free entries of a vector of coordinates.
+    void add_free(const VectorX& free, double scale, VectorX& coordinates) const {
+        for (std::size_t k = 0; k < equation_.size(); ++k)
+            if (equation_[k] >= 0) coordinates[static_cast<Eigen::Index>(k)] += scale * free[equation_[k]];
+    }
+
+private:
+    int nodes_ = 0;
+    int free_ = 0;
+    int multipliers_ = 0;
+    std::vector<int> equation_;
+    std::vector<int> block_;
+    std::vector<int> sizes_;
+    std::vector<int> held_;
+};
+
+template <class Model>
+Numbering::Numbering(const Model& model) {
+    const Layout& layout = model.layout();
+    nodes_ = layout.nodes();
+    equation_.assign(static_cast<std::size_t>(layout.size()), 0);
+    block_.resize(equation_.size());
+    for (const Support& support : model.supports()) {
+        const int first = layout.index({support.node, support.field});
+        detail::require(first >= 0, "a support holds ", to_string(support.field), " of node ",
+                        support.node.index, ", which carries no such vector");
+        equation_[static_cast<std::size_t>(first + support.component)] = -1;
+    }
+    sizes_.assign(static_cast<std::size_t>(nodes_), 0);
+    for (int node = 0; node < nodes_; ++node)
+        for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            block_[at] = node;
+            if (equation_[at] < 0) {
+                held_.push_back(k);
+            } else {
+                equation_[at] = free_++;
+                ++sizes_[static_cast<std::size_t>(node)];
+            }
+        }
+    for (const auto& constraint : model.constraints()) {
+        sizes_.push_back(constraint.equations());
+        multipliers_ += constraint.equations();
+    }
+}
+
+}  // namespace ancf

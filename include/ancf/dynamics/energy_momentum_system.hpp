@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Residual and matrix of a step of the energy-momentum scheme.
+///
+/// For the later end (q_1, lambda), with De = q_1 - q_0:
+///
+///     M (v_1 - v_0)/h + f(q_0, q_1) + G_d^T lambda - Q(q_m, De/h, t_m) = 0,   g(q_1, t_1) = 0,
+///     v_1 = 2 De/h - v_0.
+
+#pragma once
+
+#include <ancf/dynamics/discrete_gradient.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ancf::detail {
+
+/// One scene's step. Vectors q, v are of all coordinates.
+template <class Scene>
+class EnergyMomentumSystem {
+public:
+    explicit EnergyMomentumSystem(DynamicProblem<Scene>& problem);
+
+    /// Forgets the last step, so that the next one may start elsewhere.
+    void restart() { q0_.resize(0); }
+
+    /// Takes the start of a step; the supports at both ends are already in q0 and, later, in q1.
+    void begin(double t0, double h, const VectorX& q0, const VectorX& v0);
+
+    /// Evaluates the residual at the later end and, where wanted, the matrix
+    /// [M + h^2/4 K + h/2 D, G_d^T; G, 0] for (dq_1, h^2/2 dlambda).
+    ///
+    /// Written to rhs: -h^2/2 of the forces' residual, and -g(q_1, t_1).
+    [[nodiscard]] bool evaluate(const VectorX& q1, const VectorX& v1, const VectorX& lambda, bool matrix,
+                                VectorX& rhs);
+
+    [[nodiscard]] const SparseMatrix& matrix() const noexcept { return matrix_; }
+
+    /// Makes the energies of the later end those of the next step's start.
+    void accept() { before_ = after_; }
+
+private:
+    struct LocalLoad {
+        std::vector<int> at;
+        std::vector<char> is_position;
+    };
+
+    [[nodiscard]] LocalLoad local(const Coupling& coupling) const;
+    [[nodiscard]] bool is_invariant(const AnyConstraint& constraint, const LocalLoad& local) const;
+    void add_elements(const VectorX& q1, bool matrix);
+    void add_loads(const VectorX& q1, bool matrix);
+    void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
+    void add_block(const std::vector<int>& at, const MatrixX& block, double scale);
+    void add_inertia(const VectorX& v1);
+    void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end, const MatrixX& middle,
+                    int first);
+
+    DynamicProblem<Scene>& problem_;
+    const Numbering& numbering_;
+    const BlockPattern& pattern_;
+    StepTangent tangent_;
+    std::vector<LocalLoad> loads_, constraints_;
+    std::vector<char> invariant_;
+    std::vector<char> left_out_;
+    VectorX gravity_;      // at unit scale
+    double length_ = 1.0;  // of an element: the weight of slopes in joints and loads
+    bool driven_ = false;
+
+    double t0_ = 0.0, h_ = 0.0;
+    VectorX q0_, v0_, middle_, change_;
+    std::vector<double> before_, after_;  // strain energies of the elements at both ends
+    VectorX force_;                       // of all coordinates, inertia aside
+    VectorX violation_;
+    SparseMatrix matrix_;
+};
+
+template <class Scene>
+EnergyMomentumSystem<Scene>::EnergyMomentumSystem(DynamicProblem<Scene>& problem)
+    : problem_(problem),
+      numbering_(problem.numbering()),
+      pattern_(problem.assembly().pattern()),
+      tangent_(pattern_.storage() == Storage::full ? StepTangent::exact : StepTangent::symmetric),
+      matrix_(problem.mass()) {
+    const Scene& model = problem.model();
+    VectorX field = VectorX::Zero(numbering_.coordinates());
+    for (int node = 0; node < model.layout().nodes(); ++node)
+        if (model.layout().fields(node).contains(Field::r))
+            field.template segment<Scene::dimension>(model.layout().first(node)) = model.gravity();
+    gravity_ = problem.assembly().mass_product(field);
+    problem.assembly().for_each_element([&](const auto& element, const int*, const auto&) {
+        length_ = before_.empty() ? element.length() : std::min(length_, element.length());
+        before_.push_back(0.0);
+    });
+    after_ = before_;
+    for (const ScaledLoad& load : model.loads()) loads_.push_back(local(load.load.coupling()));
+    for (const AnyConstraint& constraint : model.constraints()) {
+        constraints_.push_back(local(constraint.coupling()));
+        invariant_.push_back(is_invariant(constraint, constraints_.back()) ? 1 : 0);
+    }
+    left_out_.assign(static_cast<std::size_t>(problem.multipliers()), 0);
+    for (const int equation : problem.left_out()) left_out_[static_cast<std::size_t>(equation)] = 1;
+    for (const Support& support : model.supports()) driven_ = driven_ || support.value;
+}
+
+template <class Scene>
+typename EnergyMomentumSystem<Scene>::LocalLoad EnergyMomentumSystem<Scene>::local(
+    const Coupling& coupling) const {
+    LocalLoad result;
+    for (const NodeField& at : coupling) {
+        const int first = problem_.model().layout().index(at);
+        for (int k = 0; k < Scene::dimension; ++k) result.at.push_back(first + k);
+        result.is_position.push_back(at.field == Field::r ? 1 : 0);
+    }
+    return result;
+}
+
+template <class Scene>
+bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
+                                               const LocalLoad& local) const {
+    constexpr int dimension = Scene::dimension;
+    using Point = Vector<double, dimension>;
+    const State& state = problem_.model().state();
+    const int equations = constraint.equations();
+    const auto value = [&](const VectorX& q) {
+        ConstraintState at{q, VectorX::Zero(q.size()), VectorX::Zero(equations), state.time};
+        ConstraintResult out;
+        out.violation.setZero(equations);
+        out.jacobian.setZero(equations, q.size());
+        out.stiffness.setZero(q.size(), q.size());
+        out.rate.setZero(equations);
+        out.convection.setZero(equations);
+        constraint.evaluate(at, out);
+        return out.violation;
+    };
+    // two finite turns about different axes, each with a shift
+    const VectorX q = state.q(local.at);
+    const VectorX rest = value(q);
+    for (int trial = 0; trial < 2; ++trial) {
+        Point shift = Point::Constant(0.3 + 0.4 * trial) * problem_.length_scale();
+        Matrix<double, dimension> turn = Matrix<double, dimension>::Identity();
+        const int a = trial;
+        const int b = trial == 0 || dimension == 2 ? 1 - trial : 2;
+        turn(a, a) = turn(b, b) = 0.8;
+        turn(a, b) = -0.6;
+        turn(b, a) = 0.6;
+        VectorX moved = q;
+        for (std::size_t k = 0; k < local.is_position.size(); ++k) {
+            auto part = moved.template segment<dimension>(dimension * static_cast<int>(k));
+            part = (turn * part).eval();
+            if (local.is_position[k] != 0) part += shift;
+        }
+        if (!((value(moved) - rest).norm() <= 1e-10 * std::max(1.0, moved.norm()))) return false;
+    }
+    return true;
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::begin(double t0, double h, const VectorX& q0, const VectorX& v0) {
+    const bool first = q0_.size() == 0;
+    t0_ = t0;
+    h_ = h;
+    q0_ = q0;
+    v0_ = v0;
+    if (!first) return;
+    std::size_t index = 0;
+    problem_.assembly().for_each_element([&](const auto& element, const int* at, const auto&) {
+        typename std::decay_t<decltype(element)>::Coordinates e;
+        for (int i = 0; i < e.size(); ++i) e[i] = q0_[at[i]];
+        before_[index++] = element.energy(e);
+    });
+}
+
+template <class Scene>
+bool EnergyMomentumSystem<Scene>::evaluate(const VectorX& q1, const VectorX& v1, const VectorX& lambda,
+                                           bool matrix, VectorX& rhs) {
+    middle_ = 0.5 * (q0_ + q1);
+    change_ = q1 - q0_;
+    force_.setZero(q1.size());
+    violation_.setZero(problem_.multipliers());
+    if (matrix) std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+    add_elements(q1, matrix);
+    add_loads(q1, matrix);
+    add_constraints(q1, lambda, matrix);
+    if (matrix)
+        Eigen::Map<VectorX>(matrix_.valuePtr(), matrix_.nonZeros()) +=
+            Eigen::Map<const VectorX>(problem_.mass().valuePtr(), matrix_.nonZeros());
+    add_inertia(v1);
+    VectorX free;
+    numbering_.gather_free(force_, free);
+    rhs.resize(numbering_.unknowns());
+    rhs.head(problem_.size()) = -0.5 * h_ * h_ * free;
+    rhs.tail(problem_.multipliers()) = -violation_;
+    return rhs.allFinite();
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::add_inertia(const VectorX& v1) {
+    if (driven_) {
+        force_ += problem_.assembly().mass_product((v1 - v0_) / h_);
+        return;
+    }
+    VectorX free;
+    numbering_.gather_free((v1 - v0_) / h_, free);
+    numbering_.add_free(problem_.compact_mass() * free, 1.0, force_);
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::add_elements(const VectorX& q1, bool matrix) {
+    std::size_t index = 0;
+    problem_.assembly().for_each_element([&](const auto& element, const int* at, const auto& add) {
+        typename std::decay_t<decltype(element)>::Coordinates e0, e1;
+        for (int i = 0; i < e0.size(); ++i) {
+            e0[i] = q0_[at[i]];
+            e1[i] = q1[at[i]];
+        }
+        auto step = step_force(element, e0, e1, before_[index],
+                               matrix ? tangent_ : StepTangent::none);
+        after_[index++] = step.energy;
+        for (int i = 0; i < e0.size(); ++i) force_[at[i]] += step.force[i];
+        if (!matrix) return;
+        step.tangent *= 0.5 * h_ * h_;
+        add(step.tangent, matrix_);
+    });
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
+    const Scene& model = problem_.model();
+    const Instant middle{t0_ + 0.5 * h_, 1.0};
+    force_ -= model.gravity_scale(middle) * gravity_;
+    const auto evaluate = [&](const ScaledLoad& load, const VectorX& q, const VectorX& v) {
+        const Eigen::Index size = q.size();
+        LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size), 0.0};
+        load.load.evaluate({q, v, middle.time}, out);
+        return out;
+    };
+    for (std::size_t k = 0; k < loads_.size(); ++k) {
+        const ScaledLoad& load = model.loads()[k];
+        const LocalLoad& place = loads_[k];
+        const VectorX change = change_(place.at);
+        const VectorX rate = change / h_;
+        LoadResult result = evaluate(load, middle_(place.at), rate);
+        if (result.potential != 0.0) {
+            // a conservative load does the work by which its potential falls
+            const double later = evaluate(load, q1(place.at), rate).potential;
+            const double earlier = evaluate(load, q0_(place.at), rate).potential;
+            const double rest = earlier - later - result.force.dot(change);
+            if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
+                correct_gradient<Scene::dimension>(
+                    earlier - later, middle_(place.at), change, false,
+                    [&](int i) { return place.is_position[static_cast<std::size_t>(i)] != 0; }, length_,
+                    result.force);
+        }
+        const double scale = load.scale(middle);
+        for (std::size_t i = 0; i < place.at.size(); ++i)
+            force_[place.at[i]] -= scale * result.force[static_cast<Eigen::Index>(i)];
+        if (!matrix) continue;
+        add_block(place.at, result.stiffness, -0.25 * h_ * h_ * scale);
+        add_block(place.at, result.damping, -0.5 * h_ * scale);
+    }
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix) {
+    const Scene& model = problem_.model();
+    int first = 0;
+    ConstraintState state;
+    ConstraintResult ends[3];
+    for (std::size_t k = 0; k < constraints_.size(); ++k) {
+        const AnyConstraint& constraint = model.constraints()[k];
+        const LocalLoad& place = constraints_[k];
+        const int equations = constraint.equations();
+        const auto size = static_cast<Eigen::Index>(place.at.size());
+        const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
+            state.time = time;
+            state.q = q(place.at);
+            state.v = VectorX::Zero(size);
+            state.multipliers = lambda.segment(first, equations);
+            out.violation.setZero(equations);
+            out.jacobian.setZero(equations, size);
+            out.stiffness.setZero(size, size);
+            out.rate.setZero(equations);
+            out.convection.setZero(equations);
+            constraint.evaluate(state, out);
+        };
+        const double middle_time = t0_ + 0.5 * h_;
+        ConstraintResult& middle = ends[0];
+        evaluate(middle_time, middle_, middle);
+        evaluate(middle_time, q0_, ends[1]);
+        evaluate(middle_time, q1, ends[2]);
+        const VectorX difference = ends[2].violation - ends[1].violation;
+        const VectorX change = change_(place.at);
+        for (int i = 0; i < equations; ++i) {
+            if (left_out_[static_cast<std::size_t>(first + i)] != 0) {
+                middle.jacobian.row(i).setZero();
+                continue;
+            }
+            VectorX gradient = middle.jacobian.row(i).transpose();
+            const double rest = difference[i] - gradient.dot(change);
+            if (std::abs(rest) > 1e-15 * gradient.cwiseAbs().dot(middle_(place.at).cwiseAbs()))
+                correct_gradient<Scene::dimension>(
+                    difference[i], middle_(place.at), change, invariant_[k] != 0,
+                    [&](int j) { return place.is_position[static_cast<std::size_t>(j)] != 0; }, length_,
+                    gradient);
+            middle.jacobian.row(i) = gradient.transpose();
+        }
+        for (Eigen::Index j = 0; j < size; ++j)
+            force_[place.at[static_cast<std::size_t>(j)]] +=
+                middle.jacobian.col(j).dot(lambda.segment(first, equations));
+        evaluate(t0_ + h_, q1, ends[2]);
+        for (int i = 0; i < equations; ++i) {
+            const bool out = left_out_[static_cast<std::size_t>(first + i)] != 0;
+            violation_[first + i] = out ? lambda[first + i] : ends[2].violation[i];
+            if (out) ends[2].jacobian.row(i).setZero();
+        }
+        if (matrix) {
+            add_block(place.at, middle.stiffness, 0.25 * h_ * h_);
+            write_rows(static_cast<int>(k), place.at, ends[2].jacobian, middle.jacobian, first);
+        }
+        first += equations;
+    }
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::add_block(const std::vector<int>& at, const MatrixX& block,
+                                            double scale) {
+    double* values = matrix_.valuePtr();
+    for (std::size_t j = 0; j < at.size(); ++j) {
+        const int column = numbering_.equation(at[j]);
+        if (column < 0) continue;
+        const int b = numbering_.block(at[j]);
+        const int offset = pattern_.column_offset(b, column - pattern_.first(b));
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const int row = numbering_.equation(at[i]);
+            const double value = block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            if (row < 0 || value == 0.0 || (pattern_.storage() == Storage::lower && row < column)) continue;
+            const int a = numbering_.block(at[i]);
+            values[pattern_.base(a, b) + offset + row - pattern_.first(a)] += scale * value;
+        }
+    }
+}
+
+/// Adds G of the end in the rows of a constraint, G of the step in its columns.
+template <class Scene>
+void EnergyMomentumSystem<Scene>::write_rows(int constraint, const std::vector<int>& at,
+                                             const MatrixX& end, const MatrixX& middle, int first) {
+    double* values = matrix_.valuePtr();
+    const int own = numbering_.constraint_block(constraint);
+    for (std::size_t j = 0; j < at.size(); ++j) {
+        const int equation = numbering_.equation(at[j]);
+        if (equation < 0) continue;
+        const int node = numbering_.block(at[j]);
+        const int place = equation - pattern_.first(node);
+        const int row = pattern_.base(own, node) + pattern_.column_offset(node, place);
+        const int column = pattern_.base(node, own) + place;
+        for (int i = 0; i < end.rows(); ++i) {
+            values[row + i] += end(i, static_cast<Eigen::Index>(j));
+            values[column + pattern_.column_offset(own, i)] += middle(i, static_cast<Eigen::Index>(j));
+        }
+    }
+    for (int i = 0; i < end.rows(); ++i)
+        if (left_out_[static_cast<std::size_t>(first + i)] != 0)
+            values[pattern_.base(own, own) + pattern_.column_offset(own, i) + i] = 1.0;
+}
+
+}  // namespace ancf::detail

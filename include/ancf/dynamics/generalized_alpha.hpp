@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The generalized-alpha method for the index-3 system, with fixed or adaptive steps.
+///
+///     M v'_1 + r(t_1, q_1, v_1, lambda_1) = 0,   g(q_1, t_1) = 0,
+///     (1 - am) a_1 + am a_0 = (1 - af) v'_1 + af v'_0,
+///     q_1 = q_0 + h v_0 + h^2 ((1/2 - beta) a_0 + beta a_1),   v_1 = v_0 + h ((1 - gamma) a_0 + gamma a_1)
+///
+/// Source: Arnold and Bruels, Multibody System Dynamics 18 (2007) 185-202. Second order; rho is the
+/// spectral radius at infinite frequency: 1 keeps all oscillations, 0 damps the fastest in one step.
+
+#pragma once
+
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/recorder.hpp>
+#include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace ancf {
+
+struct GeneralizedAlphaOptions {
+    double rho = 0.8;         ///< spectral radius at infinity, from 0 to 1
+    double step = 1e-3;       ///< s: the step, or the first one of an adaptive run
+    double tolerance = 0.0;   ///< 0: fixed steps; else the local error of a step in q, relative to the
+                              ///< scene's size (slopes absolutely)
+    double min_step = 1e-12;  ///< s, of an adaptive run
+    double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
+    double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
+    int max_iterations = 12;          ///< of Newton's method in a step
+    bool follow_energy = true;        ///< report the energy drift: one evaluation of the force a step
+
+    /// @throws InvalidArgument naming the first value that cannot be meant.
+    void check() const;
+};
+
+/// The integrator. An object can be used for many runs.
+class GeneralizedAlpha {
+public:
+    /// @throws InvalidArgument naming the first option that cannot be meant.
+    explicit GeneralizedAlpha(const GeneralizedAlphaOptions& options = {}) : options_(options) {
+        options_.check();
+    }
+
+    [[nodiscard]] const GeneralizedAlphaOptions& options() const noexcept { return options_; }
+
+    /// Integrates from the model's state to the schedule's end; the model is then in the state reached,
+    /// on the constraints.
+    ///
+    /// Fixed steps stay on the grid start + k step; only a last, shorter step leaves it.
+    /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints.
+    /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
+    /// @return status converged at the end; inconsistent or redundant, with the constraint named, where
+    ///         it did not start; or why it ended before, with what was observed until then.
+    /// @throws InvalidArgument for a schedule that does not fit the model's time, a memory of another
+    ///         integrator or scene, or a solver whose storage is not the problem's.
+    template <class Scene, class LinearSolver>
+    [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
+                                           const Schedule& schedule, const Memory& memory = {}) const;
+
+private:
+    GeneralizedAlphaOptions options_;
+};
+
+namespace detail {
+
+/// One run.
+template <class Scene, class LinearSolver>
+class GeneralizedAlphaRun {
+public:
+    GeneralizedAlphaRun(DynamicProblem<Scene>& problem, LinearSolver& solver, const Schedule& schedule,
+                        const GeneralizedAlphaOptions& options, DynamicsReport& report);
+
+    void run(const Memory& memory);
+
+private:
+    // The end of a step: accelerations v' and algorithmic accelerations a.
+    struct Point : MotionPoint {
+        VectorX acceleration, algorithmic;
+    };
+
+    struct Step {
+        double width, end;
+    };
+
+    [[nodiscard]] bool begin(const Memory& memory);
+    void recall(const Memory& memory);
+    void remember();
+    [[nodiscard]] Step propose() const;
+    [[nodiscard]] bool advance();
+    void shift_algorithmic(double width);
+    [[nodiscard]] Status newton(double h);
+    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
+    [[nodiscard]] Status factorise(double h);
+    void predict(double h);
+    void correct(double h);
+    [[nodiscard]] double scaled(const VectorX& q) const {
+        return q.size() == 0 ? 0.0 : (q.array().abs() / problem_.scales().array()).maxCoeff();
+    }
+    void fail(Status status, std::string message) {
+        report_.status = status;
+        report_.message = std::move(message);
+    }
+
+    DynamicProblem<Scene>& problem_;
+    LinearSolver& solver_;
+    const Schedule& schedule_;
+    const GeneralizedAlphaOptions& options_;
+    DynamicsReport& report_;
+    Recorder<Scene> recorder_;
+
+    // the method's parameters
+    double am_, af_, beta_, gamma_, offset_;  // a_n belongs to t_n + offset h
+    double beta_hat_, gamma_hat_;             // dq = h^2 beta_hat dv', dv = h gamma_hat dv'
+    double error_constant_;                   // local error = it h^2 (v'_1 - v'_0)
+    double newton_tolerance_;
+
+    Point now_, next_;
+    double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
+    double width_ = 0.0;                              // step that now_.algorithmic belongs to
+    MotionPoint linearised_;                          // where the factorised matrix was evaluated
+    double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
+    double contraction_ = 1.0;                        // of the last Newton iterations
+
+    SparseMatrix system_;
+    VectorX stiffness_scale_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    VectorX product_, rhs_, solution_;
+};
+
+template <class Scene, class LinearSolver>
+GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(DynamicProblem<Scene>& problem,
+                                                              LinearSolver& solver,
+                                                              const Schedule& schedule,
+                                                              const GeneralizedAlphaOptions& options,
+                                                              DynamicsReport& report)
+    : problem_(problem),
+      solver_(solver),
+      schedule_(schedule),
+      options_(options),
+      report_(report),
+      recorder_(problem, schedule, report, options.follow_energy),
+      am_((2.0 * options.rho - 1.0) / (options.rho + 1.0)),
+      af_(options.rho / (options.rho + 1.0)),
+      gamma_(0.5 + af_ - am_),
+      offset_(am_ - af_),
+      newton_tolerance_(options.newton_tolerance),
+      system_(problem.mass()),
+      stiffness_scale_(system_.nonZeros()) {
+    beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
+    beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
+    gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
+    error_constant_ = std::abs(beta_ + 0.5 * offset_ - 1.0 / 6.0);
+    const int n = problem.size();
+    for (int j = 0; j < system_.outerSize(); ++j)
+        for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
+            stiffness_scale_[k] = j < n && system_.innerIndexPtr()[k] < n ? 1.0 : 0.0;
+    solver_.analyze(system_);
+}
+
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::run(const Memory& memory) {
+    if (!begin(memory)) return;
+    recorder_.start(now_);
+    while (schedule_.end - now_.time > 1e-9 * step_ && advance()) {
+        std::swap(now_, next_);
+        if (recorder_.step(next_, now_)) continue;
+        fail(Status::stopped, "the progress callback asked to stop");
+        break;
+    }
+    recorder_.finish(now_);
+    remember();
+}
+
+template <class Scene, class LinearSolver>
+bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
+    const Start start = problem_.start();
+    report_.time = start.time;
+    ++report_.evaluations;
+    if (start.status != Status::converged) {
+        fail(start.status, start.message);
+        return false;
+    }
+    static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
+    now_.acceleration = now_.algorithmic = start.acceleration;
+    origin_ = start.time;
+    step_ = width_ = options_.step;
+    if (!memory.empty()) {
+        recall(memory);
+    } else if (offset_ != 0.0) {
+        // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
+        VectorX jerk;
+        if (problem_.jerk(start, 1e-3 * step_, jerk) == Status::converged)
+            now_.algorithmic += offset_ * step_ * jerk;
+        report_.evaluations += 3;
+    }
+    next_ = now_;
+    return true;
+}
+
+/// Returns the step to the next point of the grid, or to the schedule's end if that comes first.
+template <class Scene, class LinearSolver>
+typename GeneralizedAlphaRun<Scene, LinearSolver>::Step
+GeneralizedAlphaRun<Scene, LinearSolver>::propose() const {
+    const double grid = origin_ + (count_ + 1.0) * step_;
+    if (schedule_.end >= grid - 1e-9 * step_) return {step_, grid};
+    return {schedule_.end - now_.time, schedule_.end};
+}
+
+/// Takes one step into next_, again with smaller ones where the run is adaptive.
+template <class Scene, class LinearSolver>
+bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
+    const bool adaptive = options_.tolerance > 0.0;
+    for (;;) {
+        const Step step = propose();
+        shift_algorithmic(step.width);
+        next_.time = step.end;
+        const Status status = newton(step.width);
+        double error = 0.0;
+        if (status == Status::converged && adaptive)
+            error = error_constant_ * step.width * step.width *
+                    scaled(next_.acceleration - now_.acceleration) / options_.tolerance;
+        const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
+        if (status == Status::converged && error <= 1.0) {
+            width_ = step.width;
+            count_ += 1.0;
+            // a step keeps its width, and the matrix, unless a change is worth it
+            const bool change = adaptive && step.width == step_ && (factor < 0.95 || factor > 1.4);
+            if (change) step_ = std::min(step_ * std::min(factor, 2.0), options_.max_step);
+            if (change || step.width != step_) {
+                origin_ = next_.time;
+                count_ = 0.0;
+            }
+            return true;
+        }
+        status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
+        if (!adaptive) {
+            std::ostringstream message;
+            message << "Newton's method failed in the step from " << now_.time << " s: "
+                    << to_string(status);
+            fail(status, message.str());
+            return false;
+        }
+        step_ = step.width * (status == Status::converged ? std::max(0.2, factor) : 0.25);
+        origin_ = now_.time;
+        count_ = 0.0;
+        if (step_ >= options_.min_step) continue;
+        std::ostringstream message;
+        message << "the step fell below " << options_.min_step << " s at " << now_.time << " s, last of "
+                << (status == Status::converged ? "the local error" : to_string(status));
+        fail(Status::step_too_small, message.str());
+        return false;
+    }
+}
+
+/// Moves the algorithmic acceleration to the time that belongs to another step.
+///
+/// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
+    if (width == width_) return;
+    now_.algorithmic = now_.acceleration + (width / width_) * (now_.algorithmic - now_.acceleration);
+    width_ = width;
+}
+
+/// Solves one step by Newton's method.
+///
+/// The matrix at hand, of an earlier step or iterate, stays while it converges fast enough.
+template <class Scene, class LinearSolver>
+Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
+    predict(h);
+    rhs_.resize(n + m);
+    bool renew = linearised_width_ != h;
+    double before = 0.0;
+    for (int k = 1; k <= options_.max_iterations; ++k) {
+        if (const Status status = evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
+            status != Status::converged)
+            return status;
+        if (renew) {
+            if (const Status status = factorise(h); status != Status::converged) return status;
+            contraction_ = 1.0;
+        }
+        rhs_.head(n) = -problem_.force();
+        rhs_.head(n).noalias() -= problem_.compact_mass() * next_.acceleration;
+        rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
+        solver_.solve(rhs_, solution_);
+        ++report_.iterations;
+        correct(h);
+        const double change = h * h * beta_hat_ * scaled(solution_.head(n));
+        if (!std::isfinite(change)) return Status::not_finite;
+        const double ratio = k > 1 ? change / before : 0.0;
+        if (k > 1 && !renew) contraction_ = std::clamp(ratio, 1e-4, 1.0);
+        const double left =
+            contraction_ < 0.5 ? contraction_ / (1.0 - contraction_) * change : change;
+        // at the round-off of the residual the corrections no longer shrink
+        if (left <= newton_tolerance_ || (ratio > 0.3 && change <= 1e3 * newton_tolerance_))
+            return Status::converged;
+        // so slow that a new matrix is cheaper
+        renew = k > 1 && (ratio > 0.9 || std::log(newton_tolerance_ / change) / std::log(ratio) > 6.0);
+        before = change;
+    }
+    return Status::max_iterations;
+}
+
+template <class Scene, class LinearSolver>
+Status GeneralizedAlphaRun<Scene, LinearSolver>::evaluate(const MotionPoint& at, Request request) {
+    ++report_.evaluations;
+    report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
+    return report_.fault ? report_.fault->status : Status::converged;
+}
+
+/// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises it.
+template <class Scene, class LinearSolver>
+Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
+    const auto values = [](const SparseMatrix& matrix) {
+        return Eigen::Map<const Eigen::ArrayXd>(matrix.valuePtr(), matrix.nonZeros());
+    };
+    Eigen::Map<Eigen::ArrayXd> system(system_.valuePtr(), system_.nonZeros());
+    system = values(problem_.mass()) +
+             values(problem_.tangent()) * (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_.array()) +
+             h * gamma_hat_ * values(problem_.damping());
+    ++report_.jacobians;
+    ++report_.factorisations;
+    const Status status = solver_.factorize(system_).status;
+    linearised_ = next_;
+    linearised_width_ = status == Status::converged ? h : 0.0;
+    return status;
+}
+
+/// Starts from the accelerations of the step's start.
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::predict(double h) {
+    next_.lambda = now_.lambda;
+    next_.acceleration = now_.acceleration;
+    next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
+    next_.q = now_.q + h * now_.v +
+              h * h * ((0.5 - beta_) * now_.algorithmic + beta_ * next_.algorithmic);
+    next_.v = now_.v + h * ((1.0 - gamma_) * now_.algorithmic + gamma_ * next_.algorithmic);
+}
+
+/// Adds the solution (dv', dlambda).
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::correct(double h) {
+    const auto change = solution_.head(problem_.size());
+    next_.acceleration += change;
+    next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
+    next_.q += h * h * beta_hat_ * change;
+    next_.v += h * gamma_hat_ * change;
+    next_.lambda += solution_.tail(problem_.multipliers());
+}
+
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::remember() {
+    Memory& memory = report_.memory;
+    memory.integrator = "generalized_alpha";
+    memory.put("q", now_.q);
+    memory.put("v", now_.v);
+    memory.put("lambda", now_.lambda);
+    memory.put("acceleration", now_.acceleration);
+    memory.put("algorithmic", now_.algorithmic);
+    VectorX scalars(9);
+    scalars << now_.time, origin_, count_, step_, width_, contraction_, linearised_.time,
+        linearised_width_, options_.rho;
+    memory.put("scalars", scalars);
+    if (linearised_width_ == 0.0) return;
+    memory.put("linearised_q", linearised_.q);
+    memory.put("linearised_v", linearised_.v);
+    memory.put("linearised_lambda", linearised_.lambda);
+}
+
+template <class Scene, class LinearSolver>
+void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
+    require(memory.integrator == "generalized_alpha",
+            "GeneralizedAlpha: the memory is that of ", memory.integrator);
+    const VectorX& scalars = memory.get("scalars", 9);
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
+            "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
+    require(scalars[8] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[8],
+            ", the options have ", options_.rho);
+    static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
+                                       memory.get("lambda", m)};
+    now_.acceleration = memory.get("acceleration", n);
+    now_.algorithmic = memory.get("algorithmic", n);
+    width_ = scalars[4];
+    origin_ = now_.time;
+    if (options_.tolerance > 0.0 || scalars[3] == options_.step) {
+        origin_ = scalars[1];
+        count_ = scalars[2];
+        step_ = scalars[3];
+    }
+    if (scalars[7] == 0.0) return;
+    static_cast<MotionPoint&>(next_) = {scalars[6], memory.get("linearised_q", n),
+                                        memory.get("linearised_v", n),
+                                        memory.get("linearised_lambda", m)};
+    if (evaluate(next_, Request::tangent_and_damping) == Status::converged &&
+        factorise(scalars[7]) == Status::converged)
+        contraction_ = scalars[5];
+}
+
+}  // namespace detail
+
+inline void GeneralizedAlphaOptions::check() const {
+    detail::require(rho >= 0.0 && rho <= 1.0, "GeneralizedAlphaOptions: rho must be from 0 to 1, got ",
+                    rho);
+    detail::require_positive("GeneralizedAlphaOptions: step", step);
+    detail::require(std::isfinite(tolerance) && tolerance >= 0.0,
+                    "GeneralizedAlphaOptions: tolerance must be positive, or 0 for fixed steps, got ",
+                    tolerance);
+    detail::require_positive("GeneralizedAlphaOptions: min_step", min_step);
+    detail::require(max_step > 0.0, "GeneralizedAlphaOptions: max_step must be positive, got ", max_step);
+    detail::require_positive("GeneralizedAlphaOptions: newton_tolerance", newton_tolerance);
+    detail::require(max_iterations >= 1, "GeneralizedAlphaOptions: max_iterations must be at least 1, got ",
+                    max_iterations);
+}
+
+template <class Scene, class LinearSolver>
+DynamicsReport GeneralizedAlpha::integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
+                                           const Schedule& schedule, const Memory& memory) const {
+    require_linear_solver<LinearSolver>();
+    detail::require_same_storage<LinearSolver>(problem);
+    schedule.check(problem.model().state().time);
+    DynamicsReport report;
+    detail::GeneralizedAlphaRun<Scene, LinearSolver>(problem, solver, schedule, options_, report)
+        .run(memory);
+    return report;
+}
+
+}  // namespace ancf

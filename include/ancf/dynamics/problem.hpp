@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A scene as a differential-algebraic system in its free coordinates q, rates v and multipliers:
+///
+///     q' = v,    M v' + r(t, q, v, lambda) = 0,    g(q, t) = 0,
+///     r = Q_e(q) + G^T lambda - Q(t, q, v) + M_fp a_p,
+///
+/// with a_p the accelerations of driven supports. Every integrator works on this one interface.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/dynamics/constraint_set.hpp>
+#include <ancf/dynamics/kkt.hpp>
+#include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/state.hpp>
+#include <ancf/model/support.hpp>
+#include <ancf/types.hpp>
+
+#include <Eigen/SparseCholesky>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ancf {
+
+/// What to do with constraints that repeat each other.
+enum class Redundancy {
+    refuse,       ///< the start has Status::redundant and names them
+    minimum_norm  ///< one of them is left out; reported multipliers have the least norm
+};
+
+/// How a problem is set up.
+struct ProblemOptions {
+    Storage storage = Storage::full;  ///< lower only without constraints and unsymmetric loads
+    Redundancy redundancy = Redundancy::refuse;
+    double consistency = 1e-8;  ///< |g| and |G v + g_t| allowed at the start, relative to the
+                                ///< scene's size and to its largest rate
+    double redundancy_tolerance = 1e-10;  ///< a row of G whose part independent of the rows before
+                                          ///< it is shorter than this, relative, is redundant
+
+    /// @throws InvalidArgument naming the first value that cannot be meant.
+    void check() const {
+        detail::require_positive("ProblemOptions: consistency", consistency);
+        detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
+    }
+};
+
+/// Where a motion starts.
+struct Start {
+    Status status = Status::converged;  ///< or inconsistent, redundant, degenerate, not_finite, singular
+    std::string message;                ///< which constraint, by how much
+    double time = 0.0;                  ///< s
+    VectorX q, v;                       ///< free coordinates and rates
+    VectorX acceleration;               ///< consistent v', free
+    VectorX multipliers;                ///< consistent lambda
+};
+
+/// A scene as the system above. n free coordinates, m multipliers; n + m unknowns in the order of
+/// Numbering. Sparse matrices have one pattern, that of tangent().
+///
+/// The model outlives the problem and must not gain elements, supports or constraints meanwhile.
+template <class Scene>
+class DynamicProblem {
+public:
+    /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load or
+    ///         constraint on a vector that its node does not carry, or storage that does not suit.
+    explicit DynamicProblem(Scene& model, const ProblemOptions& options = {});
+
+    DynamicProblem(const DynamicProblem&) = delete;
+    DynamicProblem& operator=(const DynamicProblem&) = delete;
+
+    [[nodiscard]] int size() const noexcept { return numbering().free_coordinates(); }  ///< n
+    [[nodiscard]] int multipliers() const noexcept { return numbering().multipliers(); }  ///< m
+    [[nodiscard]] const Scene& model() const noexcept { return model_; }
+    [[nodiscard]] const Numbering& numbering() const noexcept { return assembly_.numbering(); }
+    [[nodiscard]] const Assembly<Scene>& assembly() const noexcept { return assembly_; }
+
+    // Start ------------------------------------------------------------------------------------
+
+    /// Reads the model's state, checks it against the constraints, finds redundant ones and solves
+    /// [M G^T; G 0] (v', lambda) = (-r(lambda = 0), -c) for accelerations and multipliers.
+    ///
+    /// Call it before any evaluation: it also settles which equations are left out.
+    [[nodiscard]] Start start();
+
+    /// Returns the constraint equations left out as redundant, by their place in lambda.
+    [[nodiscard]] const std::vector<int>& left_out() const noexcept { return left_out_; }
+
+    /// Solves the same system at any consistent (t, q, v).
+    [[nodiscard]] Status accelerations(double t, const VectorX& q, const VectorX& v,
+                                       VectorX& acceleration, VectorX& multipliers);
+
+    /// Solves for the rate of the accelerations, v'', by one more time derivative of the system.
+    ///
+    /// K, D and G are exact; what depends on time alone and the third derivative of the constraints
+    /// are central differences over +-step.
+    [[nodiscard]] Status jerk(const Start& at, double step, VectorX& jerk);
+
+    // Evaluation at (t, q, v, lambda); results stand until the next one ------------------------
+
+    /// Evaluates the scene.
+    /// @param q,v  n entries.  @param lambda  m entries.
+    /// @return the first element that failed, if one did; the results are then of no use.
+    [[nodiscard]] std::optional<Fault> evaluate(double t, const VectorX& q, const VectorX& v,
+                                                const VectorX& lambda, Request request);
+
+    /// Returns r, n entries, N and N m.
+    [[nodiscard]] const VectorX& force() const noexcept { return force_; }
+
+    /// Returns g as the integrator must bring it to zero, m entries; for equations left out, lambda.
+    [[nodiscard]] const VectorX& constraint_residual() const noexcept { return constraint_residual_; }
+
+    /// Returns the largest |g| over all equations, those left out included.
+    [[nodiscard]] double violation() const noexcept { return violation_; }
+
+    /// Returns [K + (G^T lambda)_q - dQ/dq, G^T; G, 0], n + m square, after Request::tangent. For
+    /// equations left out the row and column of G are zero and the diagonal is 1.
+    [[nodiscard]] const SparseMatrix& tangent() const noexcept {
+        return left_out_.empty() ? assembly_.tangent() : tangent_;
+    }
+
+    /// Returns [-dQ/dv, 0; 0, 0], n + m square, after Request::tangent_and_damping.
+    [[nodiscard]] const SparseMatrix& damping() const noexcept { return assembly_.damping(); }
+
+    /// Returns [M, 0; 0, 0], n + m square, constant.
+    [[nodiscard]] const SparseMatrix& mass() const noexcept { return mass_; }
+
+    /// Returns M of the free coordinates, both halves, n square, without stored zeros.
+    [[nodiscard]] const SparseMatrix& compact_mass() const noexcept { return compact_mass_; }
+
+    /// Solves M x = b for n entries.
+    void solve_mass(const VectorX& b, VectorX& x) const { x = mass_factor_.solve(b); }
+
+    /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
+    [[nodiscard]] Energies energies(double t, const VectorX& q, const VectorX& v,
+                                    const VectorX& lambda);
+
+    /// Returns energies and powers of the last evaluation.
+    [[nodiscard]] Energies energies() const;
+
+    // Constraints alone: no element is evaluated ------------------------------------------------
+
+    /// Evaluates g, G, g_t and c at (t, q, v) for the functions below. Equations left out have zero
+    /// rows.
+    void evaluate_constraints(double t, const VectorX& q, const VectorX& v);
+
+    /// Returns G v + g_t, m entries, held and driven coordinates included.
+    [[nodiscard]] const VectorX& constraint_rate() const noexcept { return constraints_.rate(); }
+
+    /// Returns the largest |g| of the last evaluate_constraints, all equations included.
+    [[nodiscard]] double constraint_violation() const noexcept {
+        return constraints_.largest_violation();
+    }
+
+    /// Returns the largest |G v + g_t| of the last evaluate_constraints, all equations included.
+    [[nodiscard]] double violation_rate() const noexcept { return constraints_.largest_rate(); }
+
+    /// Adds scale G^T mu to n entries.
+    void add_constraint_force(const VectorX& mu, double scale, VectorX& out) const;
+
+    /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms that
+    /// hold the constraint at velocity level (g_t as independent of q).
+    void velocity_level(const VectorX& mu, SparseMatrix& out) const;
+
+    // Projection --------------------------------------------------------------------------------
+
+    /// Moves q on g(q, t) = 0, then v on G v + g_t = 0, each by the least change in the mass norm.
+    /// @return false where the iteration does not reach round-off; q and v are then as they came.
+    bool project(double t, VectorX& q, VectorX& v);
+
+    // Whole states ------------------------------------------------------------------------------
+
+    /// Returns the state of all coordinates, supports included, with the multipliers as reported.
+    [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
+
+    /// Returns all coordinates and rates, supports included, without multipliers.
+    [[nodiscard]] State raw_state(double t, const VectorX& q, const VectorX& v) {
+        expand(t, q, v);
+        State result;
+        result.time = t;
+        result.q = full_q_;
+        result.v = full_v_;
+        return result;
+    }
+
+    /// Writes the state of all coordinates into the model.
+    void store(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+        model_.state() = state(t, q, v, lambda);
+    }
+
+    /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the state.
+    [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
+                                    State& into);
+
+    // Scales ------------------------------------------------------------------------------------
+
+    /// Returns the scene's size, m: the diagonal of its nodes, at least an element's length.
+    [[nodiscard]] double length_scale() const noexcept { return length_; }
+
+    /// Returns the typical size of each free coordinate: the scene's size or, for slopes, 1.
+    [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
+
+    /// Returns a typical force of the scene at (t, q, v), N: the largest of the loads, of the
+    /// inertia forces of the start and of the elastic force, never zero.
+    [[nodiscard]] double force_scale(const Start& start);
+
+    /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, within some per cent
+    /// (power iteration; constraints left aside, so an upper bound with them).
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q);
+
+    /// Returns the lowest angular frequency of K on M and G at (t, q) that is not of a rigid motion
+    /// or mechanism, rad/s, by subspace iteration; 0 where every motion is free.
+    [[nodiscard]] double lowest_frequency(double t, const VectorX& q);
+
+private:
+    struct Driven {
+        int coordinate;
+        const Support* support;
+    };
+
+    void list_driven();
+    void measure();
+    void expand(double t, const VectorX& q, const VectorX& v);
+    [[nodiscard]] std::string check_supports(double t) const;
+    [[nodiscard]] std::string check_constraints();
+    void find_redundant(Start& start);
+    [[nodiscard]] Status factorize_kkt();
+    bool project_positions(double t, VectorX& q, const VectorX& v);
+    bool project_rates(double t, const VectorX& q, VectorX& v);
+
+    Scene& model_;
+    ProblemOptions options_;
+    Assembly<Scene> assembly_;
+    ConstraintSet<Scene> constraints_;
+    SparseMatrix mass_, compact_mass_;
+    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> mass_factor_;
+    SparseMatrix tangent_;     // with the changes for equations left out
+    SparseMatrix kkt_matrix_;  // [M G^T; G 0]
+    KktSystem kkt_;
+    VectorX scales_;       // of free coordinates
+    VectorX full_scales_;  // of all coordinates
+    double length_ = 1.0;
+    std::vector<Driven> driven_;
+    std::vector<int> left_out_;
+
+    // of the last evaluation, all coordinates
+    double time_ = 0.0;
+    VectorX full_q_, full_v_, full_a_, lambda_;
+    VectorX force_, constraint_residual_;
+    double violation_ = 0.0;
+};
+
+}  // namespace ancf
+
+#include <ancf/dynamics/problem_definitions.hpp>

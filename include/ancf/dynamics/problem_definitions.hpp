@@ -1,0 +1,520 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of DynamicProblem; include problem.hpp.
+
+#pragma once
+
+#include <ancf/dynamics/frequency.hpp>
+#include <ancf/dynamics/problem.hpp>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace ancf {
+
+template <class Scene>
+DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& options)
+    : model_(model),
+      options_(options),
+      assembly_(model, options.storage),
+      constraints_(model, assembly_.numbering()),
+      mass_(assembly_.mass()) {
+    options_.check();
+    list_driven();
+    full_q_ = model.state().q;
+    full_v_.setZero(full_q_.size());
+    full_a_.setZero(full_q_.size());
+    measure();
+    SparseMatrix block = mass_.topLeftCorner(size(), size());
+    if (options_.storage == Storage::lower)
+        block = SparseMatrix(block.selfadjointView<Eigen::Lower>());
+    compact_mass_ = block.pruned();
+    mass_factor_.compute(compact_mass_);
+    detail::require(size() == 0 || (mass_factor_.info() == Eigen::Success &&
+                                    mass_factor_.vectorD().minCoeff() > 0.0),
+                    "DynamicProblem: the mass matrix is not positive definite; every node needs an "
+                    "element of positive density");
+    kkt_matrix_ = mass_;
+    kkt_.analyze(kkt_matrix_, options_.storage);
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::list_driven() {
+    for (const Support& support : model_.supports()) {
+        if (!support.value) continue;
+        detail::require(static_cast<bool>(support.rate) && static_cast<bool>(support.acceleration),
+                        "DynamicProblem: the support of ", to_string(support.field), ", component ",
+                        support.component, ", of node ", support.node.index,
+                        " has a value over time; dynamics needs its rate and acceleration too");
+        driven_.push_back({model_.coordinate(support.node, support.field) + support.component, &support});
+    }
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::measure() {
+    constexpr int dimension = Scene::dimension;
+    const Layout& layout = model_.layout();
+    double longest = 0.0;
+    model_.for_each_group([&](const auto& group) {
+        for (const auto& prototype : group.prototypes) longest = std::max(longest, prototype.length());
+    });
+    using Point = typename Scene::Point;
+    Point low = Point::Constant(std::numeric_limits<double>::infinity());
+    Point high = -low;
+    full_scales_.setOnes(layout.size());
+    for (int node = 0; node < layout.nodes(); ++node) {
+        if (!layout.fields(node).contains(Field::r)) continue;
+        const Point at = full_q_.template segment<dimension>(layout.first(node));
+        low = low.cwiseMin(at);
+        high = high.cwiseMax(at);
+    }
+    if ((high - low).allFinite()) length_ = std::max((high - low).norm(), longest);
+    if (!(length_ > 0.0)) length_ = 1.0;
+    for (int node = 0; node < layout.nodes(); ++node)
+        if (layout.fields(node).contains(Field::r))
+            full_scales_.template segment<dimension>(layout.first(node)).setConstant(length_);
+    numbering().gather_free(full_scales_, scales_);
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v) {
+    const Numbering& numbers = numbering();
+    detail::require(q.size() == size() && v.size() == size(), "DynamicProblem: expected ", size(),
+                    " free coordinates and rates, got ", q.size(), " and ", v.size());
+    time_ = t;
+    for (int k = 0; k < numbers.coordinates(); ++k)
+        if (const int equation = numbers.equation(k); equation >= 0) {
+            full_q_[k] = q[equation];
+            full_v_[k] = v[equation];
+        }
+    for (const Driven& driven : driven_) {
+        full_q_[driven.coordinate] = driven.support->value(t);
+        full_v_[driven.coordinate] = driven.support->rate(t);
+        full_a_[driven.coordinate] = driven.support->acceleration(t);
+    }
+}
+
+// --- start -------------------------------------------------------------------------------------
+
+template <class Scene>
+std::string DynamicProblem<Scene>::check_supports(double t) const {
+    const State& state = model_.state();
+    std::ostringstream message;
+    message.precision(6);
+    for (const Support& support : model_.supports()) {
+        const int at = model_.coordinate(support.node, support.field) + support.component;
+        const double value = support.value ? support.value(t) : state.q[at];
+        const double gap = std::abs(state.q[at] - value);
+        const double rate = support.value ? 0.0 : std::abs(state.v[at]);
+        const double allowed = options_.consistency * full_scales_[at];
+        if (gap <= allowed && rate <= allowed) continue;
+        message << "the support of " << to_string(support.field) << ", component "
+                << support.component << ", of node " << support.node.index;
+        if (gap > allowed)
+            message << " prescribes " << value << " at the start, the state has " << state.q[at];
+        else
+            message << " holds it, the state moves it at " << state.v[at];
+        return message.str();
+    }
+    return {};
+}
+
+template <class Scene>
+std::string DynamicProblem<Scene>::check_constraints() {
+    constraints_.evaluate(time_, full_q_, full_v_);
+    const VectorX lengths = constraints_.magnitude(full_scales_);
+    const double fastest = full_v_.size() == 0
+                               ? 0.0
+                               : (full_v_.array().abs() / full_scales_.array()).maxCoeff();
+    // worst equation, at position and then at velocity level
+    const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
+        std::ostringstream message;
+        message.precision(6);
+        int at = -1;
+        double ratio = 1.0;
+        for (int i = 0; i < values.size(); ++i) {
+            const double limit = options_.consistency * allowed(i);
+            const double size = std::abs(values[i]);
+            if (size <= limit || (limit > 0.0 && size / limit <= ratio)) continue;
+            at = i;
+            if (limit > 0.0) ratio = size / limit;
+        }
+        if (at >= 0)
+            message << constraints_.describe(at) << ": |" << what << "| = " << std::abs(values[at])
+                    << ", allowed " << options_.consistency * allowed(at);
+        return message.str();
+    };
+    std::string message = worst(
+        constraints_.violation(), [&](int i) { return lengths[i]; }, "g");
+    if (!message.empty()) return "the initial coordinates violate " + message;
+    const VectorX slide = constraints_.product(full_v_);
+    message = worst(
+        constraints_.rate(),
+        [&](int i) {
+            return lengths[i] * fastest + std::abs(constraints_.rate()[i] - slide[i]);
+        },
+        "G v + g_t");
+    return message.empty() ? message : "the initial rates violate " + message;
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::find_redundant(Start& start) {
+    left_out_.clear();
+    constraints_.leave_out(left_out_);
+    if (multipliers() == 0) return;
+    const std::vector<int> dependent =
+        dependent_rows(constraints_.free_jacobian(), scales_, options_.redundancy_tolerance);
+    if (dependent.empty()) return;
+    if (options_.redundancy == Redundancy::minimum_norm) {
+        left_out_ = dependent;
+        constraints_.leave_out(left_out_);
+        return;
+    }
+    start.status = Status::redundant;
+    start.message = "these follow from the equations before them: ";
+    for (std::size_t k = 0; k < dependent.size(); ++k)
+        start.message += (k == 0 ? "" : "; ") + constraints_.describe(dependent[k]);
+}
+
+template <class Scene>
+Start DynamicProblem<Scene>::start() {
+    const State& state = model_.state();
+    Start start;
+    start.time = state.time;
+    numbering().gather_free(state.q, start.q);
+    numbering().gather_free(state.v, start.v);
+    start.acceleration.setZero(size());
+    start.multipliers.setZero(multipliers());
+    full_q_ = state.q;
+    full_v_.setZero(state.v.size());
+    full_a_.setZero(state.v.size());
+
+    const auto refuse = [&](Status status, std::string message) {
+        start.status = status;
+        start.message = std::move(message);
+        return start;
+    };
+    if (!state.q.allFinite() || !state.v.allFinite())
+        return refuse(Status::not_finite, "the initial state is not finite");
+    if (const auto fault = assembly_.inspect(state.q))
+        return refuse(fault->status, "element " + std::to_string(fault->element) + " of group " +
+                                         std::to_string(fault->group) + " is " +
+                                         std::string(to_string(fault->status)) + " at the start");
+    std::string message = check_supports(state.time);
+    if (!message.empty()) return refuse(Status::inconsistent, message);
+    expand(state.time, start.q, start.v);
+    left_out_.clear();
+    constraints_.leave_out(left_out_);
+    message = check_constraints();
+    if (!message.empty()) return refuse(Status::inconsistent, message);
+    find_redundant(start);
+    if (start.status != Status::converged) return start;
+
+    start.status = accelerations(state.time, start.q, start.v, start.acceleration, start.multipliers);
+    if (start.status != Status::converged)
+        start.message = "the initial accelerations could not be solved for: " +
+                        std::string(to_string(start.status));
+    return start;
+}
+
+template <class Scene>
+Status DynamicProblem<Scene>::factorize_kkt() {
+    if (multipliers() > 0) constraints_.write_jacobian(assembly_.pattern(), kkt_matrix_);
+    return kkt_.factorize(kkt_matrix_);
+}
+
+template <class Scene>
+Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const VectorX& v,
+                                            VectorX& acceleration, VectorX& multipliers) {
+    const VectorX none = VectorX::Zero(this->multipliers());
+    if (const auto fault = evaluate(t, q, v, none, Request::force)) return fault->status;
+    constraints_.evaluate(t, full_q_, full_v_);
+    if (const Status status = factorize_kkt(); status != Status::converged) return status;
+    // held coordinates only: the free ones are unknown
+    VectorX b(numbering().unknowns()), x;
+    b.head(size()) = -force_;
+    b.tail(this->multipliers()) = -constraints_.convection() - constraints_.product(full_a_);
+    kkt_.solve(b, x);
+    if (!x.allFinite()) return Status::not_finite;
+    acceleration = x.head(size());
+    multipliers = x.tail(this->multipliers());
+    return Status::converged;
+}
+
+template <class Scene>
+Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) {
+    if (const auto fault = evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
+        return fault->status;
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    const auto apply = [&](const SparseMatrix& matrix, const VectorX& x) {
+        VectorX whole = VectorX::Zero(matrix.cols());
+        whole.head(size()) = x;
+        if (options_.storage == Storage::lower)
+            whole = matrix.selfadjointView<Eigen::Lower>() * whole;
+        else
+            whole = matrix * whole;
+        return VectorX(whole.head(size()));
+    };
+    b.head(size()) = -apply(tangent(), at.v) - apply(damping(), at.acceleration);
+    VectorX whole = VectorX::Zero(full_a_.size());
+    for (const double sign : {1.0, -1.0}) {
+        const double t = at.time + sign * step;
+        if (const auto fault = evaluate(t, at.q, at.v, at.multipliers, Request::force))
+            return fault->status;
+        b.head(size()) -= sign / (2.0 * step) * force_;
+        if (multipliers() == 0) continue;
+        const VectorX v = at.v + sign * step * at.acceleration;
+        evaluate_constraints(t, at.q + sign * step * (at.v + 0.5 * sign * step * at.acceleration), v);
+        whole = full_a_;  // of driven coordinates at that time
+        for (int k = 0; k < numbering().coordinates(); ++k)
+            if (const int equation = numbering().equation(k); equation >= 0)
+                whole[k] = at.acceleration[equation];
+        b.tail(multipliers()) -=
+            sign / (2.0 * step) * (constraints_.product(whole) + constraints_.convection());
+    }
+    evaluate_constraints(at.time, at.q, at.v);
+    if (const Status status = factorize_kkt(); status != Status::converged) return status;
+    VectorX x;
+    kkt_.solve(b, x);
+    if (!x.allFinite()) return Status::not_finite;
+    jerk = x.head(size());
+    return Status::converged;
+}
+
+// --- evaluation --------------------------------------------------------------------------------
+
+template <class Scene>
+std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q, const VectorX& v,
+                                                     const VectorX& lambda, Request request) {
+    expand(t, q, v);
+    lambda_ = lambda;
+    for (const int equation : left_out_) lambda_[equation] = 0.0;
+    const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
+    const VectorX sum =
+        assembly_.internal_force() + assembly_.constraint_force() - assembly_.external_force();
+    numbering().gather_free(sum, force_);
+    if (!driven_.empty()) {
+        VectorX inertia;
+        numbering().gather_free(assembly_.mass_product(full_a_), inertia);
+        force_ += inertia;
+    }
+    constraint_residual_ = assembly_.violation();
+    violation_ = multipliers() == 0 ? 0.0 : constraint_residual_.cwiseAbs().maxCoeff();
+    for (const int equation : left_out_) constraint_residual_[equation] = lambda[equation];
+    if (request != Request::force && !left_out_.empty()) {
+        tangent_ = assembly_.tangent();
+        constraints_.evaluate(t, full_q_, full_v_);
+        constraints_.write_jacobian(assembly_.pattern(), tangent_);
+    }
+    return fault;
+}
+
+template <class Scene>
+Energies DynamicProblem<Scene>::energies(double t, const VectorX& q, const VectorX& v,
+                                         const VectorX& lambda) {
+    (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
+    return energies();
+}
+
+template <class Scene>
+Energies DynamicProblem<Scene>::energies() const {
+    Energies result;
+    result.strain = assembly_.strain_energy();
+    result.potential = assembly_.load_potential();
+    result.load_power = assembly_.external_force().dot(full_v_);
+    result.constraint_power = lambda_.dot(assembly_.violation_rate());
+    if (driven_.empty()) {
+        VectorX v;
+        numbering().gather_free(full_v_, v);
+        result.kinetic = 0.5 * v.dot(compact_mass_ * v);
+        return result;
+    }
+    result.kinetic = 0.5 * full_v_.dot(assembly_.mass_product(full_v_));
+    VectorX acceleration = full_a_;
+    numbering().add_free(mass_factor_.solve(-force_), 1.0, acceleration);
+    const VectorX inertia = assembly_.mass_product(acceleration);
+    for (const Driven& driven : driven_) {
+        const int k = driven.coordinate;
+        result.constraint_power +=
+            full_v_[k] * (inertia[k] + assembly_.internal_force()[k] +
+                          assembly_.constraint_force()[k] - assembly_.external_force()[k]);
+    }
+    return result;
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::evaluate_constraints(double t, const VectorX& q, const VectorX& v) {
+    expand(t, q, v);
+    constraints_.evaluate(t, full_q_, full_v_);
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::add_constraint_force(const VectorX& mu, double scale, VectorX& out) const {
+    constraints_.add_transpose_product(mu, scale, out);
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::velocity_level(const VectorX& mu, SparseMatrix& out) const {
+    if (out.nonZeros() != mass_.nonZeros()) out = mass_;
+    std::fill_n(out.valuePtr(), out.nonZeros(), 0.0);
+    constraints_.add_velocity_level(assembly_.pattern(), mu, out);
+}
+
+// --- projection --------------------------------------------------------------------------------
+
+template <class Scene>
+bool DynamicProblem<Scene>::project(double t, VectorX& q, VectorX& v) {
+    if (multipliers() == 0) return true;
+    VectorX moved = q;
+    VectorX slowed = v;
+    if (!project_positions(t, moved, v) || !project_rates(t, moved, slowed)) return false;
+    q = std::move(moved);
+    v = std::move(slowed);
+    return true;
+}
+
+template <class Scene>
+bool DynamicProblem<Scene>::project_positions(double t, VectorX& q, const VectorX& v) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    VectorX x;
+    double before = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        evaluate_constraints(t, q, v);
+        double relative = 0.0;
+        const VectorX scale = constraints_.magnitude(full_scales_);
+        for (int i = 0; i < multipliers(); ++i) {
+            const bool out = std::binary_search(left_out_.begin(), left_out_.end(), i);
+            b[size() + i] = out ? 0.0 : -constraints_.violation()[i];
+            if (!out && scale[i] > 0.0)
+                relative = std::max(relative, std::abs(constraints_.violation()[i]) / scale[i]);
+        }
+        if (relative <= epsilon) return true;
+        // round-off may lie a little higher: stop when the iteration no longer gains
+        if (relative >= 0.5 * before) return relative <= 64.0 * epsilon;
+        before = relative;
+        if (factorize_kkt() != Status::converged) return false;
+        kkt_.solve(b, x);
+        if (!x.allFinite()) return false;
+        q += x.head(size());
+    }
+    return false;
+}
+
+template <class Scene>
+bool DynamicProblem<Scene>::project_rates(double t, const VectorX& q, VectorX& v) {
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    VectorX x;
+    for (int pass = 0; pass < 2; ++pass) {  // the second removes the round-off of the first
+        evaluate_constraints(t, q, v);
+        if (factorize_kkt() != Status::converged) return false;
+        b.tail(multipliers()) = -constraints_.rate();
+        kkt_.solve(b, x);
+        if (!x.allFinite()) return false;
+        v += x.head(size());
+    }
+    return true;
+}
+
+// --- whole states ------------------------------------------------------------------------------
+
+template <class Scene>
+State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+    expand(t, q, v);
+    State result;
+    result.time = t;
+    result.q = full_q_;
+    result.v = full_v_;
+    result.multipliers = lambda;
+    if (left_out_.empty()) return result;
+    constraints_.evaluate(t, full_q_, full_v_);
+    VectorX force = VectorX::Zero(size());
+    constraints_.add_transpose_product(lambda, 1.0, force);
+    Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
+    decomposition.setThreshold(options_.redundancy_tolerance);
+    decomposition.compute(MatrixX(constraints_.free_jacobian().transpose()));
+    result.multipliers = decomposition.solve(force);
+    return result;
+}
+
+template <class Scene>
+Snapshot DynamicProblem<Scene>::snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
+                                         State& into) {
+    (void)project(t, q, v);  // where it fails the violation tells
+    const Energies found = energies(t, q, v, lambda);
+    into = state(t, q, v, lambda);
+    evaluate_constraints(t, q, v);
+    return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
+}
+
+// --- scales ------------------------------------------------------------------------------------
+
+template <class Scene>
+double DynamicProblem<Scene>::force_scale(const Start& start) {
+    const VectorX none = VectorX::Zero(multipliers());
+    (void)evaluate(start.time, start.q, start.v, none, Request::force);
+    const auto largest = [&](const VectorX& forces) {
+        double value = 0.0;
+        for (Eigen::Index k = 0; k < forces.size(); ++k)
+            value = std::max(value, std::abs(forces[k]) / (full_scales_[k] == length_ ? 1.0 : length_));
+        return value;
+    };
+    VectorX inertia = VectorX::Zero(full_q_.size());
+    numbering().add_free(compact_mass_ * start.acceleration, 1.0, inertia);
+    double scale = std::max({largest(assembly_.external_force()), largest(assembly_.internal_force()),
+                             largest(inertia)});
+    if (scale > 0.0) return scale;
+    // a scene at rest without loads: its momentum or, at last, the mass over a second
+    const double mass = compact_mass_.diagonal().maxCoeff();
+    const double speed = start.v.size() == 0 ? 0.0 : start.v.cwiseAbs().maxCoeff();
+    return mass * std::max(speed * speed / length_, length_);
+}
+
+template <class Scene>
+double DynamicProblem<Scene>::highest_frequency(double t, const VectorX& q) {
+    const VectorX rest = VectorX::Zero(size());
+    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    SparseMatrix k = assembly_.tangent().topLeftCorner(size(), size());
+    if (options_.storage == Storage::lower) k = SparseMatrix(k.selfadjointView<Eigen::Lower>());
+    return std::sqrt(detail::largest_eigenvalue(
+        size(), [&](const VectorX& x) { return VectorX(k * x); },
+        [&](const VectorX& x) { return VectorX(compact_mass_ * x); },
+        [&](const VectorX& x) { return VectorX(mass_factor_.solve(x)); }));
+}
+
+template <class Scene>
+double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
+    const double highest = highest_frequency(t, q);
+    if (highest == 0.0) return 0.0;
+    const double square = highest * highest;
+    SparseMatrix k = tangent().topLeftCorner(size(), size());
+    if (options_.storage == Storage::lower) k = SparseMatrix(k.selfadjointView<Eigen::Lower>());
+    // far above the round-off of K, far below any elastic frequency
+    const double shift = 1e-12 * square;
+    SparseMatrix shifted = tangent();
+    Eigen::Map<VectorX>(shifted.valuePtr(), shifted.nonZeros()) +=
+        shift * Eigen::Map<const VectorX>(mass_.valuePtr(), mass_.nonZeros());
+    KktSystem system;
+    system.analyze(shifted, options_.storage);
+    if (system.factorize(shifted) != Status::converged) return 0.0;
+    const auto solve = [&](const VectorX& b) {
+        VectorX whole = VectorX::Zero(numbering().unknowns()), x;
+        whole.head(size()) = b;
+        system.solve(whole, x);
+        return VectorX(x.head(size()));
+    };
+    const int freedom = size() - multipliers() + static_cast<int>(left_out_.size());
+    return std::sqrt(detail::lowest_eigenvalue(
+        size(), freedom, [&](const VectorX& x) { return VectorX(k * x); },
+        [&](const VectorX& x) { return VectorX(compact_mass_ * x); }, solve, 10.0 * shift));
+}
+
+}  // namespace ancf

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What every time integrator takes and gives: where to report, whom to tell, how it went.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/state.hpp>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// Energies of a scene and the powers that change them.
+///
+/// d(kinetic + strain)/dt = load_power + constraint_power, where nothing dissipates in the elements.
+struct Energies {
+    double kinetic = 0.0;           ///< v^T M v/2, J
+    double strain = 0.0;            ///< of all elements, J
+    double potential = 0.0;         ///< of gravity and of the loads that have one, J
+    double load_power = 0.0;        ///< Q^T v of all loads, gravity included, W
+    double constraint_power = 0.0;  ///< of driven supports and of constraints that move in time, W
+
+    [[nodiscard]] double total() const noexcept { return kinetic + strain + potential; }
+};
+
+/// What an observer sees at a time that it asked for.
+struct Snapshot {
+    const State& state;      ///< all coordinates; on the constraints to round-off
+    Energies energies;       ///< of that state
+    double violation;        ///< largest |g| of that state
+    double violation_rate;   ///< largest |G v + g_t| of that state
+};
+
+/// Where a run ends and what is reported on the way.
+struct Schedule {
+    double end = 0.0;           ///< s, not before the state's time
+    std::vector<double> times;  ///< s, ascending, between the state's time and the end
+
+    /// Called at each of the times, in order.
+    std::function<void(const Snapshot&)> observe;
+
+    /// Called after every step with its time and the end; returning false stops there.
+    std::function<bool(double time, double end)> progress;
+
+    /// @throws InvalidArgument for an end before the start or times that are not ascending between.
+    void check(double start) const {
+        detail::require(std::isfinite(end) && end >= start, "Schedule: the end must not be before ",
+                        "the start at ", start, " s, got ", end);
+        double before = start;
+        for (const double time : times) {
+            detail::require(time >= before && time <= end, "Schedule: times must ascend from ", start,
+                            " to ", end, " s, got ", time, " after ", before);
+            before = time;
+        }
+    }
+};
+
+/// Returns the schedule of a run with equally spaced outputs, both ends included.
+/// @throws InvalidArgument unless duration is at least 0 and the interval is positive.
+[[nodiscard]] inline Schedule equal_intervals(double start, double duration, double interval) {
+    detail::require(std::isfinite(duration) && duration >= 0.0,
+                    "equal_intervals: duration must be at least 0 and finite, got ", duration);
+    detail::require_positive("equal_intervals: interval", interval);
+    Schedule schedule;
+    schedule.end = start + duration;
+    for (int k = 0; start + k * interval < schedule.end - 1e-9 * interval; ++k)
+        schedule.times.push_back(start + k * interval);
+    schedule.times.push_back(schedule.end);
+    return schedule;
+}
+
+/// What an integrator carries beyond the state: enough to continue a run bit for bit.
+struct Memory {
+    std::string integrator;  ///< who wrote it; empty: nothing is carried
+    std::vector<std::pair<std::string, VectorX>> values;
+
+    [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }
+
+    void put(std::string name, VectorX value) { values.emplace_back(std::move(name), std::move(value)); }
+
+    /// @throws InvalidArgument where it holds no value of that name and size.
+    [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const {
+        for (const auto& [key, value] : values)
+            if (key == name && value.size() == size) return value;
+        detail::reject("Memory of ", integrator, ": expected ", size, " values of ", name);
+    }
+};
+
+/// How a run went; a run that fails keeps what it reached.
+struct DynamicsReport {
+    Status status = Status::converged;
+    std::string message;         ///< what failed where; empty when converged
+    std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
+    double time = 0.0;           ///< s, reached
+
+    long steps = 0;                     ///< accepted
+    long rejected = 0;                  ///< by the error test
+    long convergence_failures = 0;      ///< steps whose Newton iteration failed
+    long iterations = 0;                ///< Newton iterations, one linear solve each
+    long evaluations = 0;               ///< of the residual force
+    long jacobians = 0;                 ///< of the tangent
+    long factorisations = 0;
+    double smallest_step = 0.0;         ///< s
+    double largest_step = 0.0;          ///< s
+
+    double violation = 0.0;             ///< largest |g| after any step, before projection
+    double violation_rate = 0.0;        ///< largest |G v + g_t| after any step, before projection
+    double energy_start = 0.0;          ///< total energy at the start, J
+    double energy_drift = 0.0;          ///< largest |total - total at the start| after any step, J
+    double kinetic_largest = 0.0;       ///< J: the measure for energy_drift
+    double seconds = 0.0;               ///< wall time
+
+    Memory memory;  ///< what the next run needs to continue this one; empty where none can
+};
+
+}  // namespace ancf

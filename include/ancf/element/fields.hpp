@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The vectors that a node carries: position and slopes.
+///
+/// A node stores the union of what its elements need, in the order of Field; an element's nodal
+/// coordinates are the fields of its first node, then those of its second.
+
+#pragma once
+
+namespace ancf {
+
+/// A vector of nodal coordinates, of as many components as the space has dimensions.
+enum class Field : unsigned {
+    r,    ///< position, m
+    r_x,  ///< slope along the axis, 1
+    r_y,  ///< slope across, 1
+    r_z   ///< slope across, 1 (three dimensions only)
+};
+
+inline constexpr int field_count = 4;
+
+/// A set of fields.
+struct Fields {
+    unsigned bits = 0;
+
+    constexpr Fields() = default;
+    constexpr Fields(Field field) : bits(1U << static_cast<unsigned>(field)) {}  // NOLINT: a field is a set of one
+
+    [[nodiscard]] constexpr bool contains(Field field) const noexcept {
+        return (bits & (1U << static_cast<unsigned>(field))) != 0;
+    }
+
+    [[nodiscard]] constexpr bool contains(Fields other) const noexcept {
+        return (bits & other.bits) == other.bits;
+    }
+
+    /// Returns the number of fields in the set.
+    [[nodiscard]] constexpr int count() const noexcept {
+        int sum = 0;
+        for (unsigned rest = bits; rest != 0; rest &= rest - 1) ++sum;
+        return sum;
+    }
+
+    /// Returns how many fields of the set stand before this one: its place in a node's coordinates.
+    [[nodiscard]] constexpr int rank(Field field) const noexcept {
+        return Fields(bits & ((1U << static_cast<unsigned>(field)) - 1U)).count();
+    }
+
+    friend constexpr Fields operator|(Fields a, Fields b) noexcept { return Fields(a.bits | b.bits); }
+    friend constexpr bool operator==(Fields a, Fields b) noexcept { return a.bits == b.bits; }
+    friend constexpr bool operator!=(Fields a, Fields b) noexcept { return a.bits != b.bits; }
+
+private:
+    constexpr explicit Fields(unsigned set) : bits(set) {}
+};
+
+constexpr Fields operator|(Field a, Field b) noexcept { return Fields(a) | Fields(b); }
+
+}  // namespace ancf

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The last step to a tangent: from blocks of nodal vectors to 24 x 24 coordinates.
+///
+/// What the nodes themselves contribute is written to a matrix F, half of its part of the tangent:
+/// the block of two vectors stands on one side, the block of a vector with itself counts half. So
+/// the products Z L + (Z L)^T of the nodal shears are plain columns Z L. At the end K = F + F^T +
+/// the stations' blocks, symmetric bit by bit.
+
+#pragma once
+
+#include <ancf/element/compiler.hpp>
+#include <ancf/element/nodal.hpp>
+#include <ancf/element/vec3.hpp>
+#include <ancf/types.hpp>
+
+namespace ancf::detail {
+
+/// The half F, addressed by nodal vectors, in the storage of the tangent.
+template <class S>
+class HalfTangent {
+public:
+    static constexpr int stride = 24;  ///< from a column to the next
+
+    explicit HalfTangent(Matrix<S, 24>& storage) noexcept : f_(storage.data()) {}
+
+    /// Returns the first entry of the block of vectors x and y; columns are `stride` apart.
+    [[nodiscard]] S* block(int x, int y) const noexcept {
+        return f_ + coordinate_start[x] + stride * coordinate_start[y];
+    }
+
+    /// Returns the 24 rows of column j of vector y.
+    [[nodiscard]] Eigen::Map<Vector<S, 24>> column(int y, int j) const noexcept {
+        return Eigen::Map<Vector<S, 24>>(f_ + stride * (coordinate_start[y] + j));
+    }
+
+    /// Clears the columns of the vectors in [first, last).
+    void clear(int first, int last) const noexcept {
+        for (int y = first; y < last; ++y) {
+            for (int j = 0; j < 3; ++j) column(y, j).setZero();
+        }
+    }
+
+    /// Turns F and the blocks of the stations into the tangent.
+    template <class P, int Vectors, int Scalars>
+    void finish(const NodalHessian<P, Vectors, Scalars>& stations) const noexcept {
+        for (int y = 0; y < Vectors; ++y) {
+            for (int x = 0; x < y; ++x) add_block(stations(x, y), block(x, y), block(y, x));
+            add_diagonal(stations(y, y), block(y, y));
+        }
+        for (int y = Vectors; y < nodal_count; ++y) {
+            for (int x = 0; x <= y; ++x) mirror(block(x, y), block(y, x));
+        }
+        // r_i stands for -D
+        for (int j = 0; j < 3; ++j) {
+            S* const out = f_ + stride * j;
+            const S* const end = f_ + stride * (12 + j);
+            for (int i = 0; i < 24; ++i) out[i] = -end[i];
+        }
+        for (int j = 0; j < 24; ++j) {
+            S* const out = f_ + stride * j;
+            for (int i = 0; i < 3; ++i) out[i] = -out[12 + i];
+        }
+    }
+
+private:
+    static void mirror(S* xy, S* yx) noexcept {
+        for (int j = 0; j < 3; ++j) {
+            for (int i = xy == yx ? j : 0; i < 3; ++i) {
+                xy[i + stride * j] = yx[j + stride * i] = xy[i + stride * j] + yx[j + stride * i];
+            }
+        }
+    }
+
+    template <class P>
+    static void add_block(const Block<P>& block, S* xy, S* yx) noexcept {
+        const P* v = block.v;
+        for (int j = 0; j < 3; ++j, v += 3, xy += stride, ++yx) {
+            xy[0] = yx[0] = xy[0] + yx[0] + collapsed<S>(v[0]);
+            xy[1] = yx[stride] = xy[1] + yx[stride] + collapsed<S>(v[1]);
+            xy[2] = yx[2 * stride] = xy[2] + yx[2 * stride] + collapsed<S>(v[2]);
+        }
+    }
+
+    template <class P>
+    static void add_diagonal(const Block<P>& block, S* xx) noexcept {
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i <= j; ++i) {
+                xx[i + stride * j] = xx[j + stride * i] =
+                    xx[i + stride * j] + xx[j + stride * i] + collapsed<S>(block(i, j));
+            }
+        }
+    }
+
+    S* f_;
+};
+
+}  // namespace ancf::detail

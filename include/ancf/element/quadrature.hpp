@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Integration along the element: points on [0, 1] and named rules made of them.
+///
+/// A rule gives every group of strain-energy terms its own quadrature. Stations that several groups
+/// share are evaluated once, so a uniform rule costs its number of points.
+
+#pragma once
+
+#include <ancf/error.hpp>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// A point of a quadrature on the unit interval; the weights of a quadrature sum to 1.
+struct QuadraturePoint {
+    double xi;      ///< in [0, 1]
+    double weight;  ///< 1
+};
+
+using Quadrature = std::vector<QuadraturePoint>;
+
+/// Returns Gauss and Legendre's quadrature, exact for polynomials of degree 2 points - 1.
+/// @throws InvalidArgument unless 1 <= points <= 16.
+[[nodiscard]] Quadrature gauss_quadrature(int points);
+
+/// Returns Lobatto's quadrature, end points included, exact for degree 2 points - 3.
+/// @throws InvalidArgument unless 2 <= points <= 4.
+[[nodiscard]] Quadrature lobatto_quadrature(int points);
+
+/// A group of terms of the energy density. A term is a product of two generalised strains:
+/// both axial (eps eps); any other two of e_xx; both a shear at the axis (g g); any other of 2e_xy
+/// or 2e_xz.
+enum class StrainGroup : unsigned { axial, bending, shear, torsion };
+
+inline constexpr int strain_group_count = 4;
+
+/// A place along the element with its weight for each group; a weight of zero leaves the group out.
+struct RuleStation {
+    double xi;
+    std::array<double, strain_group_count> weights;
+
+    [[nodiscard]] double weight(StrainGroup group) const noexcept {
+        return weights[static_cast<unsigned>(group)];
+    }
+
+    /// Tells whether only the axial term is integrated here.
+    [[nodiscard]] bool axial_only() const noexcept {
+        return weight(StrainGroup::bending) == 0.0 && weight(StrainGroup::shear) == 0.0 &&
+               weight(StrainGroup::torsion) == 0.0;
+    }
+};
+
+/// A named choice of the stations along an element.
+class Rule {
+public:
+    /// Four Gauss points: the rule that reproduces [Dufva2006].
+    [[nodiscard]] static Rule paper() { return uniform("paper", gauss_quadrature(4)); }
+
+    /// Gauss points for every group. Two leave a beam element with one spurious axial mode.
+    [[nodiscard]] static Rule gauss(int points) {
+        return uniform("gauss" + std::to_string(points), gauss_quadrature(points));
+    }
+
+    /// Three Lobatto points for every group.
+    [[nodiscard]] static Rule lobatto3() { return uniform("lobatto3", lobatto_quadrature(3)); }
+
+    /// The axial term EA eps^2/2 by three Lobatto points, everything else by two Gauss points:
+    /// relieves the axial-bending locking of uniform rules.
+    [[nodiscard]] static Rule mixed() {
+        const Quadrature rest = gauss_quadrature(2);
+        return grouped("mixed", lobatto_quadrature(3), rest, rest, rest);
+    }
+
+    /// A rule of one quadrature per group.
+    [[nodiscard]] static Rule grouped(std::string name, const Quadrature& axial,
+                                      const Quadrature& bending, const Quadrature& shear,
+                                      const Quadrature& torsion);
+
+    /// Returns the rule of a name listed by names().
+    /// @throws InvalidArgument listing the names.
+    [[nodiscard]] static Rule named(std::string_view name);
+
+    /// Returns the names that named() knows.
+    [[nodiscard]] static std::vector<std::string_view> names() {
+        return {"paper", "gauss3", "gauss4", "gauss5", "gauss6", "lobatto3", "mixed"};
+    }
+
+    [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
+    /// Returns the stations in ascending order of xi.
+    [[nodiscard]] const std::vector<RuleStation>& stations() const noexcept { return stations_; }
+
+    /// Returns at how many stations a group is integrated.
+    [[nodiscard]] int points(StrainGroup group) const noexcept {
+        int count = 0;
+        for (const RuleStation& station : stations_) count += station.weight(group) != 0.0 ? 1 : 0;
+        return count;
+    }
+
+private:
+    [[nodiscard]] static Rule uniform(std::string name, const Quadrature& all) {
+        return grouped(std::move(name), all, all, all, all);
+    }
+
+    void insert(const Quadrature& quadrature, StrainGroup group);
+
+    std::string name_;
+    std::vector<RuleStation> stations_;
+};
+
+inline Quadrature gauss_quadrature(int points) {
+    detail::require(points >= 1 && points <= 16, "points must lie in [1, 16], got ", points);
+    constexpr double pi = 3.14159265358979323846;
+    Quadrature quadrature(static_cast<std::size_t>(points));
+    for (int k = 0; k < points; ++k) {
+        // Newton's method on Legendre's polynomial P_n, by its three-term recurrence.
+        double x = -std::cos(pi * (k + 0.75) / (points + 0.5));
+        double slope = 1.0;
+        for (int iteration = 0; iteration < 8; ++iteration) {
+            double previous = 1.0;
+            double value = x;
+            for (int n = 2; n <= points; ++n) {
+                const double next = ((2 * n - 1) * x * value - (n - 1) * previous) / n;
+                previous = value;
+                value = next;
+            }
+            slope = points * (x * value - previous) / (x * x - 1.0);
+            x -= value / slope;
+        }
+        if (2 * k + 1 == points) x = 0.0;
+        quadrature[static_cast<std::size_t>(k)] = {0.5 * (1.0 + x),
+                                                   1.0 / ((1.0 - x * x) * slope * slope)};
+    }
+    return quadrature;
+}
+
+inline Quadrature lobatto_quadrature(int points) {
+    detail::require(points >= 2 && points <= 4, "points must lie in [2, 4], got ", points);
+    if (points == 2) return {{0.0, 0.5}, {1.0, 0.5}};
+    if (points == 3) return {{0.0, 1.0 / 6.0}, {0.5, 2.0 / 3.0}, {1.0, 1.0 / 6.0}};
+    const double x = 0.5 / std::sqrt(5.0);
+    return {{0.0, 1.0 / 12.0}, {0.5 - x, 5.0 / 12.0}, {0.5 + x, 5.0 / 12.0}, {1.0, 1.0 / 12.0}};
+}
+
+inline void Rule::insert(const Quadrature& quadrature, StrainGroup group) {
+    detail::require(!quadrature.empty(), "a quadrature must have at least one point, got none");
+    for (const QuadraturePoint& point : quadrature) {
+        detail::require(point.xi >= 0.0 && point.xi <= 1.0, "xi must lie in [0, 1], got ",
+                        point.xi);
+        detail::require_finite("weight", point.weight);
+        auto place = stations_.begin();
+        while (place != stations_.end() && place->xi < point.xi) ++place;
+        if (place == stations_.end() || place->xi > point.xi) {
+            place = stations_.insert(place, RuleStation{point.xi, {}});
+        }
+        place->weights[static_cast<unsigned>(group)] += point.weight;
+    }
+}
+
+inline Rule Rule::grouped(std::string name, const Quadrature& axial, const Quadrature& bending,
+                          const Quadrature& shear, const Quadrature& torsion) {
+    Rule rule;
+    rule.name_ = std::move(name);
+    rule.insert(axial, StrainGroup::axial);
+    rule.insert(bending, StrainGroup::bending);
+    rule.insert(shear, StrainGroup::shear);
+    rule.insert(torsion, StrainGroup::torsion);
+    return rule;
+}
+
+inline Rule Rule::named(std::string_view name) {
+    if (name == "paper") return paper();
+    if (name == "lobatto3") return lobatto3();
+    if (name == "mixed") return mixed();
+    for (int points = 3; points <= 6; ++points) {
+        if (name == "gauss" + std::to_string(points)) return gauss(points);
+    }
+    std::string list;
+    for (const std::string_view known : names())
+        list.append(list.empty() ? "" : ", ").append(known);
+    detail::reject("unknown rule \"", name, "\", expected one of ", list);
+}
+
+}  // namespace ancf

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The centre line of the stress-free state: a straight segment, or any Hermite curve.
+///
+/// An element's parameter x runs from 0 to its parameter length l; strains and integrals use the arc length s
+/// of this line, ds = |r0'| dx. Derivatives by s follow from those by x:
+///
+///     dr/ds = r'/J,    d2r/ds2 = r''/J^2 - (J'/J^3) r',    J = |r0'|,  J' = r0'.r0''/J.
+///
+/// Derivation: docs/theory-references.md.
+
+#pragma once
+
+#include <ancf/element/hermite.hpp>
+#include <ancf/element/mass.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/element/station_data.hpp>
+#include <ancf/section/moments.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+
+namespace ancf {
+
+/// The line through two nodes with given positions and slopes r_x; straight unless they say otherwise.
+template <int Dimension>
+class ReferenceLine {
+public:
+    using Point = Vector<double, Dimension>;
+
+    ReferenceLine() = default;
+
+    /// A straight line of the given length, m.
+    explicit ReferenceLine(double length) : parameter_length_(length), length_(length) {}
+
+    /// A curve over the parameter range [0, length].
+    /// @param span   r_j - r_i, m
+    /// @param first,second  slopes r_x at the nodes
+    ReferenceLine(double length, const Point& span, const Point& first, const Point& second)
+        : parameter_length_(length), curved_(true), span_(span), first_(first), second_(second) {
+        length_ = 0.0;
+        for (const QuadraturePoint& point : gauss_quadrature(integration_points))
+            length_ += point.weight * parameter_length_ * metric(point.xi);
+    }
+
+    [[nodiscard]] bool curved() const noexcept { return curved_; }
+
+    /// Returns the arc length, m.
+    [[nodiscard]] double length() const noexcept { return length_; }
+
+    /// Returns the range of the parameter x, m.
+    [[nodiscard]] double parameter_length() const noexcept { return parameter_length_; }
+
+    /// Returns J = ds/dx.
+    [[nodiscard]] double metric(double xi) const noexcept {
+        return curved_ ? derivative(straight_shape(xi, parameter_length_).p).norm() : 1.0;
+    }
+
+    /// Returns the weights of a station for derivatives by the arc length.
+    [[nodiscard]] StationShape<double> shape(double xi) const noexcept {
+        StationShape<double> shape = straight_shape(xi, parameter_length_);
+        if (!curved_) return shape;
+        const Point p = derivative(shape.p);
+        const Point p1 = derivative(shape.p1);
+        const double J = p.norm();
+        const double growth = p.dot(p1) / (J * J);  // J'/J
+        for (int k = 0; k < 3; ++k) {
+            shape.p1[k] = (shape.p1[k] - growth * shape.p[k]) / (J * J);
+            shape.p[k] /= J;
+        }
+        shape.n2_x /= J;
+        return shape;
+    }
+
+    /// Returns the stations of a rule along the line; reference strains are zero.
+    [[nodiscard]] StationTable<double> stations(const Rule& rule, const SectionStiffness& section) const {
+        StationTable<double> table;
+        for (const RuleStation& station : rule.stations()) {
+            const StationShape<double> at = shape(station.xi);
+            const SectionMatrix<double> stiffness =
+                station_stiffness(section, station, parameter_length_ * metric(station.xi));
+            if (station.axial_only()) {
+                table.axial.push_back({{at.p[0], at.p[1], at.p[2]}, 0.0, stiffness.axial[0][0]});
+            } else {
+                table.full.push_back({at, {}, stiffness});
+            }
+        }
+        return table;
+    }
+
+    /// Returns the mass weights of an element on this line, see mass_weights().
+    template <int FieldsPerNode>
+    [[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass(double density, const Moments& moments) const {
+        if (!curved_) return mass_weights<FieldsPerNode>(density, moments, parameter_length_);
+        return mass_weights<FieldsPerNode>(density, moments, parameter_length_, integration_points,
+                                           [this](double xi) { return metric(xi); });
+    }
+
+    /// Returns the nodal force of a dead force per arc length, N/m.
+    template <int FieldsPerNode>
+    [[nodiscard]] Vector<double, 2 * Dimension * FieldsPerNode> line_load(const Point& force) const {
+        Moments line;  // a section of unit area on the axis alone
+        line.area = 1.0;
+        return gravity_force<Dimension>(mass<FieldsPerNode>(1.0, line), force);
+    }
+
+private:
+    static constexpr int integration_points = 10;  // round-off for arcs of a radian
+
+    [[nodiscard]] Point derivative(const double (&weights)[3]) const {
+        return weights[0] * span_ + weights[1] * first_ + weights[2] * second_;
+    }
+
+    double parameter_length_ = 0.0;
+    double length_ = 0.0;
+    bool curved_ = false;
+    Point span_ = Point::Zero(), first_ = Point::Zero(), second_ = Point::Zero();
+};
+
+}  // namespace ancf

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Constant data of the stations of an element: shape weights, reference strains, section matrix.
+///
+/// Lengths along the element are those of its stress-free state; derivatives are with respect to
+/// that arc length. The quadrature weight and the length are folded into the stiffness. T is
+/// double, or a pack of doubles that holds several stations or several elements side by side.
+
+#pragma once
+
+#include <ancf/element/hermite.hpp>
+#include <ancf/element/invariants.hpp>
+#include <ancf/element/pack.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/section/stiffness.hpp>
+
+#include <vector>
+
+namespace ancf {
+
+/// The blocks of the section matrix of the twelve generalised strains.
+template <class T>
+struct SectionMatrix {
+    T axial[6][6];    ///< of (eps, k_y, k_z, a_yy/2, a_yz, a_zz/2)
+    T shear_y[3][3];  ///< of (g_y, h_yy, h_zy)
+    T shear_z[3][3];  ///< of (g_z, h_yz, h_zz)
+};
+
+/// Weights of the seven nodal vectors and four nodal shears in the local vectors of a station.
+template <class T>
+struct StationShape {
+    T p[3];   ///< of (D, g1, g2) in p = r0', D = r_j - r_i; that of D is 1/m
+    T p1[3];  ///< of (D, g1, g2) in p1 = r0''; 1/m^2, 1/m, 1/m
+    T n2;     ///< of a2 in a = r_y; a1 has 1 - n2. Also of b2, and of the second node's shears
+    T n2_x;   ///< of a2 in a1 = r_y'; a1 has -n2_x, 1/m
+};
+
+/// A station that integrates any terms of the energy.
+template <class T>
+struct StationData {
+    StationShape<T> shape;
+    T reference[detail::strain_count];  ///< strains of the stress-free state, subtracted
+    SectionMatrix<T> stiffness;         ///< times weight and length
+};
+
+/// A station that integrates only EA eps^2/2.
+template <class T>
+struct AxialStationData {
+    T p[3];       ///< of (D, g1, g2) in p = r0'
+    T reference;  ///< axial strain of the stress-free state, subtracted
+    T stiffness;  ///< EA times weight and length
+};
+
+/// The stations of a rule.
+template <class T>
+struct StationTable {
+    std::vector<StationData<T>> full;
+    std::vector<AxialStationData<T>> axial;
+};
+
+/// Returns the shape weights at xi of a straight element of the given length.
+[[nodiscard]] inline StationShape<double> straight_shape(double xi, double length) noexcept {
+    const auto first = hermite_first(xi, length);
+    const auto second = hermite_second(xi, length);
+    return {{first[2], first[1], first[3]}, {second[2], second[1], second[3]}, xi, 1.0 / length};
+}
+
+namespace detail {
+
+/// Returns which group the energy term of strains i and j of one block belongs to.
+constexpr StrainGroup axial_group(int i, int j) noexcept {
+    return i == 0 && j == 0 ? StrainGroup::axial : StrainGroup::bending;
+}
+constexpr StrainGroup shear_group(int i, int j) noexcept {
+    return i == 0 && j == 0 ? StrainGroup::shear : StrainGroup::torsion;
+}
+
+}  // namespace detail
+
+/// Returns the section matrix times the station's weight of each term's group and a length.
+[[nodiscard]] inline SectionMatrix<double> station_stiffness(const SectionStiffness& section,
+                                                             const RuleStation& station,
+                                                             double length) noexcept {
+    SectionMatrix<double> result;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            result.axial[i][j] =
+                section.axial(i, j) * length * station.weight(detail::axial_group(i, j));
+        }
+    }
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double weight = length * station.weight(detail::shear_group(i, j));
+            result.shear_y[i][j] = section.shear_y(i, j) * weight;
+            result.shear_z[i][j] = section.shear_z(i, j) * weight;
+        }
+    }
+    return result;
+}
+
+namespace detail {
+
+/// Sets one lane of every entry of packed data.
+template <int Lanes>
+inline void put_lane(Pack<Lanes>& to, int lane, double from) noexcept {
+    to.set(lane, from);
+}
+template <class Packed, class Plain, std::size_t Count>
+inline void put_lane(Packed (&to)[Count], int lane, const Plain (&from)[Count]) noexcept {
+    for (std::size_t k = 0; k < Count; ++k) put_lane(to[k], lane, from[k]);
+}
+template <int Lanes>
+inline void put_lane(StationData<Pack<Lanes>>& to, int lane,
+                     const StationData<double>& from) noexcept {
+    put_lane(to.shape.p, lane, from.shape.p);
+    put_lane(to.shape.p1, lane, from.shape.p1);
+    put_lane(to.shape.n2, lane, from.shape.n2);
+    put_lane(to.shape.n2_x, lane, from.shape.n2_x);
+    put_lane(to.reference, lane, from.reference);
+    put_lane(to.stiffness.axial, lane, from.stiffness.axial);
+    put_lane(to.stiffness.shear_y, lane, from.stiffness.shear_y);
+    put_lane(to.stiffness.shear_z, lane, from.stiffness.shear_z);
+}
+
+template <int Lanes>
+inline void put_lane(AxialStationData<Pack<Lanes>>& to, int lane,
+                     const AxialStationData<double>& from) noexcept {
+    put_lane(to.p, lane, from.p);
+    put_lane(to.reference, lane, from.reference);
+    put_lane(to.stiffness, lane, from.stiffness);
+}
+
+template <int Lanes>
+inline void put_lane(StationTable<Pack<Lanes>>& to, int lane,
+                     const StationTable<double>& from) noexcept {
+    for (std::size_t k = 0; k < from.full.size(); ++k) put_lane(to.full[k], lane, from.full[k]);
+    for (std::size_t k = 0; k < from.axial.size(); ++k) put_lane(to.axial[k], lane, from.axial[k]);
+}
+
+/// A station like the given one that adds nothing: fills lanes left over.
+inline StationData<double> without_stiffness(StationData<double> station) noexcept {
+    station.stiffness = {};
+    return station;
+}
+inline AxialStationData<double> without_stiffness(AxialStationData<double> station) noexcept {
+    station.stiffness = 0.0;
+    return station;
+}
+
+template <int Lanes, template <class> class Data>
+[[nodiscard]] std::vector<Data<Pack<Lanes>>> packed(const std::vector<Data<double>>& stations) {
+    std::vector<Data<Pack<Lanes>>> packs((stations.size() + Lanes - 1) / Lanes);
+    for (std::size_t k = 0; k < packs.size() * Lanes; ++k) {
+        put_lane(packs[k / Lanes], static_cast<int>(k % Lanes),
+                 k < stations.size() ? stations[k] : without_stiffness(stations.back()));
+    }
+    return packs;
+}
+
+}  // namespace detail
+
+/// Returns the stations side by side, Lanes to a pack.
+template <int Lanes>
+[[nodiscard]] StationTable<Pack<Lanes>> packed(const StationTable<double>& table) {
+    return {detail::packed<Lanes>(table.full), detail::packed<Lanes>(table.axial)};
+}
+
+}  // namespace ancf

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// How the library says that something went wrong.
+///
+/// A wrong call throws InvalidArgument. A numerical outcome is a value: a Status inside a report.
+/// Nothing prints, aborts or exits.
+
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace ancf {
+
+/// Thrown by a call that cannot be meant: the message names the value and what was expected.
+class InvalidArgument : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// The outcome of a numerical procedure.
+enum class Status {
+    converged,       ///< the stopping test holds
+    max_iterations,  ///< the iteration limit came first
+    diverged,        ///< the residual grew beyond recovery, or the step became too small
+    singular,        ///< the matrix could not be factorised
+    degenerate,      ///< an element lost its directors: a slope parallel to the tangent, or of no length
+    not_finite,      ///< a NaN or an infinity appeared
+    inconsistent,    ///< the start of a motion violates a constraint
+    redundant,       ///< constraints say the same thing twice
+    step_too_small,  ///< the step fell below its limit
+    stopped          ///< a callback asked to stop
+};
+
+/// Returns the status as the word that tables and CSV files print.
+[[nodiscard]] constexpr std::string_view to_string(Status status) noexcept {
+    switch (status) {
+        case Status::converged: return "converged";
+        case Status::max_iterations: return "max_iterations";
+        case Status::diverged: return "diverged";
+        case Status::singular: return "singular";
+        case Status::degenerate: return "degenerate";
+        case Status::not_finite: return "not_finite";
+        case Status::inconsistent: return "inconsistent";
+        case Status::redundant: return "redundant";
+        case Status::step_too_small: return "step_too_small";
+        case Status::stopped: return "stopped";
+    }
+    return "unknown";
+}
+
+namespace detail {
+
+/// Throws InvalidArgument with all parts streamed into one message.
+template <class... Parts>
+[[noreturn]] void reject(const Parts&... parts) {
+    std::ostringstream message;
+    message.precision(17);
+    (message << ... << parts);
+    throw InvalidArgument(message.str());
+}
+
+/// Throws unless the condition holds.
+template <class... Parts>
+void require(bool condition, const Parts&... parts) {
+    if (!condition) reject(parts...);
+}
+
+/// Throws unless the named value is finite.
+inline void require_finite(std::string_view name, double value) {
+    require(std::isfinite(value), name, " must be finite, got ", value);
+}
+
+/// Throws unless the named value is finite and greater than zero.
+inline void require_positive(std::string_view name, double value) {
+    require(std::isfinite(value) && value > 0.0, name, " must be positive and finite, got ", value);
+}
+
+}  // namespace detail
+}  // namespace ancf

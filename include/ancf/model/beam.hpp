@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Builders: chains of elements between points, and loads along them.
+
+#pragma once
+
+#include <ancf/element/mass.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/moments.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/types.hpp>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// A chain of elements as a builder added it to a model.
+template <class Element>
+struct Beam {
+    std::vector<NodeId> nodes;
+    std::vector<int> elements;  ///< indices in the model's group of this element type
+    std::vector<int> prototypes;
+
+    [[nodiscard]] NodeId first() const { return nodes.front(); }
+    [[nodiscard]] NodeId last() const { return nodes.back(); }
+
+    /// Returns a node by its place along the chain, 0 at the start.
+    [[nodiscard]] NodeId node(int place) const {
+        detail::require(place >= 0 && place < static_cast<int>(nodes.size()),
+                        "Beam: there are ", nodes.size(), " nodes, got place ", place);
+        return nodes[static_cast<std::size_t>(place)];
+    }
+};
+
+/// Returns orthonormal reference slopes (columns) of a beam along a direction.
+///
+/// Three dimensions: r_y is the part of `y_axis` normal to the direction.
+/// @throws InvalidArgument where the direction has no length or `y_axis` is parallel to it.
+[[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
+                                                        const Vector<double, 3>& y_axis) {
+    const double length = direction.norm();
+    detail::require(std::isfinite(length) && length > 0.0,
+                    "reference_slopes: the direction must have a length, got ",
+                    direction.transpose());
+    const Vector<double, 3> t = direction / length;
+    const Vector<double, 3> normal = y_axis - y_axis.dot(t) * t;
+    detail::require(y_axis.allFinite() && normal.norm() > 1e-8 * y_axis.norm(),
+                    "reference_slopes: the y axis must not be parallel to the beam, got ",
+                    y_axis.transpose());
+    Matrix<double, 3> slopes;
+    slopes.col(0) = t;
+    slopes.col(1) = normal.normalized();
+    slopes.col(2) = cross(t, Vector<double, 3>(slopes.col(1)));
+    return slopes;
+}
+
+/// Returns reference slopes without a chosen y axis: global X turned into the direction by the
+/// smallest rotation carries global Y and Z with it.
+[[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
+    detail::require(direction.allFinite() && direction.norm() > 0.0,
+                    "reference_slopes: the direction must have a length, got ",
+                    direction.transpose());
+    const Vector<double, 3> t = direction.normalized();
+    if (t[0] < -0.9) return reference_slopes(direction, Vector<double, 3>::UnitY());
+    const Vector<double, 3> sum = Vector<double, 3>::UnitX() + t;
+    const Vector<double, 3> y = Vector<double, 3>::UnitY() - t[1] / (1.0 + t[0]) * sum;
+    return reference_slopes(direction, y);
+}
+
+/// The plane: r_y is the direction turned by a right angle counterclockwise.
+[[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
+    detail::require(direction.allFinite() && direction.norm() > 0.0,
+                    "reference_slopes: the direction must have a length, got ",
+                    direction.transpose());
+    const Vector<double, 2> t = direction.normalized();
+    Matrix<double, 2> slopes;
+    slopes << t[0], -t[1], t[1], t[0];
+    return slopes;
+}
+
+/// Adds a straight chain of equal elements with the given reference slopes.
+///
+/// @param options  handed to the element's constructor after material, section and length.
+/// @throws InvalidArgument for coinciding ends or fewer than one element.
+template <class Element = void, class... Elements, class... Options>
+auto straight_beam_with_slopes(Model<Elements...>& model, const Material& material,
+                               const Section& section,
+                               const typename Model<Elements...>::Point& from,
+                               const typename Model<Elements...>::Point& to,
+                               const typename Model<Elements...>::Slopes& slopes, int elements,
+                               Options&&... options) {
+    using Scene = Model<Elements...>;
+    using Chosen = std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
+    detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
+    const double length = (to - from).norm();
+    detail::require(std::isfinite(length) && length > 0.0,
+                    "straight_beam: the ends must be finite and apart, got a length of ", length);
+    Beam<Chosen> beam;
+    const int prototype = model.add_prototype(
+        Chosen(material, section, length / elements, std::forward<Options>(options)...));
+    beam.prototypes.push_back(prototype);
+    for (int k = 0; k <= elements; ++k) {
+        const double part = static_cast<double>(k) / elements;
+        beam.nodes.push_back(model.add_node((1.0 - part) * from + part * to, slopes));
+    }
+    for (std::size_t k = 0; k + 1 < beam.nodes.size(); ++k)
+        beam.elements.push_back(
+            model.template connect<Chosen>(prototype, beam.nodes[k], beam.nodes[k + 1]));
+    return beam;
+}
+
+/// Adds a straight chain of equal elements between two points.
+///
+/// The section's y axis follows `reference_slopes(to - from)`.
+template <class Element = void, class... Elements, class... Options>
+auto straight_beam(Model<Elements...>& model, const Material& material, const Section& section,
+                   const typename Model<Elements...>::Point& from,
+                   const typename Model<Elements...>::Point& to, int elements,
+                   Options&&... options) {
+    using Point = typename Model<Elements...>::Point;
+    return straight_beam_with_slopes<Element>(model, material, section, from, to,
+                                              reference_slopes(Point(to - from)), elements,
+                                              std::forward<Options>(options)...);
+}
+
+/// Returns the index list of both nodes' vectors that an element uses.
+template <class Element>
+[[nodiscard]] Coupling coupling_of(const Connection& connection) {
+    Coupling coupling;
+    for (const NodeId node : {connection.first, connection.second})
+        for (int k = 0; k < field_count; ++k)
+            if (Element::fields.contains(static_cast<Field>(k)))
+                coupling.push_back({node, static_cast<Field>(k)});
+    return coupling;
+}
+
+namespace detail {
+
+template <class Element, class = void>
+struct has_line_load : std::false_type {};
+template <class Element>
+struct has_line_load<Element, std::void_t<decltype(std::declval<const Element&>().line_load(
+                                  std::declval<const Vector<double, Element::dimension>&>()))>>
+    : std::true_type {};
+
+/// Returns the nodal force of a force per length; elements without a say in it are straight.
+template <class Element>
+[[nodiscard]] VectorX line_load(const Element& element,
+                                const Vector<double, Element::dimension>& force_per_length) {
+    if constexpr (has_line_load<Element>::value) {
+        return element.line_load(force_per_length);
+    } else {
+        Moments line;  // a section of unit area on the axis alone
+        line.area = 1.0;
+        return gravity_force<Element::dimension>(
+            mass_weights<Element::fields.count()>(1.0, line, element.length()), force_per_length);
+    }
+}
+
+}  // namespace detail
+
+/// Adds a dead force per reference length along a beam, N/m.
+template <class Element, class... Elements>
+void add_line_load(Model<Elements...>& model, const Beam<Element>& beam,
+                   const typename Model<Elements...>::Point& force_per_length,
+                   const Amplitude& amplitude = {}) {
+    detail::require(force_per_length.allFinite(), "add_line_load: components must be finite, got ",
+                    force_per_length.transpose());
+    const auto& group = model.template group<Element>();
+    for (const int index : beam.elements) {
+        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        const VectorX force = detail::line_load(group.element(index), force_per_length);
+        model.add(GeneralisedForce(coupling_of<Element>(connection), force), amplitude);
+    }
+}
+
+}  // namespace ancf

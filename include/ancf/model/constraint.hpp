@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What a constraint must offer, and the holder that lets a model keep constraints of any type.
+///
+/// A constraint is g(q, t) = 0 on a few nodal vectors. It gives g, its Jacobian G = dg/dq, the
+/// stiffness d(G^T lambda)/dq at fixed multipliers and what its time derivatives need:
+///
+///     dg/dt = G v + g_t,    d2g/dt2 = G a + c,    c = (G v)_q v + 2 (g_t)_q v + g_tt.
+
+#pragma once
+
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace ancf {
+
+/// Where a constraint is evaluated; local coordinates in the order of its coupling.
+struct ConstraintState {
+    VectorX q;            ///< local coordinates, m and 1
+    VectorX v;            ///< their rates
+    VectorX multipliers;  ///< lambda, one per equation
+    double time = 0.0;    ///< s; the load factor in statics
+};
+
+/// What a constraint gives; every array arrives sized and zero.
+struct ConstraintResult {
+    VectorX violation;   ///< g
+    MatrixX jacobian;    ///< G, equations x local coordinates
+    MatrixX stiffness;   ///< d(G^T lambda)/dq
+    VectorX rate;        ///< g_t, zero unless the constraint moves in time
+    VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
+};
+
+template <class T, class = void>
+struct is_constraint : std::false_type {};
+
+template <class T>
+struct is_constraint<
+    T, std::void_t<decltype(Coupling(std::declval<const T&>().coupling())),
+                   decltype(int(std::declval<const T&>().equations())),
+                   decltype(std::string(std::declval<const T&>().name())),
+                   decltype(std::declval<const T&>().evaluate(
+                       std::declval<const ConstraintState&>(), std::declval<ConstraintResult&>()))>>
+    : std::true_type {};
+
+template <class T>
+inline constexpr bool is_constraint_v = is_constraint<T>::value;
+
+/// A constraint of any type.
+class AnyConstraint {
+public:
+    template <class Constraint>
+    explicit AnyConstraint(Constraint constraint)
+        : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))) {
+        static_assert(is_constraint_v<Constraint>,
+                      "a constraint offers `Coupling coupling() const`, `int equations() const`, "
+                      "`std::string name() const` and "
+                      "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
+    }
+
+    [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
+    [[nodiscard]] int equations() const { return held_->equations(); }
+    [[nodiscard]] std::string name() const { return held_->name(); }
+    void evaluate(const ConstraintState& state, ConstraintResult& out) const {
+        held_->evaluate(state, out);
+    }
+
+private:
+    struct Interface {
+        virtual ~Interface() = default;
+        [[nodiscard]] virtual Coupling coupling() const = 0;
+        [[nodiscard]] virtual int equations() const = 0;
+        [[nodiscard]] virtual std::string name() const = 0;
+        virtual void evaluate(const ConstraintState&, ConstraintResult&) const = 0;
+    };
+
+    template <class Constraint>
+    struct Holder final : Interface {
+        explicit Holder(Constraint held) : constraint(std::move(held)) {}
+        [[nodiscard]] Coupling coupling() const override { return constraint.coupling(); }
+        [[nodiscard]] int equations() const override { return constraint.equations(); }
+        [[nodiscard]] std::string name() const override { return constraint.name(); }
+        void evaluate(const ConstraintState& state, ConstraintResult& out) const override {
+            constraint.evaluate(state, out);
+        }
+        Constraint constraint;
+    };
+
+    std::shared_ptr<const Interface> held_;
+};
+
+}  // namespace ancf

@@ -1,0 +1,438 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents.
+///
+/// Each holds the nodes' positions together and some angles between their frames (constraints_frames.hpp)
+/// by bilinear forms of the frames' axes. Axes are given in global components as they stand when the joint
+/// is made; the joint keeps them fixed in the frames. Equations in m come first, then those of angles.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/constraints_frames.hpp>
+#include <ancf/model/constraints_motion.hpp>
+#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+namespace detail {
+
+/// One side of a joint as it stands when the joint is made.
+struct JointSide {
+    SideKind kind;
+    FrameAt at = NodeId{};
+    Matrix<double, 3> axes = Matrix<double, 3>::Identity();  ///< at the start; for space always
+    Vector<double, 3> place = Vector<double, 3>::Zero();     ///< at the start
+
+    [[nodiscard]] int vectors() const noexcept {
+        return kind == SideKind::frame ? 2 : kind == SideKind::tangent ? 1 : 0;
+    }
+
+    [[nodiscard]] std::string name() const {
+        return kind == SideKind::space ? "space" : "node " + std::to_string(at.node.index);
+    }
+
+    template <class Scene>
+    static JointSide frame(const Scene& model, const FrameAt& at) {
+        static_assert(Scene::dimension == 3, "joints of frames are of three dimensions");
+        JointSide side{SideKind::frame, at};
+        const Vector<double, 3> p = model.value(at.node, at.first);
+        const Vector<double, 3> a = model.value(at.node, at.second);
+        side.axes = Triad<double>::of_slopes(p, a).axes;
+        side.place = model.position(at.node);
+        require(side.axes.allFinite(), "a joint needs a frame: the slopes of node ", at.node.index,
+                " are parallel or of no length");
+        return side;
+    }
+
+    template <class Scene>
+    static JointSide tangent(const Scene& model, NodeId node) {
+        static_assert(Scene::dimension == 3, "joints of frames are of three dimensions");
+        JointSide side{SideKind::tangent, node};
+        side.axes = Triad<double>::of_tangent(model.value(node, Field::r_x)).axes;
+        require(side.axes.allFinite(), "a joint needs a tangent: r_x of node ", node.index,
+                " has no length");
+        return side;
+    }
+
+    /// Space, at the place of a node.
+    template <class Scene>
+    static JointSide space(const Scene& model, NodeId at) {
+        JointSide side{SideKind::space, NodeId{}};
+        side.place = model.position(at);
+        return side;
+    }
+
+    /// Evaluates the side at its slopes, which start at q[first].
+    template <class Scalar>
+    [[nodiscard]] Triad<Scalar> triad(const DynamicVector<Scalar>& q, int first) const {
+        if (kind == SideKind::space) return Triad<Scalar>::at_rest(axes);
+        const Vector<Scalar, 3> p = q.template segment<3>(first);
+        if (kind == SideKind::tangent) return Triad<Scalar>::of_tangent(p);
+        return Triad<Scalar>::of_slopes(p, q.template segment<3>(first + 3));
+    }
+};
+
+/// Returns two unit vectors normal to a unit vector and to each other.
+[[nodiscard]] inline std::array<Vector<double, 3>, 2> normals_of(const Vector<double, 3>& axis) {
+    Eigen::Index smallest = 0;
+    axis.cwiseAbs().minCoeff(&smallest);
+    const Vector<double, 3> other = Vector<double, 3>::Unit(smallest);
+    const Vector<double, 3> u = cross(axis, other).normalized();
+    return {u, cross(axis, u)};
+}
+
+[[nodiscard]] inline Vector<double, 3> unit_axis(const char* joint, const Vector<double, 3>& axis) {
+    const double length = axis.norm();
+    require(std::isfinite(length) && length > 0.0, joint, ": the axis must have a length, got ",
+            axis.transpose());
+    return axis / length;
+}
+
+/// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q.
+template <class Scalar>
+[[nodiscard]] std::vector<Matrix<Scalar, 3>> turn_forms(const Matrix<Scalar, 3>& relative) {
+    std::vector<Matrix<Scalar, 3>> forms(3, Matrix<Scalar, 3>::Zero());
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 2) % 3;
+        const int j = (k + 1) % 3;
+        forms[static_cast<std::size_t>(k)].row(i) = 0.5 * relative.row(j);
+        forms[static_cast<std::size_t>(k)].row(j) = -0.5 * relative.row(i);
+    }
+    return forms;
+}
+
+/// Positions held together (where asked) and bilinear forms of two frames held at zero.
+class FrameJoint {
+public:
+    [[nodiscard]] Coupling coupling() const;
+    [[nodiscard]] int equations() const { return positions() + static_cast<int>(constants_.size()); }
+    [[nodiscard]] std::string name() const { return what_ + " of " + a_.name() + " and " + b_.name(); }
+
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const;
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const;
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q, const Scalar& time) const;
+
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+protected:
+    FrameJoint(std::string what, JointSide a, JointSide b, bool positions)
+        : what_(std::move(what)), a_(std::move(a)), b_(std::move(b)), pinned_(positions) {
+        require(a_.kind == SideKind::space || b_.kind == SideKind::space || a_.at.node != b_.at.node,
+                "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
+    }
+
+    /// Adds the equation sum C_ij A_i.B_j = constant.
+    void add_form(const Matrix<double, 3>& coefficients, double constant = 0.0) {
+        forms_.push_back(coefficients);
+        constants_.push_back(constant);
+    }
+
+    /// Holds the frames' relative turn at that of the start, further turned about an axis of A.
+    void hold_turn(const Vector<double, 3>& axis_in_a, std::optional<Motion> angle) {
+        relative_ = a_.axes.transpose() * b_.axes;
+        turn_ = cross_matrix(axis_in_a);
+        angle_ = std::move(angle);
+        for (const Matrix<double, 3>& form : turn_forms<double>(relative_)) add_form(form);
+    }
+
+    [[nodiscard]] const JointSide& a() const noexcept { return a_; }
+    [[nodiscard]] const JointSide& b() const noexcept { return b_; }
+
+private:
+    [[nodiscard]] int positions() const noexcept { return pinned_ ? 3 : 0; }
+    [[nodiscard]] int first_slope() const noexcept {
+        return !pinned_ ? 0 : b_.kind == SideKind::space ? 3 : 6;
+    }
+
+    template <class Scalar>
+    struct Frames {
+        Triad<Scalar> a, b;
+    };
+
+    template <class Scalar>
+    [[nodiscard]] Frames<Scalar> frames(const DynamicVector<Scalar>& q) const {
+        return {a_.triad(q, first_slope()), b_.triad(q, first_slope() + 3 * a_.vectors())};
+    }
+
+    /// Returns the coefficients at a time.
+    template <class Scalar>
+    [[nodiscard]] std::vector<Matrix<Scalar, 3>> forms(const Scalar& time) const {
+        if (angle_) {
+            const Scalar angle = continued(angle_->value, angle_->rate, time);
+            return turn_forms<Scalar>(rotation_about(turn_, angle) * relative_.template cast<Scalar>());
+        }
+        std::vector<Matrix<Scalar, 3>> out;
+        for (const Matrix<double, 3>& form : forms_) out.push_back(form.template cast<Scalar>());
+        return out;
+    }
+
+    /// Returns the coefficients' rate of change; only where an angle is driven.
+    template <class Scalar>
+    [[nodiscard]] std::vector<Matrix<Scalar, 3>> form_rates(const Scalar& time) const {
+        const Scalar angle = continued(angle_->value, angle_->rate, time);
+        const Scalar speed = continued(angle_->rate, angle_->acceleration, time);
+        return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() * rotation_about(turn_, angle) *
+                                  relative_.template cast<Scalar>());
+    }
+
+    std::string what_;
+    JointSide a_, b_;
+    bool pinned_;
+    std::vector<Matrix<double, 3>> forms_;
+    std::vector<double> constants_;
+    Matrix<double, 3> relative_ = Matrix<double, 3>::Identity();  // R_A^T R_B at the start
+    Matrix<double, 3> turn_ = Matrix<double, 3>::Zero();          // [axis]x in A
+    std::optional<Motion> angle_;
+};
+
+}  // namespace detail
+
+/// A hinge: positions held together, and an axis fixed in both frames; 5 equations.
+///
+/// With w the axis in A and u, v normal to it in B: w.u = 0, w.v = 0.
+class Revolute : public detail::FrameJoint {
+public:
+    /// @param axis  in global components, as the model stands.
+    /// @throws InvalidArgument for an axis of no length, equal nodes or a node without a frame.
+    template <class Scene>
+    Revolute(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis)
+        : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::frame(model, b), true) {
+        hold(axis);
+    }
+
+    /// A hinge to space.
+    template <class Scene>
+    Revolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis)
+        : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::space(model, a.node), true) {
+        hold(axis);
+    }
+
+private:
+    void hold(const Vector<double, 3>& axis) {
+        const Vector<double, 3> unit = detail::unit_axis("Revolute", axis);
+        const Vector<double, 3> w = a().axes.transpose() * unit;
+        for (const Vector<double, 3>& normal : detail::normals_of(unit))
+            add_form(w * (b().axes.transpose() * normal).transpose());
+    }
+};
+
+/// Positions and frames held together at the angle of the start; 6 equations.
+///
+/// The last three are sin(angle) times the axis of the frames' relative turn since the start, in A.
+class Weld : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for equal nodes or a node without a frame.
+    template <class Scene>
+    Weld(const Scene& model, const FrameAt& a, const FrameAt& b)
+        : FrameJoint("weld", detail::JointSide::frame(model, a), detail::JointSide::frame(model, b),
+                     true) {
+        hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+    }
+
+    /// A weld to space.
+    template <class Scene>
+    Weld(const Scene& model, const FrameAt& a)
+        : FrameJoint("weld", detail::JointSide::frame(model, a),
+                     detail::JointSide::space(model, a.node), true) {
+        hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+    }
+};
+
+/// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
+/// 6 equations. The multiplier of the axis is the motor's moment.
+class DrivenRevolute : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes or
+    ///         a node without a frame.
+    template <class Scene>
+    DrivenRevolute(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis,
+                   Motion angle)
+        : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::frame(model, b), true) {
+        hold(axis, std::move(angle));
+    }
+
+    /// A driven hinge to space: the node turns by -angle(t) against space.
+    template <class Scene>
+    DrivenRevolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis, Motion angle)
+        : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::space(model, a.node), true) {
+        hold(axis, std::move(angle));
+    }
+
+private:
+    void hold(const Vector<double, 3>& axis, Motion angle) {
+        angle.check("DrivenRevolute");
+        hold_turn(a().axes.transpose() * detail::unit_axis("DrivenRevolute", axis), std::move(angle));
+    }
+};
+
+/// A universal (Cardan) joint: positions held together, and the angle between an axis of A and one of B
+/// kept; 4 equations.
+class Universal : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a frame.
+    template <class Scene>
+    Universal(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis_of_a,
+              const Vector<double, 3>& axis_of_b)
+        : FrameJoint("universal joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::frame(model, b), true) {
+        hold(axis_of_a, axis_of_b);
+    }
+
+    /// A universal joint to space.
+    template <class Scene>
+    Universal(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis_of_a,
+              const Vector<double, 3>& axis_of_space)
+        : FrameJoint("universal joint", detail::JointSide::frame(model, a),
+                     detail::JointSide::space(model, a.node), true) {
+        hold(axis_of_a, axis_of_space);
+    }
+
+private:
+    void hold(const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b) {
+        const Vector<double, 3> u = detail::unit_axis("Universal", axis_of_a);
+        const Vector<double, 3> w = detail::unit_axis("Universal", axis_of_b);
+        detail::require(cross(u, w).norm() > 1e-3, "Universal: the axes must not be parallel, got ",
+                        axis_of_a.transpose(), " and ", axis_of_b.transpose());
+        add_form((a().axes.transpose() * u) * (b().axes.transpose() * w).transpose(), u.dot(w));
+    }
+};
+
+/// The tangent r_x of a node kept in the direction that it has in another node's frame, or in space;
+/// 2 equations. With a Pin it welds a cable, whose node has no frame, to a beam or to space.
+class AlignedTangent : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for equal nodes, a node without a frame or a tangent of no length.
+    template <class Scene>
+    AlignedTangent(const Scene& model, const FrameAt& frame, NodeId tangent)
+        : FrameJoint("aligned tangent", detail::JointSide::frame(model, frame),
+                     detail::JointSide::tangent(model, tangent), false) {
+        hold();
+    }
+
+    /// The direction kept in space.
+    template <class Scene>
+    AlignedTangent(const Scene& model, NodeId tangent)
+        : FrameJoint("aligned tangent", detail::JointSide::space(model, tangent),
+                     detail::JointSide::tangent(model, tangent), false) {
+        hold();
+    }
+
+private:
+    void hold() {
+        const Vector<double, 3> t = b().axes.col(0);
+        for (const Vector<double, 3>& normal : detail::normals_of(t))
+            add_form((a().axes.transpose() * normal) * Vector<double, 3>::UnitX().transpose());
+    }
+};
+
+namespace detail {
+
+inline Coupling FrameJoint::coupling() const {
+    Coupling all;
+    if (pinned_) all.push_back({a_.at.node, Field::r});
+    if (pinned_ && b_.kind != SideKind::space) all.push_back({b_.at.node, Field::r});
+    for (const JointSide* side : {&a_, &b_}) {
+        if (side->vectors() >= 1) all.push_back({side->at.node, side->at.first});
+        if (side->vectors() == 2) all.push_back({side->at.node, side->at.second});
+    }
+    return all;
+}
+
+template <class Scalar>
+DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    DynamicVector<Scalar> g(equations());
+    if (pinned_) {
+        Vector<Scalar, 3> other = b_.place.template cast<Scalar>();
+        if (b_.kind != SideKind::space) other = q.template segment<3>(3);
+        g.template head<3>() = q.template head<3>() - other;
+    }
+    const Frames<Scalar> f = frames(q);
+    int row = positions();
+    for (const Matrix<Scalar, 3>& form : forms(time)) {
+        g[row] = FrameForm<Scalar>(form, f.a, f.b).value -
+                 constants_[static_cast<std::size_t>(row - positions())];
+        ++row;
+    }
+    return g;
+}
+
+template <class Scalar>
+DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(equations(), q.size());
+    if (pinned_) {
+        g.template topLeftCorner<3, 3>().diagonal().setConstant(Scalar(1.0));
+        if (b_.kind != SideKind::space)
+            g.template block<3, 3>(0, 3).diagonal().setConstant(Scalar(-1.0));
+    }
+    const Frames<Scalar> f = frames(q);
+    const int width = 3 * (a_.vectors() + b_.vectors());
+    int row = positions();
+    for (const Matrix<Scalar, 3>& form : forms(time))
+        g.row(row++).segment(first_slope(), width) =
+            FrameForm<Scalar>(form, f.a, f.b).gradient(f.a, f.b);
+    return g;
+}
+
+template <class Scalar>
+DynamicVector<Scalar> FrameJoint::rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(equations());
+    if (!angle_) return g;
+    const Frames<Scalar> f = frames(q);
+    int row = positions();
+    for (const Matrix<Scalar, 3>& form : form_rates(time))
+        g[row++] = FrameForm<Scalar>(form, f.a, f.b).value;
+    return g;
+}
+
+inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    const Frames<double> f = frames(at.q);
+    const int first = first_slope();
+    const int width = 3 * (a_.vectors() + b_.vectors());
+    const VectorX v = at.v.segment(first, width);
+    int row = positions();
+    for (const Matrix<double, 3>& form : forms(at.time)) {
+        const MatrixX hessian = frame_form_hessian(form, f.a, f.b);
+        out.stiffness.block(first, first, width, width) += at.multipliers[row] * hessian;
+        out.convection[row] = v.dot(hessian * v);
+        ++row;
+    }
+    if (!angle_) return;
+    // 2 (g_t)_q v + g_tt of coefficients that turn with the angle
+    const double angle = angle_->value(at.time);
+    const double speed = angle_->rate(at.time);
+    const Matrix<double, 3> turned = rotation_about(turn_, angle) * relative_;
+    const Matrix<double, 3> bend = angle_->acceleration(at.time) * turn_ + speed * speed * turn_ * turn_;
+    const auto first_rate = turn_forms<double>(speed * turn_ * turned);
+    const auto second_rate = turn_forms<double>(bend * turned);
+    row = positions();
+    for (std::size_t k = 0; k < 3; ++k, ++row)
+        out.convection[row] +=
+            2.0 * FrameForm<double>(first_rate[k], f.a, f.b).gradient(f.a, f.b).dot(v) +
+            FrameForm<double>(second_rate[k], f.a, f.b).value;
+}
+
+}  // namespace detail
+}  // namespace ancf

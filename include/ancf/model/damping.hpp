@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Linear damping as loads: Rayleigh's a M + b K0 of elements, and drag along a line.
+///
+/// Each is a force -D v with a constant matrix D per element, so that its derivatives are exact and
+/// every integrator takes it. Scaled by an amplitude it can be switched on and off in time.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ancf {
+
+/// The force -D v on the coordinates of some nodal vectors.
+class LinearDamping {
+public:
+    static constexpr bool symmetric_stiffness = true;
+
+    /// @param matrix  D, in the order of the coupling; N s/m for positions.
+    /// @throws InvalidArgument for a matrix that is not square or not finite.
+    LinearDamping(Coupling coupling, MatrixX matrix)
+        : coupling_(std::move(coupling)), matrix_(std::move(matrix)) {
+        detail::require(matrix_.rows() == matrix_.cols() && matrix_.allFinite(),
+                        "LinearDamping: the matrix must be square and finite, got ", matrix_.rows(),
+                        " x ", matrix_.cols());
+    }
+
+    [[nodiscard]] Coupling coupling() const { return coupling_; }
+    [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
+
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        detail::require(matrix_.rows() == state.v.size(), "LinearDamping: ", state.v.size(),
+                        " coordinates are coupled, the matrix has ", matrix_.rows(), " rows");
+        out.force = -matrix_ * state.v;
+        out.damping = -matrix_;
+    }
+
+private:
+    Coupling coupling_;
+    MatrixX matrix_;
+};
+
+namespace detail {
+
+/// Adds a LinearDamping to every element of a beam; matrix(element, coordinates) is its D.
+template <class Element, class... Elements, class MatrixOf>
+void add_damping(Model<Elements...>& model, const Beam<Element>& beam, const Amplitude& amplitude,
+                 const MatrixOf& matrix) {
+    const auto& group = model.template group<Element>();
+    for (const int index : beam.elements) {
+        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        const MatrixX D =
+            matrix(group.element(index), model.template element_coordinates<Element>(index));
+        model.add(LinearDamping(coupling_of<Element>(connection), D), amplitude);
+    }
+}
+
+}  // namespace detail
+
+/// Adds Rayleigh damping D = a M + b K0 to a beam, K0 the tangent where the model stands.
+///
+/// A mode of the angular frequency w has the damping ratio a/(2 w) + b w/2. D is fixed in space:
+/// a M brakes rigid motions too, and K0 belongs to the present orientation, so that b is for beams
+/// that turn by small angles.
+/// @param a  >= 0, 1/s  @param b  >= 0, s
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element, class... Elements>
+void add_rayleigh_damping(Model<Elements...>& model, const Beam<Element>& beam, double a, double b,
+                          const Amplitude& amplitude = {}) {
+    for (const double factor : {a, b})
+        detail::require(std::isfinite(factor) && factor >= 0.0,
+                        "add_rayleigh_damping: factors must be finite and not negative, got ", a,
+                        " and ", b);
+    detail::add_damping(model, beam, amplitude, [&](const Element& element, const auto& e) {
+        return MatrixX(a * element.mass() + b * element.evaluate(e).tangent);
+    });
+}
+
+/// Adds a drag -c v per length of the stress-free centre line, the same in all directions.
+/// @param c  >= 0, N s/m^2
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element, class... Elements>
+void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
+              const Amplitude& amplitude = {}) {
+    detail::require(std::isfinite(c) && c >= 0.0,
+                    "add_drag: the drag must be finite and not negative, got ", c);
+    detail::add_damping(model, beam, amplitude, [&](const Element& element, const auto&) {
+        // the mass of the centre line is that of (r, r_x), rho A times int s^T s ds
+        constexpr int dimension = Element::dimension, node = dimension * Element::fields.count();
+        const MatrixX mass = element.mass();
+        MatrixX line = MatrixX::Zero(mass.rows(), mass.cols());
+        double total = 0.0;  // rho A l
+        for (const int row : {0, node})
+            for (const int column : {0, node}) {
+                line.block(row, column, 2 * dimension, 2 * dimension) =
+                    mass.block(row, column, 2 * dimension, 2 * dimension);
+                total += mass(row, column);
+            }
+        return MatrixX(c * element.length() / total * line);
+    });
+}
+
+}  // namespace ancf

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Where each vector of each node stands in the coordinates of a model.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/model/node.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// The order of coordinates: node by node, the fields that the node carries, their components.
+class Layout {
+public:
+    Layout() = default;
+
+    Layout(int dimension, std::vector<Fields> fields)
+        : dimension_(dimension), fields_(std::move(fields)), first_(fields_.size() + 1, 0) {
+        for (std::size_t node = 0; node < fields_.size(); ++node)
+            first_[node + 1] = first_[node] + dimension_ * fields_[node].count();
+    }
+
+    [[nodiscard]] int nodes() const noexcept { return static_cast<int>(fields_.size()); }
+    [[nodiscard]] int size() const noexcept { return first_.back(); }
+    [[nodiscard]] int dimension() const noexcept { return dimension_; }
+
+    /// Returns the fields that a node carries.
+    [[nodiscard]] Fields fields(int node) const { return fields_[static_cast<std::size_t>(node)]; }
+
+    /// Returns the index of a node's first coordinate.
+    [[nodiscard]] int first(int node) const { return first_[static_cast<std::size_t>(node)]; }
+
+    /// Returns the number of coordinates of a node.
+    [[nodiscard]] int size(int node) const { return first(node + 1) - first(node); }
+
+    /// Returns the index of a vector's first component, -1 where the node does not carry it.
+    [[nodiscard]] int index(NodeField at) const {
+        const Fields carried = fields(at.node.index);
+        if (!carried.contains(at.field)) return -1;
+        return first(at.node.index) + dimension_ * carried.rank(at.field);
+    }
+
+private:
+    int dimension_ = 0;
+    std::vector<Fields> fields_;
+    std::vector<int> first_ = {0};
+};
+
+}  // namespace ancf

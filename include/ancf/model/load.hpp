@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What a load must offer, and the holder that lets a model keep loads of any type.
+///
+/// A load acts on a few nodal vectors. It gives its generalised force and the derivatives of that
+/// force; the model multiplies all of them by the load's amplitude. The smallest one:
+///
+///     struct Weight {
+///         ancf::NodeId node;
+///         ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
+///         void evaluate(const ancf::LoadState&, ancf::LoadResult& out) const { out.force[1] = -1.0; }
+///     };
+
+#pragma once
+
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace ancf {
+
+/// Where a load or a constraint is evaluated; local coordinates in the order of its coupling.
+struct LoadState {
+    VectorX q;          ///< local coordinates, m and 1
+    VectorX v;          ///< their rates
+    double time = 0.0;  ///< s; the load factor in statics
+};
+
+/// What a load gives; every array arrives sized and zero.
+struct LoadResult {
+    VectorX force;           ///< generalised force Q, N and N m
+    MatrixX stiffness;       ///< dQ/dq
+    MatrixX damping;         ///< dQ/dv
+    double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
+};
+
+template <class T, class = void>
+struct is_load : std::false_type {};
+
+template <class T>
+struct is_load<T, std::void_t<decltype(Coupling(std::declval<const T&>().coupling())),
+                              decltype(std::declval<const T&>().evaluate(
+                                  std::declval<const LoadState&>(), std::declval<LoadResult&>()))>>
+    : std::true_type {};
+
+template <class T>
+inline constexpr bool is_load_v = is_load<T>::value;
+
+namespace detail {
+
+template <class T, class = void>
+struct has_symmetric_stiffness : std::false_type {};
+
+template <class T>
+struct has_symmetric_stiffness<T, std::enable_if_t<T::symmetric_stiffness>> : std::true_type {};
+
+}  // namespace detail
+
+/// A load of any type.
+///
+/// A type may declare `static constexpr bool symmetric_stiffness = true`; without it the tangent
+/// counts as unsymmetric and asks for a solver of full storage.
+class AnyLoad {
+public:
+    template <class Load>
+    explicit AnyLoad(Load load) : held_(std::make_shared<Holder<Load>>(std::move(load))) {
+        static_assert(is_load_v<Load>,
+                      "a load offers `Coupling coupling() const` and "
+                      "`void evaluate(const LoadState&, LoadResult&) const`");
+    }
+
+    [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
+    [[nodiscard]] bool symmetric() const noexcept { return held_->symmetric(); }
+    void evaluate(const LoadState& state, LoadResult& out) const { held_->evaluate(state, out); }
+
+private:
+    struct Interface {
+        virtual ~Interface() = default;
+        [[nodiscard]] virtual Coupling coupling() const = 0;
+        [[nodiscard]] virtual bool symmetric() const noexcept = 0;
+        virtual void evaluate(const LoadState&, LoadResult&) const = 0;
+    };
+
+    template <class Load>
+    struct Holder final : Interface {
+        explicit Holder(Load held) : load(std::move(held)) {}
+        [[nodiscard]] Coupling coupling() const override { return load.coupling(); }
+        [[nodiscard]] bool symmetric() const noexcept override {
+            return detail::has_symmetric_stiffness<Load>::value;
+        }
+        void evaluate(const LoadState& state, LoadResult& out) const override {
+            load.evaluate(state, out);
+        }
+        Load load;
+    };
+
+    std::shared_ptr<const Interface> held_;
+};
+
+}  // namespace ancf

@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A scene: nodes, elements of the listed types, supports, loads and constraints, and its state.
+///
+/// A model is built once and then solved or integrated; it knows no solver. Nodes carry the union
+/// of the vectors that their elements need. Equal elements share one prototype.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/layout.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/model/state.hpp>
+#include <ancf/model/support.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// An element of a group: which prototype, between which nodes.
+struct Connection {
+    int prototype;
+    NodeId first;
+    NodeId second;
+};
+
+/// All elements of one type.
+template <class Element>
+struct ElementGroup {
+    std::vector<Element> prototypes;
+    std::vector<Connection> connections;
+
+    [[nodiscard]] const Element& element(int index) const {
+        const auto at = static_cast<std::size_t>(index);
+        return prototypes[static_cast<std::size_t>(connections[at].prototype)];
+    }
+};
+
+/// A load with its course over time; without one it follows the ramp of an Instant.
+struct ScaledLoad {
+    AnyLoad load;
+    Amplitude amplitude;
+
+    [[nodiscard]] double scale(const Instant& instant) const {
+        return amplitude ? amplitude(instant.time) : instant.ramp;
+    }
+};
+
+/// A mass at a point, kg.
+struct PointMass {
+    NodeId node;
+    double mass;
+};
+
+/// A scene of elements of the given types, all of one dimension.
+template <class... Elements>
+class Model {
+    static_assert(sizeof...(Elements) > 0, "a model lists the element types that it may hold");
+
+public:
+    using DefaultElement = std::tuple_element_t<0, std::tuple<Elements...>>;
+    static constexpr int dimension = DefaultElement::dimension;
+    static_assert(((Elements::dimension == dimension) && ...),
+                  "all elements of a model have the same dimension");
+
+    using Point = Vector<double, dimension>;
+    using Slopes = Matrix<double, dimension>;  ///< columns r_x, r_y (and r_z)
+
+    /// Adds a node; it carries the vectors that the elements connected to it need.
+    /// @param position  m.  @param slopes  columns r_x, r_y (and r_z) of the reference.
+    /// @throws InvalidArgument unless every value is finite.
+    NodeId add_node(const Point& position, const Slopes& slopes = Slopes::Identity());
+
+    /// Adds an element type's constant data for several equal elements to share.
+    /// @return its index for `connect`.
+    template <class Element>
+    int add_prototype(Element element);
+
+    /// Adds an element between two nodes.
+    /// @return its index in its group.
+    /// @throws InvalidArgument for a node or a prototype that does not exist, or equal nodes.
+    template <class Element = DefaultElement>
+    int connect(int prototype, NodeId first, NodeId second);
+
+    /// Holds every component of the given vectors at their initial values.
+    void fix(NodeId node, Fields fields);
+
+    /// Holds one component of a vector at its initial value.
+    void fix(NodeId node, Field field, int component);
+
+    /// Drives one component of a vector; rate and acceleration are needed in dynamics only.
+    void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
+                   Amplitude acceleration = {});
+
+    /// Holds all vectors of a node, or all but r_x.
+    void clamp(NodeId node, Clamp clamp = Clamp::full);
+
+    /// Holds the position of a node.
+    void pin(NodeId node) { fix(node, Field::r); }
+
+    /// Frees what was held or driven of a vector.
+    void release(NodeId node, Field field);
+
+    /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
+    template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
+    void add(Load load, Amplitude amplitude = {});
+
+    /// Adds a constraint.
+    template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
+    void add(Constraint constraint);
+
+    /// Adds a mass at a node, kg; gravity acts on it.
+    void add_mass(NodeId node, double mass);
+
+    /// Sets the acceleration of gravity, m/s^2.
+    void set_gravity(const Point& gravity, Amplitude amplitude = {});
+
+    // What a scene holds ---------------------------------------------------------------------
+
+    template <class Element = DefaultElement>
+    [[nodiscard]] const ElementGroup<Element>& group() const {
+        return std::get<ElementGroup<Element>>(groups_);
+    }
+
+    /// Returns a prototype for a change of stiffness, density or rest length.
+    template <class Element = DefaultElement>
+    [[nodiscard]] Element& prototype(int index) {
+        auto& prototypes = std::get<ElementGroup<Element>>(groups_).prototypes;
+        detail::require(index >= 0 && index < static_cast<int>(prototypes.size()),
+                        "Model: there are ", prototypes.size(), " prototypes, got index ", index);
+        return prototypes[static_cast<std::size_t>(index)];
+    }
+
+    /// Calls `visit(group)` for the group of each element type.
+    template <class Visitor>
+    void for_each_group(Visitor&& visit) const {
+        std::apply([&](const auto&... groups) { (visit(groups), ...); }, groups_);
+    }
+
+    [[nodiscard]] int nodes() const noexcept { return static_cast<int>(initial_.size()); }
+    [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
+    [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
+    [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
+        return constraints_;
+    }
+    [[nodiscard]] const std::vector<PointMass>& masses() const noexcept { return masses_; }
+    [[nodiscard]] const Point& gravity() const noexcept { return gravity_; }
+    [[nodiscard]] double gravity_scale(const Instant& instant) const {
+        return gravity_amplitude_ ? gravity_amplitude_(instant.time) : instant.ramp;
+    }
+
+    /// Returns the order of coordinates.
+    [[nodiscard]] const Layout& layout() const {
+        refresh();
+        return layout_;
+    }
+
+    // Where a scene is -----------------------------------------------------------------------
+
+    [[nodiscard]] const State& state() const {
+        refresh();
+        return state_;
+    }
+    [[nodiscard]] State& state() {
+        refresh();
+        return state_;
+    }
+
+    /// Returns one vector of a node as it stands now.
+    /// @throws InvalidArgument where the node does not carry it.
+    [[nodiscard]] Point value(NodeId node, Field field) const {
+        return state().q.template segment<dimension>(coordinate(node, field));
+    }
+
+    /// Sets one vector of a node.
+    void set_value(NodeId node, Field field, const Point& value) {
+        state().q.template segment<dimension>(coordinate(node, field)) = value;
+    }
+
+    /// Sets the rate of one vector of a node.
+    void set_rate(NodeId node, Field field, const Point& rate) {
+        state().v.template segment<dimension>(coordinate(node, field)) = rate;
+    }
+
+    /// Returns the position of a node, m.
+    [[nodiscard]] Point position(NodeId node) const { return value(node, Field::r); }
+
+    /// Returns the velocity of a node, m/s.
+    [[nodiscard]] Point velocity(NodeId node) const {
+        return state().v.template segment<dimension>(coordinate(node, Field::r));
+    }
+
+    /// Returns the nodal coordinates of an element, taken from `q` of this model's layout.
+    template <class Element = DefaultElement>
+    [[nodiscard]] typename Element::Coordinates element_coordinates(int index,
+                                                                    const VectorX& q) const;
+
+    /// Returns the nodal coordinates of an element as they stand now.
+    template <class Element = DefaultElement>
+    [[nodiscard]] typename Element::Coordinates element_coordinates(int index) const {
+        return element_coordinates<Element>(index, state().q);
+    }
+
+    /// Returns the index in `State::q` of the first component of a node's vector.
+    /// @throws InvalidArgument where the node does not carry it.
+    [[nodiscard]] int coordinate(NodeId node, Field field) const;
+
+private:
+    struct InitialNode {
+        Fields fields;
+        Matrix<double, dimension, field_count> vectors;
+    };
+
+    void refresh() const;
+    void check(NodeId node) const;
+    void check_component(int component) const;
+
+    std::vector<InitialNode> initial_;
+    std::tuple<ElementGroup<Elements>...> groups_;
+    std::vector<Support> supports_;
+    std::vector<ScaledLoad> loads_;
+    std::vector<AnyConstraint> constraints_;
+    std::vector<PointMass> masses_;
+    Point gravity_ = Point::Zero();
+    Amplitude gravity_amplitude_;
+
+    // Derived from the above when first asked for after a change.
+    mutable bool stale_ = true;
+    mutable Layout layout_;
+    mutable State state_;
+};
+
+template <class... Elements>
+NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes) {
+    detail::require(position.allFinite() && slopes.allFinite(),
+                    "Model::add_node: position and slopes must be finite, got position ",
+                    position.transpose());
+    InitialNode node;
+    node.vectors.setZero();
+    node.vectors.col(0) = position;
+    node.vectors.template middleCols<dimension>(1) = slopes;
+    initial_.push_back(node);
+    stale_ = true;
+    return {nodes() - 1};
+}
+
+template <class... Elements>
+template <class Element>
+int Model<Elements...>::add_prototype(Element element) {
+    static_assert((std::is_same_v<Element, Elements> || ...),
+                  "the model's template arguments list the element types that it may hold");
+    auto& prototypes = std::get<ElementGroup<Element>>(groups_).prototypes;
+    prototypes.push_back(std::move(element));
+    return static_cast<int>(prototypes.size()) - 1;
+}
+
+template <class... Elements>
+template <class Element>
+int Model<Elements...>::connect(int prototype, NodeId first, NodeId second) {
+    auto& group = std::get<ElementGroup<Element>>(groups_);
+    check(first);
+    check(second);
+    detail::require(first != second, "Model::connect: an element joins two nodes, got node ",
+                    first.index, " twice");
+    detail::require(prototype >= 0 && prototype < static_cast<int>(group.prototypes.size()),
+                    "Model::connect: there are ", group.prototypes.size(),
+                    " prototypes, got index ", prototype);
+    group.connections.push_back({prototype, first, second});
+    for (const NodeId node : {first, second}) {
+        Fields& fields = initial_[static_cast<std::size_t>(node.index)].fields;
+        fields = fields | Element::fields;
+    }
+    stale_ = true;
+    return static_cast<int>(group.connections.size()) - 1;
+}
+
+template <class... Elements>
+void Model<Elements...>::fix(NodeId node, Fields fields) {
+    for (int k = 0; k < field_count; ++k) {
+        const auto field = static_cast<Field>(k);
+        if (!fields.contains(field)) continue;
+        for (int component = 0; component < dimension; ++component) fix(node, field, component);
+    }
+}
+
+template <class... Elements>
+void Model<Elements...>::fix(NodeId node, Field field, int component) {
+    prescribe(node, field, component, {});
+}
+
+template <class... Elements>
+void Model<Elements...>::prescribe(NodeId node, Field field, int component, Amplitude value,
+                                   Amplitude rate, Amplitude acceleration) {
+    check(node);
+    check_component(component);
+    const auto same = [&](const Support& s) {
+        return s.node == node && s.field == field && s.component == component;
+    };
+    supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
+    supports_.push_back({node, field, component, std::move(value), std::move(rate),
+                         std::move(acceleration)});
+}
+
+template <class... Elements>
+void Model<Elements...>::clamp(NodeId node, Clamp clamp) {
+    check(node);
+    const Fields carried = initial_[static_cast<std::size_t>(node.index)].fields;
+    for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z}) {
+        const bool held = clamp == Clamp::full || field != Field::r_x;
+        if (held && carried.contains(field)) fix(node, field);
+    }
+}
+
+template <class... Elements>
+void Model<Elements...>::release(NodeId node, Field field) {
+    check(node);
+    const auto same = [&](const Support& s) { return s.node == node && s.field == field; };
+    supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
+}
+
+template <class... Elements>
+template <class Load, std::enable_if_t<is_load_v<Load>, int>>
+void Model<Elements...>::add(Load load, Amplitude amplitude) {
+    for (const NodeField& at : load.coupling()) check(at.node);
+    loads_.push_back({AnyLoad(std::move(load)), std::move(amplitude)});
+}
+
+template <class... Elements>
+template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int>>
+void Model<Elements...>::add(Constraint constraint) {
+    for (const NodeField& at : constraint.coupling()) check(at.node);
+    detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
+                    " has ", constraint.equations(), " equations, expected at least 1");
+    constraints_.emplace_back(std::move(constraint));
+    stale_ = true;
+}
+
+template <class... Elements>
+void Model<Elements...>::add_mass(NodeId node, double mass) {
+    check(node);
+    detail::require_positive("Model::add_mass: mass", mass);
+    masses_.push_back({node, mass});
+}
+
+template <class... Elements>
+void Model<Elements...>::set_gravity(const Point& gravity, Amplitude amplitude) {
+    detail::require(gravity.allFinite(), "Model::set_gravity: components must be finite, got ",
+                    gravity.transpose());
+    gravity_ = gravity;
+    gravity_amplitude_ = std::move(amplitude);
+}
+
+template <class... Elements>
+template <class Element>
+typename Element::Coordinates Model<Elements...>::element_coordinates(int index,
+                                                                      const VectorX& q) const {
+    const auto& connections = group<Element>().connections;
+    detail::require(index >= 0 && index < static_cast<int>(connections.size()),
+                    "Model: there are ", connections.size(), " elements of this type, got index ",
+                    index);
+    const Connection& connection = connections[static_cast<std::size_t>(index)];
+    typename Element::Coordinates e;
+    int at = 0;
+    for (const NodeId node : {connection.first, connection.second})
+        for (int k = 0; k < field_count; ++k) {
+            const auto field = static_cast<Field>(k);
+            if (!Element::fields.contains(field)) continue;
+            e.template segment<dimension>(at) =
+                q.template segment<dimension>(layout().index({node, field}));
+            at += dimension;
+        }
+    return e;
+}
+
+template <class... Elements>
+int Model<Elements...>::coordinate(NodeId node, Field field) const {
+    check(node);
+    const int first = layout().index({node, field});
+    detail::require(first >= 0, "Model: node ", node.index, " carries no ", to_string(field),
+                    ", as no element there needs it");
+    return first;
+}
+
+template <class... Elements>
+void Model<Elements...>::refresh() const {
+    if (!stale_) return;
+    std::vector<Fields> fields;
+    fields.reserve(initial_.size());
+    for (const InitialNode& node : initial_) fields.push_back(node.fields);
+    const Layout before = std::exchange(layout_, Layout(dimension, std::move(fields)));
+    const State old = std::exchange(state_, State{});
+    state_.time = old.time;
+    state_.q.setZero(layout_.size());
+    state_.v.setZero(layout_.size());
+    for (int node = 0; node < nodes(); ++node)
+        for (int k = 0; k < field_count; ++k) {
+            const NodeField at{{node}, static_cast<Field>(k)};
+            const int to = layout_.index(at);
+            if (to < 0) continue;
+            const int from = node < before.nodes() ? before.index(at) : -1;
+            if (from >= 0) {
+                state_.q.template segment<dimension>(to) =
+                    old.q.template segment<dimension>(from);
+                state_.v.template segment<dimension>(to) =
+                    old.v.template segment<dimension>(from);
+            } else {
+                state_.q.template segment<dimension>(to) =
+                    initial_[static_cast<std::size_t>(node)].vectors.col(k);
+            }
+        }
+    int equations = 0;
+    for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
+    state_.multipliers.setZero(equations);
+    state_.multipliers.head(old.multipliers.size()) = old.multipliers;
+    stale_ = false;
+}
+
+template <class... Elements>
+void Model<Elements...>::check(NodeId node) const {
+    detail::require(node.index >= 0 && node.index < nodes(), "Model: there are ", nodes(),
+                    " nodes, got node ", node.index);
+}
+
+template <class... Elements>
+void Model<Elements...>::check_component(int component) const {
+    detail::require(component >= 0 && component < dimension, "Model: a vector has ", dimension,
+                    " components, got component ", component);
+}
+
+}  // namespace ancf

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Names of nodes and of the vectors at them, and the list of vectors that a load or a constraint
+/// acts on.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+
+#include <vector>
+
+namespace ancf {
+
+/// A node of a model, as `Model::add_node` returned it.
+struct NodeId {
+    int index = -1;
+
+    friend constexpr bool operator==(NodeId a, NodeId b) noexcept { return a.index == b.index; }
+    friend constexpr bool operator!=(NodeId a, NodeId b) noexcept { return a.index != b.index; }
+};
+
+/// One vector of nodal coordinates.
+struct NodeField {
+    NodeId node;
+    Field field;
+};
+
+/// The vectors that a load or a constraint acts on, in the order of its local coordinates.
+using Coupling = std::vector<NodeField>;
+
+}  // namespace ancf

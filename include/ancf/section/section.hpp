@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What the cross-section is: its moments, shear correction factors and torsion constant.
+///
+/// y and z are the section's own axes, carried by the directors d_y and d_z. A section says nothing
+/// of material and nothing of the element; section_stiffness() joins it with a Material.
+/// Shear correction factors: Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl.
+/// Mech. 33 (1966) 335-340, at Poisson's ratio zero, so that one section serves every material.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/section/moments.hpp>
+#include <ancf/section/torsion.hpp>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// How the section resists torsion (section_stiffness() has the formulas).
+enum class SectionModel {
+    paper,        ///< [Dufva2006, Eq. 29]: polar moment times shear correction
+    saint_venant  ///< the torsion constant of a section that is free to warp
+};
+
+/// A point of the section's plane.
+struct SectionPoint {
+    double y;  ///< m
+    double z;  ///< m
+};
+
+/// A cross-section, immutable: moments about the reference axis, shear correction factors, torsion
+/// constant.
+///
+///     const auto plain = ancf::rectangle(0.1, 0.5);  // width, height, m; k = 5/6, J by series
+///     const auto paper = plain.with_shear_correction(0.85, 0.85);
+class Section {
+public:
+    /// Returns the section of given moments; shear correction and torsion constant are unset, use
+    /// with_...().
+    ///
+    /// With third and fourth moments all zero the section is known to second order only: the strain
+    /// terms quadratic in y and z then carry no stiffness (a beam given by E A, E I, G A and G J).
+    /// @throws InvalidArgument unless the moments can belong to an area, see validate().
+    [[nodiscard]] static Section from_moments(const Moments& moments);
+
+    /// Returns the moments about the reference axis.
+    [[nodiscard]] const Moments& moments() const noexcept { return moments_; }
+
+    /// Returns k_y, which multiplies the stress of 2 e_xy, 1.
+    /// @throws InvalidArgument if it is unset.
+    [[nodiscard]] double shear_correction_y() const { return shear_correction().first; }
+
+    /// Returns k_z, which multiplies the stress of 2 e_xz, 1.
+    /// @throws InvalidArgument if it is unset.
+    [[nodiscard]] double shear_correction_z() const { return shear_correction().second; }
+
+    /// Returns the Saint-Venant torsion constant J, m^4.
+    /// @throws InvalidArgument if it is unset.
+    [[nodiscard]] double torsion_constant() const;
+
+    /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
+    /// section given by moments has the parallelogram of the same radii of gyration.
+    [[nodiscard]] const std::vector<SectionPoint>& outline() const noexcept { return outline_; }
+
+    /// Returns the same section with other shear correction factors, 1.
+    /// @throws InvalidArgument unless both are positive and finite.
+    [[nodiscard]] Section with_shear_correction(double k_y, double k_z) const;
+
+    /// Returns the same section with another torsion constant, m^4.
+    /// @throws InvalidArgument unless it is positive and finite.
+    [[nodiscard]] Section with_torsion_constant(double torsion_constant) const;
+
+    /// Returns the same section with another outline, for pictures only.
+    [[nodiscard]] Section with_outline(std::vector<SectionPoint> outline) const;
+
+private:
+    friend Section polygon(const std::vector<SectionPoint>& points, SectionPoint origin);
+    friend Section offset(const Section& section, double dy, double dz);
+
+    Section(const Moments& moments, std::vector<SectionPoint> outline)
+        : moments_(moments), outline_(std::move(outline)) {}
+
+    [[nodiscard]] const std::pair<double, double>& shear_correction() const;
+
+    Moments moments_;
+    std::optional<std::pair<double, double>> shear_correction_;
+    std::optional<double> torsion_constant_;
+    std::vector<SectionPoint> outline_;
+};
+
+/// Returns a solid rectangle, centred: k = 5/6, J by rectangle_torsion_constant().
+/// @param width   extent along z, m, > 0
+/// @param height  extent along y, m, > 0: a load along y meets int y^2 dA = width height^3/12.
+/// @throws InvalidArgument naming the value that is not positive or not finite.
+[[nodiscard]] Section rectangle(double width, double height);
+
+/// Returns a solid circle, centred: k = 6/7 (Cowper 1966, nu = 0), J = pi r^4/2.
+/// @param radius  m, > 0
+/// @throws InvalidArgument unless the radius is positive and finite.
+[[nodiscard]] Section circle(double radius);
+
+/// Returns a circular tube, centred: k = 6 (1 + m^2)^2/(7 (1 + m^2)^2 + 20 m^2) with m =
+/// inner/outer radius (Cowper 1966, nu = 0; 1/2 for a thin wall), J = pi (R^4 - r^4)/2.
+/// @param outer_radius  R, m, > 0
+/// @param inner_radius  r, m, 0 < r < R
+/// @throws InvalidArgument naming the value that is out of range or not finite.
+[[nodiscard]] Section tube(double outer_radius, double inner_radius);
+
+/// Returns the section moved by (dy, dz), m, in its plane: what was at the reference axis lies at
+/// (dy, dz) from it. Odd moments appear; the torsion constant and the shear correction factors
+/// belong to the shape and stay.
+/// @throws InvalidArgument unless both are finite.
+[[nodiscard]] Section offset(const Section& section, double dy, double dz);
+
+namespace detail {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline std::vector<SectionPoint> rectangle_outline(double width, double height) {
+    const double y = height / 2.0;
+    const double z = width / 2.0;
+    return {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
+}
+
+inline std::vector<SectionPoint> circle_outline(double radius) {
+    constexpr int count = 48;
+    std::vector<SectionPoint> points;
+    for (int k = 0; k < count; ++k) {
+        const double angle = 2.0 * pi * k / count;
+        points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return points;
+}
+
+/// Returns the moments of a centred rectangle, sides in m.
+inline Moments rectangle_moments(double width, double height) noexcept {
+    const double w2 = width * width;
+    const double h2 = height * height;
+    Moments m;
+    m.area = width * height;
+    m.yy = m.area * h2 / 12.0;
+    m.zz = m.area * w2 / 12.0;
+    m.yyyy = m.area * h2 * h2 / 80.0;
+    m.yyzz = m.area * h2 * w2 / 144.0;
+    m.zzzz = m.area * w2 * w2 / 80.0;
+    return m;
+}
+
+/// Returns the moments of a centred circle, radius in m.
+inline Moments circle_moments(double radius) noexcept {
+    const double r2 = radius * radius;
+    Moments m;
+    m.area = pi * r2;
+    m.yy = m.zz = m.area * r2 / 4.0;
+    m.yyyy = m.zzzz = m.area * r2 * r2 / 8.0;
+    m.yyzz = m.area * r2 * r2 / 24.0;
+    return m;
+}
+
+/// Returns the moments of a centred doubly symmetric area with a hole of the same centre.
+inline Moments hollowed(Moments outer, const Moments& hole) noexcept {
+    outer.area -= hole.area;
+    outer.yy -= hole.yy;
+    outer.zz -= hole.zz;
+    outer.yyyy -= hole.yyyy;
+    outer.yyzz -= hole.yyzz;
+    outer.zzzz -= hole.zzzz;
+    return outer;
+}
+
+/// Returns the image of a square that has the centroid and the radii of gyration of the moments.
+inline std::vector<SectionPoint> equivalent_outline(const Moments& moments) {
+    const Moments centred = centroidal(moments);
+    const double half = std::sqrt(3.0);  // a square of this half side has unit radii of gyration
+    const double yy = std::sqrt(centred.yy / centred.area);
+    const double zy = centred.yz / centred.area / yy;
+    const double zz = std::sqrt(centred.zz / centred.area - zy * zy);
+    std::vector<SectionPoint> points;
+    for (const auto& [u, v] :
+         {SectionPoint{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+        points.push_back(
+            {moments.y / moments.area + yy * u, moments.z / moments.area + zy * u + zz * v});
+    return points;
+}
+
+}  // namespace detail
+
+inline Section Section::from_moments(const Moments& moments) {
+    validate(moments);
+    return {moments, detail::equivalent_outline(moments)};
+}
+
+inline double Section::torsion_constant() const {
+    detail::require(
+        torsion_constant_.has_value(),
+        "torsion_constant of this section is unset: give it by with_torsion_constant(J)");
+    return *torsion_constant_;
+}
+
+inline const std::pair<double, double>& Section::shear_correction() const {
+    detail::require(
+        shear_correction_.has_value(),
+        "shear_correction of this section is unset: give it by with_shear_correction(k_y, k_z)");
+    return *shear_correction_;
+}
+
+inline Section Section::with_shear_correction(double k_y, double k_z) const {
+    detail::require_positive("shear_correction_y", k_y);
+    detail::require_positive("shear_correction_z", k_z);
+    Section section = *this;
+    section.shear_correction_ = {k_y, k_z};
+    return section;
+}
+
+inline Section Section::with_torsion_constant(double torsion_constant) const {
+    detail::require_positive("torsion_constant", torsion_constant);
+    Section section = *this;
+    section.torsion_constant_ = torsion_constant;
+    return section;
+}
+
+inline Section Section::with_outline(std::vector<SectionPoint> outline) const {
+    Section section = *this;
+    section.outline_ = std::move(outline);
+    return section;
+}
+
+inline Section rectangle(double width, double height) {
+    const double torsion = rectangle_torsion_constant(width, height);
+    return Section::from_moments(detail::rectangle_moments(width, height))
+        .with_shear_correction(5.0 / 6.0, 5.0 / 6.0)
+        .with_torsion_constant(torsion)
+        .with_outline(detail::rectangle_outline(width, height));
+}
+
+inline Section circle(double radius) {
+    detail::require_positive("radius", radius);
+    const Moments moments = detail::circle_moments(radius);
+    return Section::from_moments(moments)
+        .with_shear_correction(6.0 / 7.0, 6.0 / 7.0)
+        .with_torsion_constant(moments.polar())
+        .with_outline(detail::circle_outline(radius));
+}
+
+inline Section tube(double outer_radius, double inner_radius) {
+    detail::require_positive("outer_radius", outer_radius);
+    detail::require_positive("inner_radius", inner_radius);
+    detail::require(inner_radius < outer_radius, "inner_radius must be less than outer_radius ",
+                    outer_radius, ", got ", inner_radius);
+    const Moments moments = detail::hollowed(detail::circle_moments(outer_radius),
+                                             detail::circle_moments(inner_radius));
+    const double m2 = detail::power(inner_radius / outer_radius, 2);
+    const double k = 6.0 * (1.0 + m2) * (1.0 + m2) / (7.0 * (1.0 + m2) * (1.0 + m2) + 20.0 * m2);
+    return Section::from_moments(moments)
+        .with_shear_correction(k, k)
+        .with_torsion_constant(moments.polar())
+        .with_outline(detail::circle_outline(outer_radius));
+}
+
+inline Section offset(const Section& section, double dy, double dz) {
+    detail::require_finite("offset dy", dy);
+    detail::require_finite("offset dz", dz);
+    Section moved = section;
+    moved.moments_ = translated(section.moments_, dy, dz);
+    for (SectionPoint& point : moved.outline_) point = {point.y + dy, point.z + dz};
+    return moved;
+}
+
+}  // namespace ancf

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The constant section matrix: stress resultants sigma = C s of the generalised section strains s.
+///
+/// The strain energy of [Dufva2006, Eq. 29] per length is s^T C s/2 for
+///
+///     e_xx   = eps + y k_y + z k_z + y^2 (a_yy/2) + y z a_yz + z^2 (a_zz/2)
+///     2 e_xy = g_y + y h_yy + z h_zy          2 e_xz = g_z + y h_yz + z h_zz
+///
+/// so that C is three blocks of moments times a modulus, full where the section has odd moments.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/moments.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/types.hpp>
+
+namespace ancf {
+
+/// The blocks of the section matrix, symmetric. Units: N times m^(degree of the row's + of the
+/// column's monomial).
+struct SectionStiffness {
+    Matrix<double, 6> axial;    ///< E int p p^T dA of (eps, k_y, k_z, a_yy/2, a_yz, a_zz/2)
+    Matrix<double, 3> shear_y;  ///< k_y G int p p^T dA, p = (1, y, z), of (g_y, h_yy, h_zy)
+    Matrix<double, 3> shear_z;  ///< k_z G int p p^T dA, p = (1, y, z), of (g_z, h_yz, h_zz)
+    double transverse_yy;       ///< E A of e_yy, N
+    double transverse_zz;       ///< E A of e_zz, N
+    double transverse_yz;       ///< (k_y + k_z)/2 G A of 2 e_yz, N
+};
+
+/// Returns the section matrix of a material and a section.
+///
+/// SectionModel::paper is the equation above: a twist rate om = h_yz = -h_zy meets
+/// G (k_z int y^2 dA + k_y int z^2 dA).
+///
+/// SectionModel::saint_venant replaces the rows of the two strains that carry torsion. About the
+/// centroid, with Iyy = int y^2 dA and Izz = int z^2 dA there, the diagonal entry of h_yz is
+/// G J Iyy/(Iyy + Izz) and that of h_zy is G J Izz/(Iyy + Izz), without k; pure twist meets G J.
+/// Their couplings with the in-plane strains h_zz and h_yy (int y z dA) are dropped: J holds the
+/// whole torsional stiffness, and the blocks must stay positive definite however small it is.
+/// For a reference axis elsewhere, at which the centroid (y_c, z_c) has the shear strains
+/// g_y + y_c h_yy + z_c h_zy and g_z + y_c h_yz + z_c h_zz, the blocks are those of the centroid
+/// transported by this relation, so that shear and torsion couple as in the paper's model. The
+/// centroid stands for the shear centre: exact with two axes or a point of symmetry.
+///
+/// A section known to second order only (Moments::has_fourth_order) gives the terms quadratic in y
+/// and z no stiffness: rows and columns 4 to 6 of `axial` are zero.
+/// @throws InvalidArgument if the material has a value that is not positive, or the model needs a
+///         shear correction factor or torsion constant that the section leaves unset.
+[[nodiscard]] SectionStiffness section_stiffness(const Material& material, const Section& section,
+                                                 SectionModel model = SectionModel::paper);
+
+namespace detail {
+
+/// Returns the 3 x 3 shear block of the Saint-Venant model about the reference axis.
+/// @param shear    k G, Pa
+/// @param torsion  stiffness of the twisting strain, N m^2
+/// @param twist    the place of the twisting strain: 2 (h_zy) in shear_y, 1 (h_yz) in shear_z
+inline Matrix<double, 3> saint_venant_block(const Moments& moments, double shear, double torsion,
+                                            int twist) noexcept {
+    Matrix<double, 3> centred = shear * moment_matrix<3>(centroidal(moments));
+    centred.row(twist).setZero();
+    centred.col(twist).setZero();
+    centred(twist, twist) = torsion;
+    // Round-off of the first moments about the centroid.
+    centred.row(0).tail<2>().setZero();
+    centred.col(0).tail<2>().setZero();
+    Matrix<double, 3> transport = Matrix<double, 3>::Identity();
+    transport(0, 1) = moments.y / moments.area;
+    transport(0, 2) = moments.z / moments.area;
+    return transport.transpose() * centred * transport;
+}
+
+}  // namespace detail
+
+inline SectionStiffness section_stiffness(const Material& material, const Section& section,
+                                          SectionModel model) {
+    material.validate();
+    const Moments& moments = section.moments();
+    const double shear_y = section.shear_correction_y() * material.shear;
+    const double shear_z = section.shear_correction_z() * material.shear;
+
+    SectionStiffness stiffness;
+    stiffness.axial = material.young * detail::moment_matrix<6>(moments);
+    if (!moments.has_fourth_order()) {
+        stiffness.axial.rightCols<3>().setZero();
+        stiffness.axial.bottomRows<3>().setZero();
+    }
+    if (model == SectionModel::saint_venant) {
+        const Moments centred = centroidal(moments);
+        const double torsion = material.shear * section.torsion_constant() / centred.polar();
+        stiffness.shear_y = detail::saint_venant_block(moments, shear_y, torsion * centred.zz, 2);
+        stiffness.shear_z = detail::saint_venant_block(moments, shear_z, torsion * centred.yy, 1);
+    } else {
+        stiffness.shear_y = shear_y * detail::moment_matrix<3>(moments);
+        stiffness.shear_z = shear_z * detail::moment_matrix<3>(moments);
+    }
+    stiffness.transverse_yy = stiffness.transverse_zz = material.young * moments.area;
+    stiffness.transverse_yz = (shear_y + shear_z) / 2.0 * moments.area;
+    return stiffness;
+}
+
+}  // namespace ancf

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The inner loops of the direct solver for chains: block LDL^T with blocks of a fixed width.
+///
+/// Block k of a chain has D_k on the diagonal and B_k below it. Elimination turns D_k into L_k d_k
+/// L_k^T, B_k into the rows of L below, and carries -B_k D_k^-1 B_k^T into D_(k+1). A block with
+/// fewer unknowns is filled up with unknowns of its own: 1 on the diagonal, 0 elsewhere.
+
+#pragma once
+
+#include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ancf::detail {
+
+/// What the elimination saw of the pivots.
+struct PivotSummary {
+    int failed_column = -1;  ///< first column whose pivot is zero or not finite; -1 = none
+    int negative = 0;
+    double energy = 0.0;  ///< sum z_j^2 / |d_j| with z = L^-1 of the probe
+};
+
+/// Block LDL^T of a symmetric block-tridiagonal matrix with blocks of at most N unknowns.
+///
+/// A panel is two squares of N columns: first the diagonal block, then the block below it.
+template <int N>
+class BlockKernel {
+public:
+    static constexpr int square_size = N * N;
+    static constexpr int panel_size = 2 * square_size;  ///< doubles per block
+
+    /// Factorises the lower half `matrix` into `panels`, panel_size doubles per block.
+    ///
+    /// The first square then holds L below its diagonal, L^T above it and 1/d on it; the second one
+    /// holds L of the next block's rows. Stops at a pivot that is zero or not finite. Along the way
+    /// the probe, as long as the matrix, is replaced by L^-1 of it.
+    static PivotSummary factorize(const BlockLayout& layout, const SparseMatrix& matrix,
+                                  double* panels, double* probe) noexcept {
+        Work work;
+        work.carry.setZero();
+        Column rest = Column::Zero();
+        PivotSummary summary;
+        for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
+            load(layout, matrix, block, panels);
+            eliminate(panels, work);
+            double* z = probe + layout.start(block);
+            forward(panels, layout.size(block), rest, z);
+            const int failed = audit(panels, layout.size(block), z, summary);
+            if (failed >= 0) {
+                summary.failed_column = layout.start(block) + failed;
+                return summary;
+            }
+            update(panels, work);
+        }
+        return summary;
+    }
+
+    /// Solves L D L^T x = x in place.
+    static void solve(const BlockLayout& layout, const double* panels, double* x) noexcept {
+        Column carry = Column::Zero();
+        for (int block = 0; block < layout.blocks(); ++block)
+            forward(panels + static_cast<std::ptrdiff_t>(block) * panel_size, layout.size(block),
+                    carry, x + layout.start(block));
+        backward(layout, panels, x);
+    }
+
+private:
+    using Column = Eigen::Array<double, N, 1>;
+    using Square = Eigen::Array<double, N, N>;
+
+    struct Work {
+        Square scaled;       // L d of the diagonal block
+        Square next_scaled;  // and of the next block's rows
+        Square carry;        // to add to the next diagonal block
+    };
+
+    static Eigen::Map<Column> view(double* first) noexcept { return Eigen::Map<Column>(first); }
+    static Eigen::Map<const Column> view(const double* first) noexcept {
+        return Eigen::Map<const Column>(first);
+    }
+
+    static void load(const BlockLayout& layout, const SparseMatrix& matrix, int block,
+                     double* panel) noexcept {
+        const int first = layout.start(block);
+        const int* outer = matrix.outerIndexPtr() + first;
+        const double* values = matrix.valuePtr();
+        double* below = panel + square_size;
+        if (layout.dense[static_cast<std::size_t>(block)] != 0) {
+            // Column j starts at row j; what is read before it lands above the diagonal, unused.
+            for (int j = 0; j < N; ++j) {
+                const double* column = values + outer[j] - j;
+                view(panel + j * N) = view(column);
+                view(below + j * N) = view(column + N);
+            }
+            return;
+        }
+        const int size = layout.size(block);
+        const int* inner = matrix.innerIndexPtr();
+        std::fill(panel, panel + panel_size, 0.0);
+        for (int j = 0; j < size; ++j)
+            for (int slot = outer[j]; slot < outer[j + 1]; ++slot) {
+                const int row = inner[slot] - first;
+                (row < size ? panel[j * N + row] : below[j * N + row - size]) = values[slot];
+            }
+        for (int j = size; j < N; ++j) panel[j * N + j] = 1.0;
+    }
+
+    // Column by column: what the columns before it leave of this one, divided by its pivot.
+    static void eliminate(double* panel, Work& work) noexcept {
+        double* below = panel + square_size;
+        for (int j = 0; j < N; ++j) view(panel + j * N) += work.carry.col(j);
+        for (int j = 0; j < N; ++j) {
+            Column column = view(panel + j * N);
+            Column next = view(below + j * N);
+            for (int k = 0; k < j; ++k) {
+                const double factor = work.scaled(j, k);
+                column -= view(panel + k * N) * factor;
+                next -= view(below + k * N) * factor;
+            }
+            work.scaled.col(j) = column;
+            work.next_scaled.col(j) = next;
+            const double inverse = 1.0 / work.scaled(j, j);
+            view(panel + j * N) = column * inverse;
+            view(below + j * N) = next * inverse;
+            panel[j * N + j] = inverse;
+        }
+        for (int j = 1; j < N; ++j)
+            for (int k = 0; k < j; ++k) panel[j * N + k] = panel[k * N + j];
+    }
+
+    // Returns the first bad pivot of the panel, or -1.
+    static int audit(const double* panel, int size, const double* z,
+                     PivotSummary& summary) noexcept {
+        for (int j = 0; j < size; ++j) {
+            const double inverse = panel[j * N + j];  // of zero: infinite, of an infinity: zero
+            const double magnitude = std::abs(inverse);
+            if (!(magnitude > 0.0 && magnitude <= std::numeric_limits<double>::max())) return j;
+            summary.energy += z[j] * z[j] * magnitude;
+            summary.negative += inverse < 0.0 ? 1 : 0;
+        }
+        return -1;
+    }
+
+    static void update(const double* panel, Work& work) noexcept {
+        const double* below = panel + square_size;
+        for (int c = 0; c < N; ++c) {
+            Column column = Column::Zero();
+            for (int k = 0; k < N; ++k) column -= view(below + k * N) * work.next_scaled(c, k);
+            work.carry.col(c) = column;
+        }
+    }
+
+    // Solves L y = y within a block; `carry` comes from the block before and goes to the next.
+    static void forward(const double* panel, int size, Column& carry, double* y) noexcept {
+        const double* below = panel + square_size;
+        Column rest = carry;
+        Column next = Column::Zero();
+        for (int j = 0; j < size; ++j) rest[j] += y[j];
+        for (int j = 0; j < size; ++j) {
+            const double solved = rest[j];
+            y[j] = solved;
+            rest -= view(panel + j * N) * solved;
+            next -= view(below + j * N) * solved;
+        }
+        carry = next;
+    }
+
+    static void backward(const BlockLayout& layout, const double* panels, double* x) noexcept {
+        Column next = Column::Zero();
+        for (int block = layout.blocks() - 1; block >= 0; --block) {
+            const double* panel = panels + static_cast<std::ptrdiff_t>(block) * panel_size;
+            const double* below = panel + square_size;
+            const int size = layout.size(block);
+            double* y = x + layout.start(block);
+            Column rest = Column::Zero();
+            for (int j = 0; j < size; ++j)
+                rest[j] = y[j] * panel[j * N + j] - sum(view(below + j * N) * next);
+            for (int j = size - 1; j >= 0; --j) {
+                const double solved = rest[j];
+                y[j] = solved;
+                rest -= view(panel + j * N) * solved;
+                next[j] = solved;
+            }
+            for (int j = size; j < N; ++j) next[j] = 0.0;
+        }
+    }
+
+    // Folded to four lanes first: one short reduction for any width.
+    static double sum(const Column& terms) noexcept {
+        if constexpr (N % 4 == 0) {
+            Eigen::Array4d four = terms.template head<4>();
+            for (int i = 4; i < N; i += 4) four += terms.template segment<4>(i);
+            return four.sum();
+        } else {
+            return terms.sum();
+        }
+    }
+};
+
+}  // namespace ancf::detail

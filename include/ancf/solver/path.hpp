@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Path following: equilibrium states along a path on which the load factor may rise and fall.
+///
+/// A point of the path solves R(u, f) = 0 together with a control N(du, df) = 0 on the increment
+/// from the last point. Limit and bifurcation points are found by the number of negative pivots of
+/// the tangent. Source: Crisfield's arc length (spherical, cylindrical) with a consistent
+/// linearisation; docs/theory-paths.md.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/types.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace ancf {
+
+/// What the steps of a path are measured by.
+enum class PathControl {
+    cylindrical,  ///< the length of the change of the coordinates
+    spherical,    ///< that length and the change of the load factor
+    displacement  ///< the change of one coordinate
+};
+
+/// One converged point.
+struct PathPoint {
+    double factor = 0.0;       ///< load factor
+    double arc = 0.0;          ///< sum of the steps' measures up to here
+    int iterations = 0;        ///< linear solves of the corrector
+    int negative_pivots = -1;  ///< of the tangent; 0 = stable under dead loads, -1 = unknown
+};
+
+/// Where the tangent becomes singular.
+enum class CriticalKind {
+    limit,       ///< the load factor turns round
+    bifurcation  ///< another branch passes through
+};
+
+/// A critical point between two points of the path.
+struct CriticalPoint {
+    CriticalKind kind;
+    double factor;
+    std::size_t after;  ///< index of the path point before it
+    State state;
+    VectorX mode;  ///< null vector of the tangent, all coordinates, of unit length in the path's measure
+};
+
+/// How a path is followed.
+struct PathOptions {
+    PathControl control = PathControl::cylindrical;
+    NodeField at{};         ///< displacement control: the vector,
+    int component = 0;      ///< and its component
+
+    double first_factor = 0.0;   ///< load factor of the state that the model is in
+    double first_step = 0.1;     ///< change of the load factor that the first step aims at
+    double largest_step = 10.0;  ///< largest step relative to the first
+    double smallest_step = 1e-6; ///< smallest step relative to the first
+    int wanted_iterations = 5;   ///< steps grow and shrink towards this number
+    int max_iterations = 15;     ///< of a step, before it is halved
+    int max_points = 1000;
+    double residual_tolerance = 1e-9;    ///< as in StaticsOptions
+    double correction_tolerance = 1e-6;  ///< as in StaticsOptions
+    bool critical_points = true;         ///< find them
+
+    std::optional<double> last_factor;  ///< stop when the load factor passes it, and land on it
+    /// Called at every point; returning false ends the path there.
+    std::function<bool(const PathPoint& point, const State& state)> progress;
+
+    /// First direction, all coordinates; empty: along the load. A mode of a CriticalPoint switches
+    /// to the branch through it.
+    VectorX direction;
+    double branch_step = 0.05;  ///< length of the first step along `direction`, its sign the side
+
+    /// @throws InvalidArgument naming the first value that cannot be meant.
+    void check() const;
+};
+
+/// What a followed path reports.
+struct PathReport {
+    Status status = Status::converged;  ///< diverged: the smallest step failed; max_iterations: points
+    std::vector<PathPoint> points;
+    std::vector<CriticalPoint> critical;
+};
+
+/// Follows the path of equilibria from the model's state; the model ends in the last point.
+///
+/// Negative pivots, and with them critical points of every kind, need a solver that counts them
+/// (EigenLdlt, a symmetric factorisation); with others limit points are still found.
+/// @throws InvalidArgument for options that cannot be meant, driven supports, or a scene that the
+///         solver's storage does not suit.
+template <class Scene, class LinearSolver>
+[[nodiscard]] PathReport follow_path(Scene& model, LinearSolver& solver,
+                                     const PathOptions& options = {});
+
+}  // namespace ancf
+
+#include <ancf/solver/path_follower.hpp>

@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of Ida; include ida.hpp.
+
+#pragma once
+
+#include <ancf/sundials/context.hpp>
+#include <ancf/sundials/ida.hpp>
+#include <ancf/sundials/ida_system.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <string>
+
+namespace ancf::sundials {
+namespace detail {
+
+/// Throws what a failed call to set IDA up amounts to.
+inline void require_success(int code, const Context& context) {
+    if (code == IDA_SUCCESS) return;
+    if (code == IDA_MEM_FAIL) throw std::bad_alloc();
+    ancf::detail::reject("Ida: ", code_name(code), ": ", context.message());
+}
+
+/// Returns the status that a return code of IDASolve amounts to.
+[[nodiscard]] inline Status status_of(int code) noexcept {
+    if (code >= 0) return Status::converged;
+    switch (code) {
+        case IDA_TOO_MUCH_WORK: return Status::max_iterations;
+        case IDA_TOO_MUCH_ACC:
+        case IDA_ERR_FAIL: return Status::step_too_small;
+        case IDA_LINIT_FAIL:
+        case IDA_LSETUP_FAIL:
+        case IDA_LSOLVE_FAIL: return Status::singular;
+        case IDA_RES_FAIL:
+        case IDA_REP_RES_ERR:
+        case IDA_FIRST_RES_FAIL: return Status::not_finite;
+        default: return Status::diverged;
+    }
+}
+
+/// One run: IDA's objects, the system, and what is reported.
+template <class Scene>
+class IdaRun {
+public:
+    IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule, const IdaOptions& options,
+           const Start& start, IdaReport& report);
+
+    void run();
+
+private:
+    struct Scales {
+        double length, velocity, force;
+    };
+
+    void call(int code) const { require_success(code, context_); }
+    [[nodiscard]] Scales scales();
+    [[nodiscard]] int order_limit();
+    void set_up();
+    void set_tolerances();
+    [[nodiscard]] double first_step() const;
+    [[nodiscard]] bool step();
+    void observe_until(double time);
+    void monitor();
+    void finish();
+    void fail(int code);
+    [[nodiscard]] double rate_of_turn(const VectorX& rates) const {
+        return rates.size() == 0 ? 0.0
+                                 : (rates.array().abs() / problem_.scales().array()).maxCoeff();
+    }
+
+    DynamicProblem<Scene>& problem_;
+    const Schedule& schedule_;
+    const IdaOptions& options_;
+    const Start& start_;
+    IdaReport& report_;
+
+    IdaSystem<Scene> system_;
+    Context context_;
+    VectorOwner y_, dy_, tolerances_, dense_;
+    MatrixOwner matrix_;
+    LinearSolverOwner klu_;
+    IdaOwner ida_;
+
+    double time_;
+    int code_ = IDA_SUCCESS;  // of the last call of IDASolve
+    std::size_t next_ = 0;    // of the schedule's times
+    VectorX q_, v_, lambda_;
+    State observed_;
+};
+
+template <class Scene>
+IdaRun<Scene>::IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule,
+                      const IdaOptions& options, const Start& start, IdaReport& report)
+    : problem_(problem),
+      schedule_(schedule),
+      options_(options),
+      start_(start),
+      report_(report),
+      system_(problem, options.form),
+      y_(make_vector(context_, system_.size())),
+      dy_(make_vector(context_, system_.size())),
+      tolerances_(make_vector(context_, system_.size())),
+      dense_(make_vector(context_, system_.size())),
+      matrix_(make_matrix(context_, system_.size(), system_.map().values())),
+      klu_(make_klu(context_, y_.get(), matrix_.get())),
+      ida_(make_ida(context_)),
+      time_(start.time) {
+    auto y = view(y_.get());
+    auto dy = view(dy_.get());
+    system_.q(y) = start.q;
+    system_.v(y) = start.v;
+    system_.lambda(y) = start.multipliers;
+    system_.q(dy) = start.v;
+    system_.v(dy) = start.acceleration;
+    set_up();
+}
+
+template <class Scene>
+void IdaRun<Scene>::set_up() {
+    void* ida = ida_.get();
+    report_.order = order_limit();
+    call(IDAInit(ida, &IdaSystem<Scene>::residual, start_.time, y_.get(), dy_.get()));
+    call(IDASetUserData(ida, &system_));
+    set_tolerances();
+    SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
+    call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
+    call(IDASetJacFn(ida, &IdaSystem<Scene>::jacobian));
+    call(IDASetMaxOrd(ida, report_.order));
+    call(IDASetDeltaCjLSetup(ida, 0.05));
+    call(IDASetMaxNonlinIters(ida, 6));
+    call(IDASetNonlinConvCoef(ida, 0.1));
+    call(IDASetStopTime(ida, schedule_.end));
+    call(IDASetInitStep(ida, first_step()));
+    // without a least step IDA goes on for ever where time no longer advances
+    const double farthest = std::max(std::abs(start_.time), std::abs(schedule_.end));
+    call(IDASetMinStep(ida, 100.0 * std::numeric_limits<double>::epsilon() * farthest));
+    if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
+}
+
+template <class Scene>
+typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
+    Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
+    if (s.length == 0.0) s.length = problem_.length_scale();
+    if (s.velocity == 0.0)
+        s.velocity = s.length *
+                     std::max(rate_of_turn(start_.v), std::sqrt(rate_of_turn(start_.acceleration)));
+    if (s.velocity == 0.0) s.velocity = s.length * problem_.lowest_frequency(start_.time, start_.q);
+    if (s.velocity == 0.0) s.velocity = s.length;  // nothing moves: one length in a second
+    if (s.force == 0.0) s.force = problem_.force_scale(start_);
+    return s;
+}
+
+template <class Scene>
+void IdaRun<Scene>::set_tolerances() {
+    const Scales s = scales();
+    const VectorX sizes =
+        (problem_.scales().array() == problem_.length_scale())
+            .select(VectorX::Constant(problem_.size(), s.length), problem_.scales());
+    auto absolute = view(tolerances_.get());
+    system_.q(absolute) = options_.tolerance * sizes;
+    system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
+    system_.lambda(absolute).setConstant(options_.tolerance * s.force);
+    system_.mu(absolute).setConstant(options_.tolerance * s.force * s.length / s.velocity);
+    call(IDASVtolerances(ida_.get(), options_.tolerance, tolerances_.get()));
+
+    // the error test sees positions, and rates where the form holds them on the constraints
+    auto differential = view(dense_.get());
+    differential.setZero();
+    system_.q(differential).setOnes();
+    if (options_.form == Form::gear_gupta_leimkuhler) system_.v(differential).setOnes();
+    call(IDASetId(ida_.get(), dense_.get()));
+    call(IDASetSuppressAlg(ida_.get(), SUNTRUE));
+}
+
+template <class Scene>
+int IdaRun<Scene>::order_limit() {
+    if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
+    // Order 5 holds the step below 0.7/omega_max; that many steps in one slow period are too many.
+    constexpr double steps_in_a_period = 20000.0;
+    constexpr double stable = 0.7;
+    report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
+    double slow = problem_.lowest_frequency(start_.time, start_.q);
+    if (slow == 0.0) slow = std::sqrt(rate_of_turn(start_.acceleration));
+    if (slow == 0.0) return 5;
+    const double period = 2.0 * 3.141592653589793 / slow;
+    return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
+}
+
+// From the acceleration: the first step is of order 1, so its error is h^2 a/2.
+template <class Scene>
+double IdaRun<Scene>::first_step() const {
+    if (options_.first_step > 0.0) return options_.first_step;
+    const double duration = schedule_.end - start_.time;
+    double step = 1e-3 * duration;
+    const double turn = rate_of_turn(start_.v);
+    if (turn > 0.0) step = std::min(step, 1e-3 / turn);
+    const double acceleration = rate_of_turn(start_.acceleration);
+    if (acceleration > 0.0)
+        step = std::min(step, std::sqrt(0.5 * options_.tolerance / acceleration));
+    return step;
+}
+
+template <class Scene>
+void IdaRun<Scene>::run() {
+    report_.smallest_step = std::numeric_limits<double>::infinity();
+    monitor();
+    observe_until(time_);
+    while (time_ < schedule_.end && step()) {
+    }
+    if (report_.steps == 0) report_.smallest_step = 0.0;
+    finish();
+}
+
+// Takes one step and reports it; false where the run ends.
+template <class Scene>
+bool IdaRun<Scene>::step() {
+    if (options_.max_steps > 0 && report_.steps == options_.max_steps) {
+        fail(IDA_TOO_MUCH_WORK);
+        return false;
+    }
+    double reached = time_;
+    const int code =
+        IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
+    system_.rethrow();
+    if (code < 0) {
+        fail(code);
+        return false;
+    }
+    code_ = code;
+    system_.forget_fault();
+    ++report_.steps;
+    time_ = reached;
+    double length = 0.0;
+    IDAGetLastStep(ida_.get(), &length);
+    report_.smallest_step = std::min(report_.smallest_step, length);
+    report_.largest_step = std::max(report_.largest_step, length);
+    monitor();
+    observe_until(time_);
+    if (schedule_.progress && !schedule_.progress(time_, schedule_.end)) {
+        report_.status = Status::stopped;
+        report_.message = "a callback asked to stop";
+        return false;
+    }
+    return true;
+}
+
+// What a step left: energy and constraints, before any projection.
+template <class Scene>
+void IdaRun<Scene>::monitor() {
+    const auto y = view(y_.get());
+    q_ = system_.q(y);
+    v_ = system_.v(y);
+    lambda_ = system_.lambda(y);
+    if (problem_.multipliers() > 0) {
+        problem_.evaluate_constraints(time_, q_, v_);
+        report_.violation = std::max(report_.violation, problem_.constraint_violation());
+        report_.violation_rate = std::max(report_.violation_rate, problem_.violation_rate());
+    }
+    if (!options_.follow_energy) return;
+    const Energies energies = problem_.energies(time_, q_, v_, lambda_);
+    if (report_.steps == 0) report_.energy_start = energies.total();
+    report_.energy_drift =
+        std::max(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
+    report_.kinetic_largest = std::max(report_.kinetic_largest, energies.kinetic);
+}
+
+template <class Scene>
+void IdaRun<Scene>::observe_until(double time) {
+    for (; next_ < schedule_.times.size() && schedule_.times[next_] <= time; ++next_) {
+        if (!schedule_.observe) continue;
+        const double at = schedule_.times[next_];
+        const bool between = at < time_;
+        if (between) call(IDAGetDky(ida_.get(), at, 0, dense_.get()));
+        const auto y = view(between ? dense_.get() : y_.get());
+        schedule_.observe(
+            problem_.snapshot(at, system_.q(y), system_.v(y), system_.lambda(y), observed_));
+    }
+}
+
+template <class Scene>
+void IdaRun<Scene>::fail(int code) {
+    code_ = code;
+    report_.fault = system_.fault();
+    report_.status = report_.fault ? report_.fault->status : status_of(code);
+    std::ostringstream message;
+    message.precision(6);
+    message << code_name(code) << " at " << time_ << " s";
+    if (code == IDA_TOO_MUCH_WORK) message << ": " << options_.max_steps << " steps were taken";
+    if (!context_.message().empty()) message << ": " << context_.message();
+    if (report_.fault)
+        message << "; element " << report_.fault->element << " of group " << report_.fault->group
+                << " is " << to_string(report_.fault->status);
+    report_.message = message.str();
+}
+
+template <class Scene>
+void IdaRun<Scene>::finish() {
+    void* ida = ida_.get();
+    IDAGetNumErrTestFails(ida, &report_.rejected);
+    IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
+    IDAGetNumNonlinSolvIters(ida, &report_.iterations);
+    IDAGetNumResEvals(ida, &report_.evaluations);
+    IDAGetNumJacEvals(ida, &report_.jacobians);
+    IDAGetNumLinSolvSetups(ida, &report_.factorisations);
+    report_.code = code_name(code_);
+    report_.time = time_;
+    (void)problem_.project(time_, q_, v_);
+    problem_.store(time_, q_, v_, lambda_);
+}
+
+}  // namespace detail
+
+template <class Scene>
+IdaReport Ida::integrate(DynamicProblem<Scene>& problem, const Schedule& schedule) const {
+    const auto began = std::chrono::steady_clock::now();
+    ancf::detail::require(problem.assembly().pattern().storage() == Storage::full,
+                          "Ida: the problem must have full storage");
+    ancf::detail::require(problem.size() > 0, "Ida: the scene has no free coordinate");
+    schedule.check(problem.model().state().time);
+    IdaReport report;
+    const Start start = problem.start();
+    report.time = start.time;
+    report.status = start.status;
+    report.message = start.message;
+    if (start.status == Status::converged)
+        detail::IdaRun<Scene>(problem, schedule, options_, start, report).run();
+    report.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return report;
+}
+
+}  // namespace ancf::sundials

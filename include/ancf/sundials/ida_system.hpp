@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A dynamic problem as IDA's residual F(t, y, y') = 0 and its Jacobian, behind C callbacks.
+///
+/// y = (q, v, lambda) for index 3, (q, v, lambda, mu) for Gear, Gupta, Leimkuhler:
+///
+///     index 3:  F = (q' - v,                 M v' + r, g)
+///     GGL:      F = (M (q' - v) + G^T mu,    M v' + r, g, G v + g_t)
+///
+/// No exception leaves a callback: it is kept and thrown again once IDA has returned.
+
+#pragma once
+
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/sundials/context.hpp>
+#include <ancf/sundials/jacobian_map.hpp>
+#include <ancf/types.hpp>
+
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace ancf::sundials::detail {
+
+/// What IDA integrates.
+template <class Scene>
+class IdaSystem {
+public:
+    /// @pre problem.start() has converged.
+    IdaSystem(DynamicProblem<Scene>& problem, Form form)
+        : problem_(problem),
+          form_(form),
+          n_(problem.size()),
+          m_(problem.multipliers()),
+          request_(problem.model().loads().empty() ? Request::tangent
+                                                   : Request::tangent_and_damping),
+          map_(problem.mass(), n_, form) {}
+
+    [[nodiscard]] Eigen::Index size() const noexcept { return map_.size(); }
+    [[nodiscard]] const JacobianMap& map() const noexcept { return map_; }
+
+    /// The parts of y or of a vector of its size; mu is empty for index 3.
+    template <class Column>
+    [[nodiscard]] auto q(Column&& y) const {
+        return y.head(n_);
+    }
+    template <class Column>
+    [[nodiscard]] auto v(Column&& y) const {
+        return y.segment(n_, n_);
+    }
+    template <class Column>
+    [[nodiscard]] auto lambda(Column&& y) const {
+        return y.segment(2 * n_, m_);
+    }
+    template <class Column>
+    [[nodiscard]] auto mu(Column&& y) const {
+        return y.tail(y.size() - 2 * n_ - m_);
+    }
+
+    static int residual(sunrealtype t, N_Vector y, N_Vector dy, N_Vector r, void* self) noexcept {
+        return static_cast<IdaSystem*>(self)->guarded([&](IdaSystem& system) {
+            return system.write_residual(t, view(y), view(dy), view(r));
+        });
+    }
+
+    static int jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector,
+                        SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector) noexcept {
+        return static_cast<IdaSystem*>(self)->guarded(
+            [&](IdaSystem& system) { return system.write_jacobian(t, c, view(y), matrix); });
+    }
+
+    /// Throws what a callback of the scene threw.
+    void rethrow() {
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    }
+
+    /// Returns the element that failed since the last call of forget_fault.
+    [[nodiscard]] const std::optional<Fault>& fault() const noexcept { return fault_; }
+    void forget_fault() noexcept { fault_.reset(); }
+
+private:
+    using View = Eigen::Map<VectorX>;
+    static constexpr int good = 0;
+    static constexpr int recoverable = 1;  // IDA tries a smaller step
+    static constexpr int fatal = -1;
+
+    template <class Work>
+    int guarded(Work&& work) noexcept {
+        try {
+            return work(*this);
+        } catch (...) {
+            failure_ = std::current_exception();
+            return fatal;
+        }
+    }
+
+    // Evaluates the problem at y; false where an element failed.
+    [[nodiscard]] bool evaluate(double t, const View& y, Request request) {
+        q_ = q(y);
+        v_ = v(y);
+        lambda_ = lambda(y);
+        mu_ = mu(y);
+        const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
+        if (fault) fault_ = fault;
+        return !fault;
+    }
+
+    int write_residual(double t, const View& y, const View& dy, View r);
+    int write_jacobian(double t, double c, const View& y, SUNMatrix matrix);
+
+    DynamicProblem<Scene>& problem_;
+    Form form_;
+    int n_, m_;
+    Request request_;
+    JacobianMap map_;
+    VectorX q_, v_, lambda_, mu_, gap_, kinematic_;
+    SparseMatrix velocity_level_;
+    std::exception_ptr failure_;
+    std::optional<Fault> fault_;
+};
+
+template <class Scene>
+int IdaSystem<Scene>::write_residual(double t, const View& y, const View& dy, View r) {
+    if (!evaluate(t, y, Request::force)) return recoverable;
+    const SparseMatrix& mass = problem_.compact_mass();
+    v(r) = problem_.force();
+    v(r).noalias() += mass * v(dy);
+    lambda(r) = problem_.constraint_residual();
+    gap_ = q(dy) - v_;
+    if (form_ == Form::index3) {
+        q(r) = gap_;
+        return good;
+    }
+    kinematic_.noalias() = mass * gap_;
+    problem_.evaluate_constraints(t, q_, v_);
+    problem_.add_constraint_force(mu_, 1.0, kinematic_);
+    q(r) = kinematic_;
+    mu(r) = problem_.constraint_rate();
+    for (const int equation : problem_.left_out()) mu(r)[equation] = mu_[equation];
+    return good;
+}
+
+template <class Scene>
+int IdaSystem<Scene>::write_jacobian(double t, double c, const View& y, SUNMatrix matrix) {
+    if (!evaluate(t, y, request_)) return recoverable;
+    const bool stabilised = form_ == Form::gear_gupta_leimkuhler;
+    if (stabilised) {
+        problem_.evaluate_constraints(t, q_, v_);
+        problem_.velocity_level(mu_, velocity_level_);
+    }
+    const JacobianParts parts{problem_.tangent(), problem_.mass(),
+                              request_ == Request::tangent ? nullptr : &problem_.damping(),
+                              stabilised ? &velocity_level_ : nullptr};
+    map_.fill(parts, c, SUNSparseMatrix_IndexPointers(matrix), SUNSparseMatrix_IndexValues(matrix),
+              SUNSparseMatrix_Data(matrix));
+    return good;
+}
+
+}  // namespace ancf::sundials::detail

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The Jacobian of IDA's system in compressed columns, filled through one map made in advance.
+///
+/// With the tangent [T, G^T; G, 0] of a problem, T = K + (G^T lambda)_q - dQ/dq, and unknowns
+/// (q, v, lambda) or (q, v, lambda, mu):
+///
+///     index 3:                              Gear, Gupta, Leimkuhler:
+///     J = [ c I,  -I,        0   ]          J = [ c M + (G^T mu)_q, -M,        0,   G^T ]
+///         [ T,    c M + D,   G^T ]              [ T,                c M + D,   G^T, 0   ]
+///         [ G,    0,         0   ]              [ G,                0,         0,   0   ]
+///                                               [ (G v + g_t)_q,    G,         0,   0   ]
+
+#pragma once
+
+#include <ancf/types.hpp>
+
+#include <sundials/sundials_types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace ancf::sundials {
+
+/// How the equations of motion are handed to IDA.
+enum class Form {
+    index3,                ///< q' = v and g = 0 as they stand
+    gear_gupta_leimkuhler  ///< index 2: M (q' - v) + G^T mu = 0 and G v + g_t = 0 added
+};
+
+namespace detail {
+
+/// The matrices of a problem that make a Jacobian; all of one pattern, n + m square.
+struct JacobianParts {
+    const SparseMatrix& tangent;
+    const SparseMatrix& mass;
+    const SparseMatrix* damping;         ///< null where no load depends on rates
+    const SparseMatrix* velocity_level;  ///< (G^T mu)_q and (G v + g_t)_q; null for index 3
+};
+
+/// Pattern of J and, for each value of the problem's pattern, its places in J.
+class JacobianMap {
+public:
+    /// @param pattern  n + m square, compressed, rows ascending.
+    JacobianMap(const SparseMatrix& pattern, int n, Form form);
+
+    [[nodiscard]] Eigen::Index size() const noexcept {
+        return static_cast<Eigen::Index>(outer_.size()) - 1;
+    }
+    [[nodiscard]] Eigen::Index values() const noexcept {
+        return static_cast<Eigen::Index>(inner_.size());
+    }
+
+    /// Writes pattern and values of J at IDA's c; the pattern too, as SUNMatZero erases it.
+    void fill(const JacobianParts& parts, double c, sunindextype* outer, sunindextype* inner,
+              double* values) const noexcept;
+
+private:
+    // One column of J: rows of the problem's pattern moved by a shift, and where they went.
+    void append(const SparseMatrix& pattern, int column, int from, int to, int shift,
+                std::vector<sunindextype>& place);
+    void append_unit(int row) { inner_.push_back(row); }
+    void close_column() { outer_.push_back(static_cast<sunindextype>(inner_.size())); }
+
+    int n_;
+    Form form_;
+    std::vector<sunindextype> outer_{0}, inner_;
+
+    // Per value of the problem's pattern; -1 where it does not enter.
+    std::vector<sunindextype> motion_;       // equation of motion and g: columns q and lambda
+    std::vector<sunindextype> rate_;         // equation of motion, column v
+    std::vector<sunindextype> kinematic_;    // first row, columns q and mu; last row, column q
+    std::vector<sunindextype> kinematic_v_;  // first and last row, column v
+};
+
+inline void JacobianMap::append(const SparseMatrix& pattern, int column, int from, int to,
+                                int shift, std::vector<sunindextype>& place) {
+    for (int k = pattern.outerIndexPtr()[column]; k < pattern.outerIndexPtr()[column + 1]; ++k) {
+        const int row = pattern.innerIndexPtr()[k];
+        if (row < from || row >= to) continue;
+        place[static_cast<std::size_t>(k)] = static_cast<sunindextype>(inner_.size());
+        inner_.push_back(row + shift);
+    }
+}
+
+inline JacobianMap::JacobianMap(const SparseMatrix& pattern, int n, Form form)
+    : n_(n), form_(form) {
+    const int all = static_cast<int>(pattern.cols());
+    const int m = all - n;
+    const bool stabilised = form == Form::gear_gupta_leimkuhler;
+    const auto count = static_cast<std::size_t>(pattern.nonZeros());
+    motion_.assign(count, -1);
+    rate_.assign(count, -1);
+    kinematic_.assign(count, -1);
+    kinematic_v_.assign(count, -1);
+    for (int j = 0; j < n; ++j) {  // q
+        if (stabilised)
+            append(pattern, j, 0, n, 0, kinematic_);
+        else
+            append_unit(j);
+        append(pattern, j, 0, all, n, motion_);
+        if (stabilised) append(pattern, j, n, all, n + m, kinematic_);
+        close_column();
+    }
+    for (int j = 0; j < n; ++j) {  // v
+        if (stabilised)
+            append(pattern, j, 0, n, 0, kinematic_v_);
+        else
+            append_unit(j);
+        append(pattern, j, 0, n, n, rate_);
+        if (stabilised) append(pattern, j, n, all, n + m, kinematic_v_);
+        close_column();
+    }
+    for (int j = n; j < all; ++j) {  // lambda
+        append(pattern, j, 0, all, n, motion_);
+        close_column();
+    }
+    for (int j = n; stabilised && j < all; ++j) {  // mu
+        append(pattern, j, 0, n, 0, kinematic_);
+        append(pattern, j, n, all, n + m, kinematic_);
+        close_column();
+    }
+}
+
+inline void JacobianMap::fill(const JacobianParts& parts, double c, sunindextype* outer,
+                              sunindextype* inner, double* values) const noexcept {
+    std::copy(outer_.begin(), outer_.end(), outer);
+    std::copy(inner_.begin(), inner_.end(), inner);
+    const SparseMatrix& pattern = parts.tangent;
+    const double* tangent = parts.tangent.valuePtr();
+    const double* mass = parts.mass.valuePtr();
+    const double* damping = parts.damping != nullptr ? parts.damping->valuePtr() : nullptr;
+    if (form_ == Form::index3)
+        for (int j = 0; j < n_; ++j) {
+            values[outer_[static_cast<std::size_t>(j)]] = c;
+            values[outer_[static_cast<std::size_t>(n_ + j)]] = -1.0;
+        }
+    for (std::size_t k = 0; k < motion_.size(); ++k) {
+        values[motion_[k]] = tangent[k];
+        if (rate_[k] >= 0) values[rate_[k]] = c * mass[k] + (damping != nullptr ? damping[k] : 0.0);
+    }
+    if (form_ == Form::index3) return;
+    const double* level = parts.velocity_level->valuePtr();
+    for (int j = 0; j < static_cast<int>(pattern.cols()); ++j)
+        for (int at = pattern.outerIndexPtr()[j]; at < pattern.outerIndexPtr()[j + 1]; ++at) {
+            const auto k = static_cast<std::size_t>(at);
+            const bool inertia = j < n_ && pattern.innerIndexPtr()[at] < n_;
+            const bool of_q = j < n_;
+            values[kinematic_[k]] = of_q ? level[k] + (inertia ? c * mass[k] : 0.0) : tangent[k];
+            if (of_q) values[kinematic_v_[k]] = inertia ? -mass[k] : tangent[k];
+        }
+}
+
+}  // namespace detail
+}  // namespace ancf::sundials

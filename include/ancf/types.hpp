@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Names for the Eigen types that the whole library shares.
+///
+/// Everything is column-major and of SI units unless a function says otherwise.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace ancf {
+
+/// A column of fixed size.
+template <class Scalar, int Rows>
+using Vector = Eigen::Matrix<Scalar, Rows, 1>;
+
+/// A matrix of fixed size, square unless told otherwise.
+template <class Scalar, int Rows, int Columns = Rows>
+using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
+
+using VectorX = Eigen::VectorXd;
+using MatrixX = Eigen::MatrixXd;
+
+/// Compressed columns with 32-bit indices: what CHOLMOD and UMFPACK take without a copy.
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// Which part of a sparse matrix is stored: `lower` of a symmetric one, or all of any.
+enum class Storage { lower, full };
+
+/// Returns the vector product; unlike Eigen's it needs no header for geometry.
+template <class Scalar>
+[[nodiscard]] Vector<Scalar, 3> cross(const Vector<Scalar, 3>& a, const Vector<Scalar, 3>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Returns the matrix [a]x of the vector product: [a]x b = a x b.
+template <class Scalar>
+[[nodiscard]] Matrix<Scalar, 3> cross_matrix(const Vector<Scalar, 3>& a) {
+    Matrix<Scalar, 3> result;
+    result << Scalar(0), -a[2], a[1], a[2], Scalar(0), -a[0], -a[1], a[0], Scalar(0);
+    return result;
+}
+
+}  // namespace ancf

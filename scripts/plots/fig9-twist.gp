@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Fig. 9: the surface of the beam twisted by half a turn; the section is drawn larger than the length.
+
+set datafile separator whitespace
+set title "Twist by half a turn: deformed surface, five cross-section elements, T = 20.605 N m (Fig. 9)"
+set xlabel "x (mm)" offset 0, -1
+set ylabel "y (mm)" offset -4, -0.5
+set zlabel "z (mm)" offset 3, 0 rotate parallel
+enlarged = 10.0
+millimetre = 1e3
+set xrange [0:260]
+set yrange [-4 * enlarged:4 * enlarged]
+set zrange [-4 * enlarged:4 * enlarged]
+set xtics 50 offset 0, -0.4
+set ytics ("-4" -4 * enlarged, "0" 0, "4" 4 * enlarged)
+set ztics ("-4" -4 * enlarged, "0" 0, "4" 4 * enlarged)
+set xyplane at -4 * enlarged
+set view 65, 25, 2.35
+set view equal xyz
+unset key
+unset colorbox
+set pm3d depthorder border linecolor rgb "#303030" linewidth 0.3
+set pm3d lighting primary 0.55 specular 0.25
+set palette defined (0 "#56b4e9", 1 "#0072b2")
+set label 1 "section drawn 10 times larger than the length" at screen 0.5, 0.05 center
+
+splot data . "/twist.grid" using (millimetre * $1):(enlarged * millimetre * $2):(enlarged * millimetre * $3):4 with pm3d

@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks the headers: layers include in one direction only, and every file opens as the house does.
+
+    check_headers.py ROOT         exits 1 with one line per finding
+    check_headers.py --self-test  exits 1 unless every rule refuses a tree that breaks it
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
+COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all of them, never each other
+COMMON = ["error.hpp", "types.hpp", "version.hpp"]
+UMBRELLA = "ancf.hpp"
+LICENCE = ("// SPDX-FileCopyrightText: 2026 The ancf authors\n"
+           "// SPDX-License-Identifier: BSD-3-Clause\n")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def may_include(includer, included):
+    """Whether the header `includer` may include `included`, both relative to include/ancf."""
+    source, target = includer.split("/")[0], included.split("/")[0]
+    if included == UMBRELLA:
+        return False
+    if includer == UMBRELLA:
+        return target not in COMPONENTS
+    if included in COMMON:
+        return True
+    if includer in COMMON:
+        return False
+    if source in COMPONENTS:
+        return target == source or target in LAYERS
+    return target in LAYERS and LAYERS.index(target) <= LAYERS.index(source)
+
+
+def place_findings(name):
+    folder = name.split("/")[0]
+    if "/" not in name and name not in COMMON + [UMBRELLA]:
+        yield "stands in no layer"
+    if "/" in name and folder not in LAYERS + COMPONENTS:
+        yield f"stands in the unknown layer {folder}"
+
+
+def include_findings(name, text):
+    for bracket, path in INCLUDE.findall(text):
+        if bracket == '"':
+            yield f'includes "{path}": angle brackets and the full path are the rule'
+        elif path.startswith("suitesparse/"):
+            yield f"includes <{path}>: leave out the folder, it differs between systems"
+        elif path == "Eigen/Dense" or path == "Eigen/Eigen":
+            yield f"includes <{path}>: take the narrow header"
+        elif path.startswith("ancf/") and not may_include(name, path[len("ancf/"):]):
+            yield f"must not include <{path}>"
+
+
+def form_findings(name, text):
+    if not text.startswith(LICENCE):
+        yield "does not open with the SPDX pair"
+    if "/// @file" not in text.split("#pragma once")[0]:
+        yield "has no @file comment above #pragma once"
+    if not re.search(r"^#pragma once$", text, re.MULTILINE):
+        yield "has no #pragma once"
+
+
+def umbrella_findings(texts):
+    """Every core header is to be had through the umbrella."""
+    reached, waiting = set(), [UMBRELLA]
+    while waiting:
+        name = waiting.pop()
+        if name in texts and name not in reached:
+            reached.add(name)
+            waiting += [path[len("ancf/"):] for _, path in INCLUDE.findall(texts[name])
+                        if path.startswith("ancf/")]
+    for name in sorted(set(texts) - reached):
+        if name.split("/")[0] not in COMPONENTS:
+            yield f"include/ancf/{UMBRELLA}: does not reach {name}"
+
+
+def findings(root):
+    base = pathlib.Path(root) / "include" / "ancf"
+    texts = {header.relative_to(base).as_posix(): header.read_text(encoding="utf-8")
+             for header in sorted(base.rglob("*.hpp"))}
+    for name, text in texts.items():
+        for rule in (place_findings(name), include_findings(name, text), form_findings(name, text)):
+            for finding in rule:
+                yield f"include/ancf/{name}: {finding}"
+    yield from umbrella_findings(texts)
+    if not texts:
+        yield f"no header found below {base}"
+
+
+def self_test():
+    """Every wrong header is refused for its reason, and a right one for none."""
+    opening = LICENCE + "\n/// @file\n/// A header.\n\n#pragma once\n\n"
+    right = {
+        "section/a.hpp": opening + "#include <ancf/error.hpp>\n#include <Eigen/Core>\n",
+        "model/b.hpp": opening + "#include <ancf/section/a.hpp>\n#include <ancf/model/c.hpp>\n",
+        "suitesparse/d.hpp": opening + "#include <ancf/solver/e.hpp>\n#include <cholmod.h>\n",
+        "ancf.hpp": opening + "#include <ancf/model/b.hpp>\n#include <ancf/error.hpp>\n",
+        "model/c.hpp": opening,
+        "error.hpp": opening,
+    }
+    wrong = [
+        ("element/a.hpp", opening + "#include <ancf/model/b.hpp>\n", "must not include"),
+        ("section/a.hpp", opening + "#include <ancf/element/b.hpp>\n", "must not include"),
+        ("dynamics/a.hpp", opening + "#include <ancf/output/b.hpp>\n", "must not include"),
+        ("solver/a.hpp", opening + "#include <ancf/suitesparse/b.hpp>\n", "must not include"),
+        ("suitesparse/a.hpp", opening + "#include <ancf/sundials/b.hpp>\n", "must not include"),
+        ("sundials/a.hpp", opening + "  # include <ancf/suitesparse/b.hpp>\n", "must not include"),
+        ("types.hpp", opening + "#include <ancf/section/b.hpp>\n", "must not include"),
+        ("model/a.hpp", opening + "#include <ancf/ancf.hpp>\n", "must not include"),
+        ("model/a.hpp", opening + "#include <ancf/nowhere/b.hpp>\n", "must not include"),
+        ("ancf.hpp", opening + "#include <ancf/suitesparse/b.hpp>\n", "must not include"),
+        ("ancf.hpp", opening + "#include <ancf/sundials/b.hpp>\n", "must not include"),
+        ("model/a.hpp", opening + '#include "b.hpp"\n', "angle brackets"),
+        ("suitesparse/a.hpp", opening + "#include <suitesparse/cholmod.h>\n", "leave out"),
+        ("model/a.hpp", opening + "#include <Eigen/Dense>\n", "narrow"),
+        ("stray.hpp", opening, "no layer"),
+        ("contact/a.hpp", opening, "unknown layer"),
+        ("model/a.hpp", opening[3:], "SPDX"),
+        ("model/a.hpp", LICENCE + "\n#pragma once\n", "@file"),
+        ("model/a.hpp", opening.replace("#pragma once", ""), "#pragma once"),
+    ]
+    failures = [f"accepted: {name} ({reason})" for name, text, reason in wrong
+                if not any(reason in line for line in findings_of({name: text}))]
+    failures += [f"refused: {line}" for line in findings_of(right)]
+    if not any("does not reach" in line for line in findings_of({**right, "output/g.hpp": opening})):
+        failures.append("accepted: an umbrella that leaves a header out")
+    if not findings_of({}):
+        failures.append("accepted: a tree without headers")
+    return failures
+
+
+def findings_of(files):
+    with tempfile.TemporaryDirectory() as root:
+        for name, text in files.items():
+            path = pathlib.Path(root) / "include" / "ancf" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return list(findings(root))
+
+
+def main(argument):
+    lines = self_test() if argument == "--self-test" else list(findings(argument))
+    for line in lines:
+        print(line)
+    return 1 if lines else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

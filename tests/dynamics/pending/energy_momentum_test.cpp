@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/output/state_file.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <dynamics/scenes.hpp>
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace {
+
+using namespace ancf::test;
+using ancf::DynamicsReport;
+using ancf::EnergyMomentum;
+using ancf::EnergyMomentumOptions;
+using ancf::Field;
+using ancf::NodeId;
+using ancf::Schedule;
+using ancf::Snapshot;
+using ancf::Status;
+using ancf::VectorX;
+
+EnergyMomentumOptions steps(double step) {
+    EnergyMomentumOptions options;
+    options.step = step;
+    return options;
+}
+
+Schedule until(double end) {
+    Schedule schedule;
+    schedule.end = end;
+    return schedule;
+}
+
+DynamicsReport run(BarModel& model, double step, const Schedule& schedule, const ancf::Memory& memory = {}) {
+    BarProblem problem(model);
+    ancf::EigenLu solver;
+    return EnergyMomentum(steps(step)).integrate(problem, solver, schedule, memory);
+}
+
+Chain swing() {
+    Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});
+    scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), 0.5));
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    for (const NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
+    return scene;
+}
+
+/// A hardening spring to a point: its potential is of fourth order.
+struct Spring {
+    NodeId node;
+    Vector3 place;
+    double stiffness;
+    ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
+        const Vector3 d = at.q - place;
+        out.potential = 0.25 * stiffness * d.squaredNorm() * d.squaredNorm();
+        out.force = -stiffness * d.squaredNorm() * d;
+        out.stiffness = -stiffness * (d.squaredNorm() * ancf::Matrix<double, 3>::Identity() +
+                                      2.0 * d * d.transpose());
+    }
+};
+
+/// Largest relative change of both momenta over a run of a free scene.
+double momentum_drift(BarModel& model, double step, double end, DynamicsReport& report) {
+    BarProblem problem(model);
+    const ancf::Resultant start = momentum(problem, model.state());
+    double largest = 0.0;
+    Schedule schedule = ancf::equal_intervals(0.0, end, 10.0 * step);
+    schedule.observe = [&](const Snapshot& at) {
+        const ancf::Resultant now = momentum(problem, at.state);
+        largest = std::max({largest, (now.force - start.force).norm() / start.force.norm(),
+                            (now.moment - start.moment).norm() / start.moment.norm()});
+    };
+    ancf::EigenLu solver;
+    report = EnergyMomentum(steps(step)).integrate(problem, solver, schedule);
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("rigid modes: what is left of a change has neither resultant nor moment", "[dynamics]") {
+    Random random(1);
+    const auto is_position = [](int k) { return k % 2 == 0; };
+    ancf::Vector<double, 12> e = random.vector<12>(), change = random.vector<12>();
+    const ancf::detail::RigidModes<3, 12> modes(e, is_position, 0.3);
+    const ancf::Vector<double, 12> rest = modes.without(change);
+    const ancf::Vector<double, 12> force = modes.weights().cwiseProduct(rest);
+    Vector3 resultant = Vector3::Zero(), moment = Vector3::Zero();
+    for (int k = 0; k < 4; ++k) {
+        if (is_position(k)) resultant += force.segment<3>(3 * k);
+        moment += ancf::cross(Vector3(e.segment<3>(3 * k)), Vector3(force.segment<3>(3 * k)));
+    }
+    CHECK(resultant.norm() <= 1e-14);
+    CHECK(moment.norm() <= 1e-14);
+    CHECK(rest.norm() > 0.1);
+    CHECK(change.dot(force) == Approx(rest.dot(force)).epsilon(1e-13));
+
+    // a rigid motion leaves nothing
+    ancf::Vector<double, 12> rigid;
+    const Vector3 shift = random.vector<3>(), turn = random.vector<3>();
+    for (int k = 0; k < 4; ++k) {
+        rigid.segment<3>(3 * k) = ancf::cross(turn, Vector3(e.segment<3>(3 * k)));
+        if (is_position(k)) rigid.segment<3>(3 * k) += shift;
+    }
+    CHECK(modes.without(rigid).norm() <= 1e-14);
+}
+
+TEST_CASE("discrete gradient: its work is the change of the energy, and its tangent its derivative",
+          "[dynamics]") {
+    const auto seed = GENERATE(range(0U, 10U));
+    INFO("seed " << seed);
+    Random random(seed);
+    const Bar<3> bar(3.0, 1.0, 1.0);
+    using E = Bar<3>::Coordinates;
+    E e0 = random.vector<6>(), e1 = e0 + 0.3 * random.vector<6>();
+    const double before = bar.energy(e0);
+    const auto step = ancf::detail::step_force(bar, e0, e1, before, ancf::detail::StepTangent::exact);
+    CHECK(step.force.dot(e1 - e0) == Approx(bar.energy(e1) - before).margin(1e-14));
+    CHECK(step.energy == bar.energy(e1));
+    const double h = 1e-6;
+    for (int j = 0; j < 6; ++j) {
+        E slope = E::Zero();
+        for (const double sign : {1.0, -1.0})
+            slope += sign / (2.0 * h) *
+                     ancf::detail::step_force(bar, e0, E(e1 + sign * h * E::Unit(j)), before,
+                                              ancf::detail::StepTangent::none)
+                         .force;
+        CHECK((slope - step.tangent.col(j)).norm() <= 1e-7 * (1.0 + slope.norm()));
+    }
+    // the correction is there: the middle's gradient alone misses the energy
+    const E middle = bar.force(E(0.5 * (e0 + e1)));
+    CHECK(std::abs(middle.dot(e1 - e0) - (bar.energy(e1) - before)) > 1e-10);
+}
+
+TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[dynamics]") {
+    const double step = GENERATE(1e-3, 1e-2);
+    Chain scene = chain(4, {0.2, 0.1, 0.0}, {1.2, 0.4, 0.3});
+    spin(scene.model, {0.5, 3.0, 4.0}, {0.3, -0.2, 0.1});
+    scene.model.set_rate(scene.nodes[2], Field::r, {0.5, 1.0, -1.0});
+    DynamicsReport report;
+    const double drift = momentum_drift(scene.model, step, 2.0, report);
+    REQUIRE(report.status == Status::converged);
+    CHECK(drift <= 1e-12);
+    CHECK(report.energy_drift <= 1e-11 * report.kinetic_largest);
+}
+
+TEST_CASE("energy-momentum: links inside a free chain move no momentum either", "[dynamics]") {
+    Chain scene = chain(4, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 200.0);
+    scene.model.add(ancf::Distance<3>(scene.nodes[0], scene.nodes[2], 0.5));
+    scene.model.add(ancf::Distance<3>(scene.nodes[1], scene.nodes[4], 0.75));
+    spin(scene.model, {0.0, 1.0, 5.0}, {0.3, -0.2, 0.1});
+    DynamicsReport report;
+    const double drift = momentum_drift(scene.model, 5e-3, 2.0, report);
+    REQUIRE(report.status == Status::converged);
+    CHECK(drift <= 1e-12);
+    CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
+    CHECK(report.violation <= 1e-13);
+}
+
+TEST_CASE("energy-momentum: energy on a link and on a spring of fourth order", "[dynamics]") {
+    Chain scene = swing();
+    scene.model.add(Spring{scene.last(), {1.0, 0.5, 0.2}, 20.0});
+    const DynamicsReport report = run(scene.model, 4e-3, until(10.0));
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
+    CHECK(report.violation <= 1e-13);
+    CHECK(report.violation_rate <= 0.5);  // held at positions alone
+}
+
+TEST_CASE("energy-momentum: second order", "[dynamics]") {
+    VectorX exact;
+    double before = 0.0;
+    int orders = 0;
+    for (const double step : {1e-4, 4e-3, 2e-3, 1e-3}) {
+        Chain scene = swing();
+        REQUIRE(run(scene.model, step, until(0.5)).status == Status::converged);
+        const VectorX& q = scene.model.state().q;
+        if (exact.size() == 0) {
+            exact = q;
+            continue;
+        }
+        const double error = distance(q, exact);
+        if (before > 0.0) {
+            CHECK(std::log2(before / error) == Approx(2.0).margin(0.2));
+            ++orders;
+        }
+        before = error;
+    }
+    CHECK(orders == 2);
+}
+
+TEST_CASE("energy-momentum: free fall is exact", "[dynamics]") {
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {0.6, 0.5, 0.7});
+    const Vector3 gravity(1.0, -9.0, 2.0);
+    scene.model.set_gravity(gravity);
+    REQUIRE(run(scene.model, 1e-3, until(0.3)).status == Status::converged);
+    const ancf::State& state = scene.model.state();
+    for (int node = 0; node < 4; ++node)
+        CHECK((state.v.segment<3>(3 * node) / state.time - gravity).norm() <= 1e-10);
+}
+
+TEST_CASE("energy-momentum: a driven end does the work that the energy gains", "[dynamics]") {
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+    auto& model = scene.model;
+    const ancf::Motion lift = sine(0.3, 4.0);
+    model.prescribe(scene.first(), Field::r, 1, lift.value, lift.rate, lift.acceleration);
+    model.set_rate(scene.first(), Field::r, {0.0, lift.rate(0.0), 0.0});
+    double work = 0.0, last = 0.0, before = 0.0, first = 0.0, final = 0.0;
+    Schedule schedule = ancf::equal_intervals(0.0, 0.5, 1e-3);
+    schedule.observe = [&](const Snapshot& at) {
+        if (at.state.time > 0.0)
+            work += 0.5 * (last + at.energies.constraint_power) * (at.state.time - before);
+        else
+            first = at.energies.total();
+        last = at.energies.constraint_power;
+        before = at.state.time;
+        final = at.energies.total();
+    };
+    REQUIRE(run(model, 1e-3, schedule).status == Status::converged);
+    CHECK(std::abs(work) > 0.1);
+    CHECK(final - first == Approx(work).epsilon(1e-3));  // trapezoidal rule and second order
+}
+
+TEST_CASE("energy-momentum: a restarted run continues bit for bit", "[dynamics]") {
+    Chain whole = swing(), parts = swing();
+    const DynamicsReport first = run(parts.model, 2e-3, until(0.3));
+    std::stringstream file;
+    ancf::write_state(file, {parts.model.state(), first.memory});
+    const ancf::SavedState saved = ancf::read_state(file);
+    Chain resumed = swing();
+    resumed.model.state() = saved.state;
+    REQUIRE(run(resumed.model, 2e-3, until(0.6), saved.memory).status == Status::converged);
+    REQUIRE(run(whole.model, 2e-3, until(0.6)).status == Status::converged);
+    CHECK(resumed.model.state().time == whole.model.state().time);
+    CHECK(resumed.model.state().q == whole.model.state().q);
+    CHECK(resumed.model.state().v == whole.model.state().v);
+    CHECK(resumed.model.state().multipliers == whole.model.state().multipliers);
+
+    ancf::Memory other = first.memory;
+    other.integrator = "generalized_alpha";
+    CHECK_THROWS_AS(run(resumed.model, 2e-3, until(1.0), other), ancf::InvalidArgument);
+}
+
+TEST_CASE("energy-momentum: a symmetric solver finds the same motion", "[dynamics]") {
+    VectorX ends[2];
+    for (const bool lower : {false, true}) {
+        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+        scene.model.pin(scene.first());
+        scene.model.set_gravity({0.0, -9.81, 0.0});
+        ancf::ProblemOptions storage;
+        storage.storage = lower ? ancf::Storage::lower : ancf::Storage::full;
+        BarProblem problem(scene.model, storage);
+        ancf::EigenLu lu;
+        ancf::EigenLdlt ldlt;
+        const EnergyMomentum method(steps(1e-3));
+        const DynamicsReport report = lower ? method.integrate(problem, ldlt, until(0.3))
+                                            : method.integrate(problem, lu, until(0.3));
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.energy_drift <= 1e-12 * report.kinetic_largest);
+        ends[lower ? 1 : 0] = scene.model.state().q;
+    }
+    CHECK(distance(ends[0], ends[1]) <= 1e-11);
+}
+
+TEST_CASE("energy-momentum: repeated constraints change nothing but their multipliers", "[dynamics]") {
+    Chain once = swing(), twice = swing();
+    twice.model.add(ancf::Distance<3>(twice.first(), Vector3(0.0, 0.0, 0.0), 0.5));
+    REQUIRE(run(once.model, 2e-3, until(0.2)).status == Status::converged);
+    ancf::ProblemOptions options;
+    options.redundancy = ancf::Redundancy::minimum_norm;
+    BarProblem problem(twice.model, options);
+    ancf::EigenLu solver;
+    const DynamicsReport report = EnergyMomentum(steps(2e-3)).integrate(problem, solver, until(0.2));
+    REQUIRE(report.status == Status::converged);
+    CHECK(distance(twice.model.state().q, once.model.state().q) <= 1e-11);
+    const VectorX& shared = twice.model.state().multipliers;
+    CHECK(shared[0] == Approx(shared[1]).epsilon(1e-10));
+}
+
+TEST_CASE("energy-momentum: a step too long is taken in parts, on the same grid", "[dynamics]") {
+    Chain scene = swing();
+    spin(scene.model, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
+    const DynamicsReport report = run(scene.model, 0.1, until(0.3));
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.convergence_failures > 0);
+    CHECK(report.smallest_step < 0.1);
+    CHECK(report.time == Approx(0.3).epsilon(1e-14));
+    CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
+}
+
+TEST_CASE("energy-momentum: stops on request, refuses what cannot be meant", "[dynamics]") {
+    Chain scene = swing();
+    Schedule schedule = until(0.5);
+    schedule.progress = [](double time, double) { return time < 0.0999; };
+    const DynamicsReport report = run(scene.model, 1e-3, schedule);
+    CHECK(report.status == Status::stopped);
+    CHECK(scene.model.state().time == Approx(0.1));
+
+    CHECK_THROWS_AS(EnergyMomentum(steps(0.0)), ancf::InvalidArgument);
+    CHECK_THROWS_AS(EnergyMomentum(steps(-1e-3)), ancf::InvalidArgument);
+    EnergyMomentumOptions options;
+    options.max_iterations = 0;
+    CHECK_THROWS_AS(EnergyMomentum(options), ancf::InvalidArgument);
+    CHECK_THROWS_AS(run(scene.model, 1e-3, until(0.05)), ancf::InvalidArgument);
+    scene.model.set_value(scene.first(), Field::r, {0.0, -2.0, 0.0});
+    CHECK(run(scene.model, 1e-3, until(1.0)).status == Status::inconsistent);
+}

@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/output/state_file.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <dynamics/scenes.hpp>
+#include <support/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace {
+
+using namespace ancf::test;
+using ancf::DynamicsReport;
+using ancf::Field;
+using ancf::GeneralizedAlpha;
+using ancf::GeneralizedAlphaOptions;
+using ancf::Schedule;
+using ancf::Snapshot;
+using ancf::Status;
+using ancf::VectorX;
+
+GeneralizedAlphaOptions fixed(double step, double rho = 0.8) {
+    GeneralizedAlphaOptions options;
+    options.step = step;
+    options.rho = rho;
+    return options;
+}
+
+GeneralizedAlphaOptions adaptive(double tolerance) {
+    GeneralizedAlphaOptions options;
+    options.tolerance = tolerance;
+    return options;
+}
+
+Schedule until(double end) {
+    Schedule schedule;
+    schedule.end = end;
+    return schedule;
+}
+
+/// Three bars on a massless link, thrown out of the plane of gravity.
+Chain swing() {
+    Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});
+    scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), 0.5));
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    for (const ancf::NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
+    return scene;
+}
+
+DynamicsReport run(ancf::test::BarModel& model, const GeneralizedAlphaOptions& options,
+                   const Schedule& schedule, const ancf::Memory& memory = {}) {
+    BarProblem problem(model);
+    ancf::EigenLu solver;
+    return GeneralizedAlpha(options).integrate(problem, solver, schedule, memory);
+}
+
+/// The state of the swing at a time, by steps so small that they are exact to 1e-7.
+const ancf::State& exact_swing() {
+    static const ancf::State state = [] {
+        Chain scene = swing();
+        const DynamicsReport report = run(scene.model, fixed(2.5e-5, 1.0), until(0.5));
+        REQUIRE(report.status == Status::converged);
+        return scene.model.state();
+    }();
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("generalized-alpha: free fall is exact for every damping", "[dynamics]") {
+    const double rho = GENERATE(0.0, 0.3, 0.5, 0.8, 1.0);
+    INFO("rho " << rho);
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {0.6, 0.5, 0.7});
+    const VectorX start = scene.model.state().q;
+    const Vector3 gravity(1.0, -9.0, 2.0);
+    scene.model.set_gravity(gravity);
+    const DynamicsReport report = run(scene.model, fixed(1e-3, rho), until(0.3));
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps == 300);
+    const ancf::State& state = scene.model.state();
+    CHECK(state.time == Approx(0.3).epsilon(1e-14));
+    for (int node = 0; node < 4; ++node) {
+        // 1e-10: an acceleration is a change of q by round-off over h^2
+        CHECK((state.v.segment<3>(3 * node) / state.time - gravity).norm() <= 1e-10);
+        const Vector3 fallen = state.q.segment<3>(3 * node) - start.segment<3>(3 * node);
+        CHECK((fallen - 0.5 * gravity * state.time * state.time).norm() <= 1e-11);
+    }
+}
+
+TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers", "[dynamics]") {
+    const double rho = GENERATE(0.2, 0.8, 1.0);
+    INFO("rho " << rho);
+    double before[3] = {0.0, 0.0, 0.0};
+    for (const double step : {2e-3, 1e-3, 5e-4}) {
+        Chain scene = swing();
+        REQUIRE(run(scene.model, fixed(step, rho), until(0.5)).status == Status::converged);
+        const ancf::State& state = scene.model.state();
+        const double error[3] = {distance(state.q, exact_swing().q), distance(state.v, exact_swing().v),
+                                 distance(state.multipliers, exact_swing().multipliers)};
+        for (int k = 0; k < 3; ++k) {
+            if (before[k] > 0.0) CHECK(std::log2(before[k] / error[k]) == Approx(2.0).margin(0.15));
+            before[k] = error[k];
+        }
+    }
+}
+
+TEST_CASE("generalized-alpha: adaptive steps meet their tolerance with fewer steps", "[dynamics]") {
+    Chain coarse = swing(), fine = swing();
+    const DynamicsReport loose = run(coarse.model, adaptive(1e-5), until(0.5));
+    const DynamicsReport tight = run(fine.model, adaptive(1e-7), until(0.5));
+    REQUIRE(loose.status == Status::converged);
+    REQUIRE(tight.status == Status::converged);
+    const double loose_error = distance(coarse.model.state().q, exact_swing().q);
+    const double tight_error = distance(fine.model.state().q, exact_swing().q);
+    // a local error of third order: 100 times the tolerance is 4.6 times the steps, 21 times the error
+    CHECK(tight.steps > 3 * loose.steps);
+    CHECK(tight_error < 0.1 * loose_error);
+    CHECK(tight_error <= 2e-4);
+    CHECK(tight.largest_step > 1.2 * tight.smallest_step);
+    CHECK(tight.jacobians < tight.steps);
+}
+
+TEST_CASE("generalized-alpha: rho is the factor of fast oscillations per step", "[dynamics]") {
+    const double rho = GENERATE(0.0, 0.5, 0.9, 1.0);
+    INFO("rho " << rho);
+    // one stretched bar along x, w h about 3e3
+    Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1e14, 1.0);
+    auto& model = scene.model;
+    model.pin(scene.first());
+    model.fix(scene.last(), Field::r, 1);
+    model.fix(scene.last(), Field::r, 2);
+    model.set_value(scene.last(), Field::r, {1.0 + 1e-9, 0.0, 0.0});
+    auto options = fixed(1e-3, rho);
+    options.newton_tolerance = 1e-16;
+    const DynamicsReport report = run(model, options, until(0.03));
+    REQUIRE(report.status == Status::converged);
+    const double factor = std::abs(model.value(scene.last(), Field::r)[0] - 1.0) / 1e-9;
+    // at rho 0 two steps end it; else the slow decay of a double root is of the same order as rho^30
+    if (rho == 0.0) CHECK(factor <= 1e-6);
+    if (rho == 0.5) CHECK(factor <= 1e-6);
+    if (rho == 0.9) CHECK((factor > 1e-3 && factor < 1.0));
+    if (rho == 1.0) CHECK(factor == Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("generalized-alpha: constraints hold in every step, their rates at output", "[dynamics]") {
+    Chain scene = swing();
+    Schedule schedule = ancf::equal_intervals(0.0, 0.5, 0.0123);
+    std::size_t seen = 0;
+    schedule.observe = [&](const Snapshot& at) {
+        CHECK(at.state.time == Approx(schedule.times[seen]).margin(1e-12));
+        CHECK(at.violation <= 1e-14);
+        CHECK(at.violation_rate <= 1e-14);
+        CHECK(at.energies.kinetic > 0.0);
+        ++seen;
+    };
+    const DynamicsReport report = run(scene.model, fixed(1e-3), schedule);
+    REQUIRE(report.status == Status::converged);
+    CHECK(seen == schedule.times.size());
+    CHECK(report.violation <= 1e-12);
+    CHECK(report.violation_rate > 1e-9);  // of the method: it holds positions, not rates
+    CHECK(report.violation_rate <= 1e-3);
+    CHECK(report.energy_drift <= 2e-4 * report.kinetic_largest);
+}
+
+TEST_CASE("generalized-alpha: output between the steps is as exact as the steps", "[dynamics]") {
+    const double step = 2e-3;
+    Chain coarse = swing(), fine = swing();
+    VectorX between, exact;
+    Schedule schedule = until(0.2);
+    schedule.times = {0.1031};
+    schedule.observe = [&](const Snapshot& at) { between = at.state.q; };
+    REQUIRE(run(coarse.model, fixed(step), schedule).status == Status::converged);
+    schedule.observe = [&](const Snapshot& at) { exact = at.state.q; };
+    REQUIRE(run(fine.model, fixed(1e-4), schedule).status == Status::converged);
+    Chain on_grid = swing();
+    VectorX at_step, exact_at_step;
+    schedule.times = {0.104};
+    schedule.observe = [&](const Snapshot& at) { at_step = at.state.q; };
+    REQUIRE(run(on_grid.model, fixed(step), schedule).status == Status::converged);
+    Chain on_fine_grid = swing();
+    schedule.observe = [&](const Snapshot& at) { exact_at_step = at.state.q; };
+    REQUIRE(run(on_fine_grid.model, fixed(1e-4), schedule).status == Status::converged);
+    CHECK(distance(between, exact) <= 1.5 * distance(at_step, exact_at_step));
+}
+
+TEST_CASE("generalized-alpha: a restarted run continues bit for bit", "[dynamics]") {
+    const bool by_tolerance = GENERATE(false, true);
+    const GeneralizedAlphaOptions options = by_tolerance ? adaptive(1e-6) : fixed(1e-3);
+    Chain whole = swing(), parts = swing();
+    double middle = 0.25;
+    DynamicsReport first = run(parts.model, options, until(middle));
+    REQUIRE(first.status == Status::converged);
+    if (by_tolerance) {
+        // an adaptive run is to be cut where it steps anyway
+        Chain probe = swing();
+        Schedule schedule = until(0.5);
+        schedule.progress = [&](double time, double) {
+            middle = time;
+            return time < 0.25;
+        };
+        REQUIRE(run(probe.model, options, schedule).status == Status::stopped);
+        parts = swing();
+        schedule.progress = [&](double time, double) { return time < middle; };
+        first = run(parts.model, options, schedule);
+        REQUIRE(first.status == Status::stopped);
+    }
+    std::stringstream file;
+    ancf::write_state(file, {parts.model.state(), first.memory});
+    const ancf::SavedState saved = ancf::read_state(file);
+
+    Chain resumed = swing();
+    resumed.model.state() = saved.state;
+    const DynamicsReport second = run(resumed.model, options, until(0.5), saved.memory);
+    REQUIRE(second.status == Status::converged);
+    const DynamicsReport all = run(whole.model, options, until(0.5));
+    REQUIRE(all.status == Status::converged);
+    CHECK(all.steps == first.steps + second.steps);
+    CHECK(resumed.model.state().time == whole.model.state().time);
+    CHECK(resumed.model.state().q == whole.model.state().q);
+    CHECK(resumed.model.state().v == whole.model.state().v);
+    CHECK(resumed.model.state().multipliers == whole.model.state().multipliers);
+
+    // without the memory it is a new start: as good, but not the same bits
+    Chain fresh = swing();
+    fresh.model.state() = saved.state;
+    REQUIRE(run(fresh.model, options, until(0.5)).status == Status::converged);
+    CHECK(fresh.model.state().q != whole.model.state().q);
+    CHECK(distance(fresh.model.state().q, whole.model.state().q) <= 1e-4);
+}
+
+TEST_CASE("generalized-alpha: a memory of something else is refused", "[dynamics]") {
+    Chain scene = swing();
+    DynamicsReport report = run(scene.model, fixed(1e-3), until(0.01));
+    const auto resume = [&](const ancf::Memory& memory, const GeneralizedAlphaOptions& options) {
+        return run(scene.model, options, until(0.02), memory);
+    };
+    CHECK_THROWS_WITH(resume(report.memory, fixed(1e-3, 0.5)), ContainsSubstring("rho"));
+    ancf::Memory other = report.memory;
+    other.integrator = "energy_momentum";
+    CHECK_THROWS_WITH(resume(other, fixed(1e-3)), ContainsSubstring("that of energy_momentum"));
+    other = report.memory;
+    other.values.erase(other.values.begin());
+    CHECK_THROWS_WITH(resume(other, fixed(1e-3)), ContainsSubstring("values of q"));
+    scene.model.state().time = 0.005;
+    CHECK_THROWS_WITH(resume(report.memory, fixed(1e-3)), ContainsSubstring("is of time"));
+}
+
+TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dynamics]") {
+    VectorX ends[2];
+    for (const bool lower : {false, true}) {
+        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+        scene.model.pin(scene.first());
+        scene.model.set_gravity({0.0, -9.81, 0.0});
+        ancf::ProblemOptions storage;
+        storage.storage = lower ? ancf::Storage::lower : ancf::Storage::full;
+        BarProblem problem(scene.model, storage);
+        ancf::EigenLu lu;
+        ancf::EigenLdlt ldlt;
+        const GeneralizedAlpha method(fixed(1e-3));
+        const DynamicsReport report = lower ? method.integrate(problem, ldlt, until(0.3))
+                                            : method.integrate(problem, lu, until(0.3));
+        REQUIRE(report.status == Status::converged);
+        ends[lower ? 1 : 0] = scene.model.state().q;
+        if (lower) CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)), ContainsSubstring("storage"));
+    }
+    CHECK(distance(ends[0], ends[1]) <= 1e-10);
+}
+
+TEST_CASE("generalized-alpha: a driven support and a driven constraint move alike", "[dynamics]") {
+    VectorX ends[2];
+    for (const bool support : {false, true}) {
+        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+        auto& model = scene.model;
+        const ancf::Motion lift = sine(0.3, 4.0);
+        model.set_gravity({0.0, -9.81, 0.0});
+        model.set_rate(scene.first(), Field::r, {0.0, lift.rate(0.0), 0.0});
+        for (const int component : {0, 2}) model.fix(scene.first(), Field::r, component);
+        if (support)
+            model.prescribe(scene.first(), Field::r, 1, lift.value, lift.rate, lift.acceleration);
+        else
+            model.add(ancf::FixedCoordinate<3>(scene.first(), Field::r, 1, lift));
+        REQUIRE(run(model, fixed(1e-3), until(0.5)).status == Status::converged);
+        CHECK(model.position(scene.first())[1] == Approx(0.3 * std::sin(2.0)).epsilon(1e-12));
+        ends[support ? 1 : 0] = model.state().q;
+    }
+    // the method treats the driven end's inertia at other instants: equal to second order
+    CHECK(distance(ends[0], ends[1]) <= 1e-4);
+}
+
+TEST_CASE("generalized-alpha: repeated constraints change nothing but their multipliers", "[dynamics]") {
+    Chain once = swing(), twice = swing();
+    twice.model.add(ancf::Distance<3>(twice.first(), Vector3(0.0, 0.0, 0.0), 0.5));
+    REQUIRE(run(once.model, fixed(1e-3), until(0.2)).status == Status::converged);
+    const DynamicsReport refused = run(twice.model, fixed(1e-3), until(0.2));
+    CHECK(refused.status == Status::redundant);
+    CHECK_THAT(refused.message, ContainsSubstring("constraint 1 (distance between node 0"));
+    CHECK(refused.steps == 0);
+
+    ancf::ProblemOptions options;
+    options.redundancy = ancf::Redundancy::minimum_norm;
+    BarProblem problem(twice.model, options);
+    ancf::EigenLu solver;
+    const DynamicsReport report = GeneralizedAlpha(fixed(1e-3)).integrate(problem, solver, until(0.2));
+    REQUIRE(report.status == Status::converged);
+    CHECK(distance(twice.model.state().q, once.model.state().q) <= 1e-11);
+    const VectorX& shared = twice.model.state().multipliers;
+    CHECK(shared[0] == Approx(shared[1]).epsilon(1e-10));
+    CHECK(shared[0] + shared[1] == Approx(once.model.state().multipliers[0]).epsilon(1e-8));
+}
+
+TEST_CASE("generalized-alpha: stops on request and keeps what it reached", "[dynamics]") {
+    Chain scene = swing();
+    Schedule schedule = ancf::equal_intervals(0.0, 0.5, 0.1);
+    int seen = 0;
+    schedule.observe = [&](const Snapshot&) { ++seen; };
+    schedule.progress = [](double time, double end) {
+        CHECK(end == 0.5);
+        return time < 0.2499;
+    };
+    const DynamicsReport report = run(scene.model, fixed(1e-3), schedule);
+    CHECK(report.status == Status::stopped);
+    CHECK(report.time == Approx(0.25));
+    CHECK(scene.model.state().time == report.time);
+    CHECK(seen == 3);
+}
+
+TEST_CASE("generalized-alpha: a step that cannot be solved ends the run with a status", "[dynamics]") {
+    Chain scene = swing();
+    scene.model.state().v *= 400.0;  // turns by several radians in one step
+    auto options = fixed(0.05, 1.0);
+    options.max_iterations = 3;
+    const DynamicsReport report = run(scene.model, options, until(0.5));
+    CHECK(report.status == Status::max_iterations);
+    CHECK_THAT(report.message, ContainsSubstring("step from"));
+    CHECK(report.convergence_failures == 1);
+    CHECK(scene.model.state().q.allFinite());
+    CHECK(report.time < 0.5);
+
+    // adaptive steps find their way
+    Chain again = swing();
+    again.model.state().v *= 400.0;
+    options.tolerance = 1e-4;
+    CHECK(run(again.model, options, until(0.01)).status == Status::converged);
+
+    // and give up where they may not be small
+    Chain never = swing();
+    never.model.state().v *= 400.0;
+    options.min_step = 0.04;
+    const DynamicsReport given_up = run(never.model, options, until(0.5));
+    CHECK(given_up.status == Status::step_too_small);
+    CHECK_THAT(given_up.message, ContainsSubstring("0.04"));
+}
+
+TEST_CASE("generalized-alpha: a run of no duration reports the start", "[dynamics]") {
+    Chain scene = swing();
+    int seen = 0;
+    Schedule schedule = ancf::equal_intervals(0.0, 0.0, 0.1);
+    schedule.observe = [&](const Snapshot& at) {
+        CHECK(at.state.time == 0.0);
+        ++seen;
+    };
+    const DynamicsReport report = run(scene.model, fixed(1e-3), schedule);
+    CHECK(report.status == Status::converged);
+    CHECK(report.steps == 0);
+    CHECK(seen == 1);
+}
+
+TEST_CASE("generalized-alpha: options that cannot be meant are refused", "[dynamics]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const auto refused = [](auto change) {
+        GeneralizedAlphaOptions options;
+        change(options);
+        CHECK_THROWS_AS(GeneralizedAlpha(options), ancf::InvalidArgument);
+    };
+    refused([](auto& o) { o.step = 0.0; });
+    refused([](auto& o) { o.step = -1e-3; });
+    refused([&](auto& o) { o.step = infinity; });
+    refused([](auto& o) { o.rho = -0.1; });
+    refused([](auto& o) { o.rho = 1.1; });
+    refused([](auto& o) { o.tolerance = -1e-6; });
+    refused([](auto& o) { o.min_step = 0.0; });
+    refused([](auto& o) { o.max_step = 0.0; });
+    refused([](auto& o) { o.newton_tolerance = 0.0; });
+    refused([](auto& o) { o.max_iterations = 0; });
+
+    Chain scene = swing();
+    CHECK_THROWS_AS(run(scene.model, fixed(1e-3), until(-1.0)), ancf::InvalidArgument);
+    scene.model.set_value(scene.first(), Field::r, {0.0, -0.51, 0.0});
+    const DynamicsReport report = run(scene.model, fixed(1e-3), until(1.0));
+    CHECK(report.status == Status::inconsistent);
+    CHECK_THAT(report.message, ContainsSubstring("distance between node 0") && ContainsSubstring("0.01"));
+}

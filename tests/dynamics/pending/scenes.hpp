@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Scenes of bars for the tests of integrators: cheap to evaluate and to compile.
+
+#pragma once
+
+#include <ancf/assembly/resultant.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/types.hpp>
+
+#include <support/bar.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace ancf::test {
+
+using BarModel = Model<Bar<3>>;
+using BarProblem = DynamicProblem<BarModel>;
+using Vector3 = Vector<double, 3>;
+
+/// Bars in a row.
+struct Chain {
+    BarModel model;
+    std::vector<NodeId> nodes;
+
+    [[nodiscard]] NodeId first() const { return nodes.front(); }
+    [[nodiscard]] NodeId last() const { return nodes.back(); }
+};
+
+/// Returns a chain of equal bars, EA in N, mass per length in kg/m.
+[[nodiscard]] inline Chain chain(int bars, const Vector3& from, const Vector3& to, double stiffness = 500.0,
+                                 double line_density = 1.0) {
+    Chain result;
+    const double length = (to - from).norm() / bars;
+    const int prototype = result.model.add_prototype(Bar<3>(stiffness, line_density, length));
+    for (int k = 0; k <= bars; ++k)
+        result.nodes.push_back(result.model.add_node(from + (to - from) * k / bars));
+    for (int k = 0; k < bars; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        result.model.connect(prototype, result.nodes[at], result.nodes[at + 1]);
+    }
+    return result;
+}
+
+/// Sets the rates of a rigid turn about the origin and a translation.
+template <class Scene>
+void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
+    State& state = model.state();
+    for (int node = 0; node < model.nodes(); ++node)
+        for (int k = 0; k < field_count; ++k) {
+            const NodeField at{{node}, static_cast<Field>(k)};
+            const int first = model.layout().index(at);
+            if (first < 0) continue;
+            const Vector3 value = state.q.template segment<3>(first);
+            Vector3 rate = cross(turn, value);
+            if (at.field == Field::r) rate += translation;
+            state.v.template segment<3>(first) = rate;
+        }
+}
+
+/// Returns linear and angular momentum about the origin, kg m/s and kg m^2/s.
+template <class Scene>
+[[nodiscard]] Resultant momentum(const DynamicProblem<Scene>& problem, const State& state) {
+    return resultant(problem.model(), state.q, problem.assembly().mass_product(state.v));
+}
+
+/// A motion A sin(w t) with its derivatives, smooth from t = 0 on.
+[[nodiscard]] inline Motion sine(double amplitude, double frequency) {
+    return {[=](double t) { return amplitude * std::sin(frequency * t); },
+            [=](double t) { return amplitude * frequency * std::cos(frequency * t); },
+            [=](double t) { return -amplitude * frequency * frequency * std::sin(frequency * t); }};
+}
+
+/// Returns the largest difference of two vectors.
+[[nodiscard]] inline double distance(const VectorX& a, const VectorX& b) {
+    return (a - b).cwiseAbs().maxCoeff();
+}
+
+}  // namespace ancf::test

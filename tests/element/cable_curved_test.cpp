@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Cables whose stress-free state is a curve.
+
+#include <ancf/element/cable.hpp>
+
+#include <element/cable_samples.hpp>
+#include <support/catch.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace ancf;
+using test::cable_length;
+using test::cable_material;
+using test::cable_section;
+using test::Helix;
+
+const double axial = cable_material().young * cable_section().moments().area;
+const double bending = cable_material().young * cable_section().moments().yy;
+
+/// References of one element: arcs, in space helices too, and a line with an inflection.
+template <int Dimension>
+std::vector<Vector<double, 4 * Dimension>> references() {
+    std::vector<Vector<double, 4 * Dimension>> all{
+        Helix{1.0, 0.0}.coordinates<Dimension>(0.0, cable_length),
+        Helix{20.0, 0.0}.coordinates<Dimension>(0.0, cable_length),
+        test::inflected_coordinates<Dimension>()};
+    if constexpr (Dimension == 3) {
+        all.push_back(Helix{0.8, 0.5}.coordinates<3>(0.0, cable_length));
+        all.push_back(Helix{0.5, -1.5}.coordinates<3>(0.0, cable_length));
+    }
+    return all;
+}
+
+std::vector<Rule> rules() { return {cable_rule(), Rule::mixed(), Rule::gauss(3), Rule::paper()}; }
+
+template <class Element>
+Element curved(const typename Element::Coordinates& reference, const Rule& rule = cable_rule()) {
+    return {cable_material(), cable_section(), reference, cable_length, {rule, 1.0}};
+}
+
+/// Visits every reference with every rule.
+template <class Element, class Visit>
+int for_each_curved(const Visit& visit) {
+    int count = 0;
+    for (const auto& reference : references<Element::dimension>()) {
+        for (const Rule& rule : rules()) {
+            INFO("reference " << reference.transpose() << ", rule " << rule.name());
+            visit(curved<Element>(reference, rule), reference);
+            ++count;
+        }
+    }
+    return count;
+}
+
+/// The reference turned and moved at random, and bent out of shape.
+template <class Element>
+typename Element::Coordinates disturbed(const typename Element::Coordinates& reference,
+                                        test::Random& random, double size) {
+    constexpr int dimension = Element::dimension;
+    typename Element::Coordinates e = reference + size * random.vector<Element::dofs>();
+    const auto turn = test::random_rotation<dimension>(random);
+    return test::moved<Element>(e, turn, random.vector<dimension>());
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Cable: a curved element has no force in its reference, however moved",
+                   "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
+                   (Cable<3, EngineeringAxial>)) {
+    constexpr int dimension = TestType::dimension;
+    const int count = for_each_curved<TestType>([](const auto& element, const auto& reference) {
+        for (std::uint64_t seed = 0; seed < 50; ++seed) {
+            test::Random random(seed);
+            const auto turn = test::random_rotation<dimension>(random);
+            const auto e = test::moved<TestType>(reference, turn, random.vector<dimension>());
+            CHECK(element.force(e).norm() <= 1e-14 * axial);  // asked for 1e-12; measured 2e-15
+            CHECK(std::abs(element.energy(e)) <= 1e-15 * axial * cable_length);
+        }
+    });
+    CHECK(count >= 12);
+}
+
+TEMPLATE_TEST_CASE(
+    "Cable: force and tangent of a curved element equal the complex-step derivatives",
+    "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<3, EngineeringAxial>)) {
+    double force = 0.0, tangent = 0.0, symmetry = 0.0;
+    const int count = for_each_curved<TestType>([&](const auto& element, const auto& reference) {
+        for (std::uint64_t seed = 0; seed < 100; ++seed) {
+            test::Random random(seed);
+            const auto e = disturbed<TestType>(reference, random, 0.2);
+            const auto evaluation = element.evaluate(e);
+            const auto gradient =
+                test::complex_step_gradient([&](const auto& c) { return element.energy(c); }, e);
+            const auto jacobian =
+                test::complex_step_jacobian([&](const auto& c) { return element.force(c); }, e);
+            force = std::max(force, test::relative_error(evaluation.force, gradient));
+            tangent = std::max(tangent, test::relative_error(evaluation.tangent, jacobian));
+            symmetry = std::max(
+                symmetry,
+                test::relative_error(evaluation.tangent, evaluation.tangent.transpose().eval()));
+        }
+    });
+    CHECK(count >= 12);
+    CHECK(force <= 1e-12);    // measured 2e-15
+    CHECK(tangent <= 1e-12);  // measured 3e-15
+    CHECK(symmetry <= 1e-14);
+}
+
+TEMPLATE_TEST_CASE("Cable: a curved element at rest has the zero eigenvalues of a rigid body",
+                   "[element][cable][curved]", Cable<2>, Cable<3>) {
+    constexpr int dimension = TestType::dimension;
+    constexpr int motions = dimension == 3 ? 6 : 3;
+    const int count = for_each_curved<TestType>([](const auto& element, const auto& reference) {
+        typename TestType::Coordinates scale = TestType::Coordinates::Constant(1.0 / cable_length);
+        scale.template segment<dimension>(0).setOnes();
+        scale.template segment<dimension>(2 * dimension).setOnes();
+        const Matrix<double, TestType::dofs> tangent =
+            scale.asDiagonal() * element.evaluate(reference).tangent * scale.asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<Matrix<double, TestType::dofs>> modes(tangent);
+        const auto values = (modes.eigenvalues() / modes.eigenvalues().maxCoeff()).eval();
+        CHECK(values.head(motions).cwiseAbs().maxCoeff() <= 1e-14);
+        CHECK(values(motions) >= 1e-4);  // bending, (radius/length)^2; measured 1e-3
+    });
+    CHECK(count >= 12);
+}
+
+TEST_CASE(
+    "Cable: curved in the plane, the spatial element has the planar energy until its curvature "
+    "turns over",
+    "[element][cable][curved][plane]") {
+    int count = 0;
+    for (const Rule& rule : rules()) {
+        for (const double radius : {1.0, 5.0}) {
+            const Helix arc{radius, 0.0};
+            const auto flat = arc.coordinates<2>(0.0, cable_length);
+            const auto plane = curved<Cable<2>>(flat, rule);
+            const auto space = curved<Cable<3>>(arc.coordinates<3>(0.0, cable_length), rule);
+            for (std::uint64_t seed = 0; seed < 20; ++seed) {
+                test::Random random(seed);
+                const Vector<double, 8> e = flat + 0.02 / radius * random.vector<8>();
+                Vector<double, 12> lifted = Vector<double, 12>::Zero();
+                for (int a = 0; a < 4; ++a) lifted.segment<2>(3 * a) = e.segment<2>(2 * a);
+                CHECK(space.energy(lifted) == Approx(plane.energy(e)).epsilon(1e-10));
+                ++count;
+            }
+        }
+    }
+    CHECK(count == 160);
+}
+
+TEST_CASE("Cable: bent to another arc, a curved element has the energy of the change",
+          "[element][cable][curved]") {
+    // arcs so flat that Hermite lines are arcs; equal lengths, so that only the curvature changes
+    const double before = 0.02, after = 0.05;
+    const auto reference = Helix{1.0 / before, 0.0}.coordinates<3>(0.0, cable_length);
+    const auto e = Helix{1.0 / after, 0.0}.coordinates<3>(0.0, cable_length);
+    const double expected = 0.5 * bending * (after - before) * (after - before) * cable_length;
+    CHECK(curved<Cable<3>>(reference).energy(e) == Approx(expected).epsilon(1e-4));
+    CHECK(curved<Cable<3>>(reference).moment(e, 0.3)[2] ==
+          Approx(bending * (after - before)).epsilon(1e-3));
+    // wound to a helix of that curvature it spins free: the resultant of its sections has no twist
+    // to pay for
+    const Helix helix{0.5 / after, 0.5 / after};
+    REQUIRE(helix.curvature() == Approx(after));
+    CHECK(curved<Cable<3>>(reference).energy(helix.coordinates<3>(0.0, cable_length)) ==
+          Approx(expected).epsilon(1e-3));
+}
+
+TEST_CASE("Cable: a straight reference given as coordinates is the straight element",
+          "[element][cable][curved]") {
+    const auto straight = test::straight_cable<Cable<3>>();
+    test::Random random(11);
+    const auto turn = test::random_rotation<3>(random);
+    const auto reference =
+        test::moved<Cable<3>>(test::reference_coordinates(straight), turn, random.vector<3>());
+    const auto given = curved<Cable<3>>(reference);
+    CHECK(given.length() == Approx(cable_length).epsilon(1e-15));
+    CHECK(test::relative_error(given.mass(), straight.mass()) <= 1e-14);
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::Random state(seed);
+        const auto e = test::random_state(straight, state);
+        CHECK(test::relative_error(given.evaluate(e).tangent, straight.evaluate(e).tangent) <=
+              1e-13);
+        CHECK(test::relative_error(given.force(e), straight.force(e)) <= 1e-13);
+    }
+}
+
+TEMPLATE_TEST_CASE("Cable: a parameter of another speed leaves the element as it is",
+                   "[element][cable][curved]", Cable<2>, Cable<3>) {
+    // the same curve, its parameter twice as fast: slopes are halved and the range doubled
+    constexpr int dimension = TestType::dimension;
+    const auto reference = Helix{1.0, 0.3}.coordinates<dimension>(0.0, cable_length);
+    const auto halved = [](typename TestType::Coordinates e) {
+        e.template segment<dimension>(dimension) *= 0.5;
+        e.template tail<dimension>() *= 0.5;
+        return e;
+    };
+    const auto slow = curved<TestType>(reference);
+    const TestType fast(cable_material(), cable_section(), halved(reference), 2.0 * cable_length);
+    CHECK(fast.length() == Approx(slow.length()).epsilon(1e-14));
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::Random random(seed);
+        const auto e = disturbed<TestType>(reference, random, 0.2);
+        CHECK(fast.energy(halved(e)) == Approx(slow.energy(e)).epsilon(1e-12));
+        CHECK(fast.axial_strain(halved(e), 0.3) ==
+              Approx(slow.axial_strain(e, 0.3)).epsilon(1e-12));
+        CHECK((fast.curvature(halved(e), 0.3) - slow.curvature(e, 0.3)).norm() <= 1e-12);
+    }
+}
+
+TEMPLATE_TEST_CASE("Cable: mass and weight of a curved element are those of its arc",
+                   "[element][cable][curved]", Cable<2>, Cable<3>) {
+    constexpr int dimension = TestType::dimension;
+    const Helix arc{3.0, 0.0, 0.0};
+    const auto reference = arc.coordinates<dimension>(0.0, cable_length);
+    const auto element = curved<TestType>(reference);
+    const double mass =
+        cable_material().density * cable_section().moments().area * element.length();
+    // a cubic is no circle: on 0.23 radian they differ by 4e-6
+    CHECK(element.length() == Approx(cable_length).epsilon(1e-5));
+    const Vector<double, dimension> g = 9.81 * Vector<double, dimension>::Unit(1);
+    const auto weight = element.gravity(g);
+    CHECK(weight[1] + weight[2 * dimension + 1] == Approx(9.81 * mass).epsilon(1e-13));
+    // the work on the reference is that on its centroid
+    const double angle = cable_length / arc.radius;
+    const double height = arc.radius * (1.0 - std::sin(angle) / angle);
+    CHECK(weight.dot(reference) == Approx(9.81 * mass * height).epsilon(1e-3));
+    // rotary inertia about the centre of the circle
+    typename TestType::Coordinates rate = TestType::Coordinates::Zero();
+    for (int a = 0; a < 4; ++a) {
+        Vector<double, 2> r = reference.template segment<2>(dimension * a);
+        if (a % 2 == 0) r[1] -= arc.radius;
+        rate[dimension * a] = -r[1];
+        rate[dimension * a + 1] = r[0];
+    }
+    CHECK(rate.dot(element.mass() * rate) == Approx(mass * arc.radius * arc.radius).epsilon(1e-5));
+}
+
+TEST_CASE("Cable: pulling a curved element straight ends in no singularity",
+          "[element][cable][curved]") {
+    const auto element = curved<Cable<3>>(Helix{1.0, 0.0}.coordinates<3>(0.0, cable_length));
+    const auto straight = test::reference_coordinates(element);
+    const auto evaluation = element.evaluate(straight);
+    CHECK(std::isfinite(evaluation.energy));
+    CHECK(evaluation.force.allFinite());
+    CHECK(evaluation.tangent.allFinite());
+    CHECK(evaluation.energy == Approx(0.5 * bending * cable_length).epsilon(0.02));
+}

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The cross-section beam: properties of every element, derivatives, invariance, inertia.
+
+#include <ancf/element/cross_section_beam.hpp>
+
+#include <element/cross_section_beam_samples.hpp>
+#include <support/catch.hpp>
+#include <support/element_properties.hpp>
+
+#include <Eigen/SVD>
+
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+
+using namespace ancf;
+using test::Carried;
+using test::Paper;
+using test::Pointwise;
+
+namespace {
+
+/// Generates the variants that an element type allows: the mixed rule has too few points for
+/// pointwise shear.
+template <class Element = Paper>
+test::Variant any_variant() {
+    return GENERATE(filter(
+        [](const test::Variant& v) {
+            return !std::is_same_v<Element, Pointwise> || std::string_view(v.rule) != "mixed";
+        },
+        from_range(std::begin(test::variants), std::end(test::variants))));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE(
+    "CrossSectionBeam: energy and force vanish in every rigid motion of the rest state",
+    "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    test::check_zero_at_rest(test::element_of<TestType>(variant));
+}
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: energy is invariant under rigid motions, near and far",
+                   "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    test::check_rigid_invariance(test::element_of<TestType>(variant));
+    test::check_rigid_invariance(test::element_of<TestType>(variant), 1e-3);
+}
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: force and tangent equal the complex-step derivatives",
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    test::check_derivatives(test::element_of<TestType>(variant));
+}
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: a stress-free element has exactly six zero modes",
+                   "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    test::check_zero_modes(test::element_of<TestType>(variant));
+}
+
+TEST_CASE("CrossSectionBeam: the fewest points that a rule may have leave six zero modes",
+          "[element][cross-section]") {
+    CrossSectionOptions options;
+    options.rule = Rule::grouped("fewest", gauss_quadrature(3), gauss_quadrature(2),
+                                 gauss_quadrature(2), gauss_quadrature(1));
+    test::check_zero_modes(
+        Paper(test::sample_material(), test::sample_odd_section(), 0.7, options));
+    options.rule = Rule::grouped("fewest", gauss_quadrature(3), gauss_quadrature(2),
+                                 gauss_quadrature(3), gauss_quadrature(1));
+    test::check_zero_modes(
+        Pointwise(test::sample_material(), test::sample_odd_section(), 0.7, options));
+}
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: turning a stressed element turns its force",
+                   "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    test::check_turning(test::element_of<TestType>(variant));
+}
+
+TEST_CASE("CrossSectionBeam: mass and gravity are those of the body", "[element][cross-section]") {
+    const auto variant = any_variant();
+    INFO(variant.name);
+    const auto element = test::element_of(variant);
+    const double density = test::sample_material().density;
+    test::check_mass(element, density, test::section_of(variant).moments());
+    test::check_gravity(element, density, test::section_of(variant).moments());
+}
+
+TEMPLATE_TEST_CASE(
+    "CrossSectionBeam: planar motion of a section symmetric to the plane stays planar",
+    "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    if (variant.odd) return;
+    INFO(variant.name);
+    test::check_planar(test::element_of<TestType>(variant));
+}
+
+TEST_CASE("CrossSectionBeam: states without strains are refused", "[element][cross-section]") {
+    const auto element = test::element_of(test::variants[0]);
+    test::check_admissible(element);
+    // A slope that turns round inside the element has no length somewhere: inadmissible at a
+    // station.
+    const double xi = element.options().rule.stations().front().xi;
+    auto e = test::reference_coordinates(element);
+    e(19) = -1.0;
+    CHECK(element.admissible(e));  // the middle is no station of four
+    e(19) = -(1.0 - xi) / xi;
+    CHECK_FALSE(element.admissible(e));
+}
+
+TEST_CASE("CrossSectionBeam: directors are not carried round by 180 degrees",
+          "[element][cross-section]") {
+    const auto element = test::element_of<Carried>(test::variants[0]);
+    test::check_admissible(element);
+    auto e = test::reference_coordinates(element);
+    e.segment<3>(18) = test::rotation(Vector<double, 3>(3.1, 0.0, 0.0)) * e.segment<3>(18);
+    e.segment<3>(21) = test::rotation(Vector<double, 3>(3.1, 0.0, 0.0)) * e.segment<3>(21);
+    CHECK(element.admissible(e));
+    e.segment<3>(18) << 0.0, -1.0, 0.0;
+    e.segment<3>(21) << 0.0, 0.0, -1.0;
+    CHECK_FALSE(element.admissible(e));
+}
+
+TEMPLATE_TEST_CASE(
+    "CrossSectionBeam: the strains of a stressed element still see all but six motions",
+    "[element][cross-section]", Paper, Pointwise, Carried) {
+    const auto variant = any_variant<TestType>();
+    INFO(variant.name);
+    const auto element = test::element_of<TestType>(variant);
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::Random random(seed);
+        const auto e = test::random_state(element, random);
+        // B of all stations and of the transverse strains at the nodes, by complex step
+        const auto stations = Rule::named(variant.rule).stations();
+        MatrixX B(12 * static_cast<Eigen::Index>(stations.size()) + 6, 24);
+        Eigen::Index row = 0;
+        for (const RuleStation& station : stations) {
+            auto strains = test::complex_step_jacobian(
+                [&](const auto& z) { return element.strains(z, station.xi); }, e);
+            if (station.axial_only()) strains.bottomRows(11).setZero();
+            if (station.weight(StrainGroup::axial) == 0.0) strains.row(0).setZero();
+            B.middleRows(row, 12) = strains;
+            row += 12;
+        }
+        for (const double xi : {0.0, 1.0}) {
+            B.middleRows(row, 3) = test::complex_step_jacobian(
+                [&](const auto& z) { return element.transverse_strains(z, xi); }, e);
+            row += 3;
+        }
+        const Eigen::JacobiSVD<MatrixX> svd(B.topRows(row));
+        const VectorX values = svd.singularValues() / svd.singularValues()(0);
+        CHECK(values(17) >= 1e-4);
+        CHECK(values(18) <= 1e-13);
+    }
+}
+
+TEST_CASE("CrossSectionBeam: wrong arguments are refused with their value",
+          "[element][cross-section]") {
+    const auto material = test::sample_material();
+    const auto section = test::sample_rectangle();
+    CHECK_THROWS_WITH(Paper(material, section, 0.0), ContainsSubstring("length"));
+    CHECK_THROWS_WITH(Paper(material, section, -1.5), ContainsSubstring("-1.5"));
+    CrossSectionOptions options;
+    options.rule = Rule::gauss(2);
+    CHECK_THROWS_WITH(Paper(material, section, 1.0, options),
+                      ContainsSubstring("gauss2") && ContainsSubstring("axial"));
+    options.rule = Rule::mixed();
+    CHECK_THROWS_WITH(Pointwise(material, section, 1.0, options), ContainsSubstring("shear"));
+}

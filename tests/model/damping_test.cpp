@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Linear damping: matrices of one element, and the decay of motions with a closed form.
+
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/element/cable.hpp>
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/model/curve.hpp>
+#include <ancf/model/damping.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace ancf;
+using Element = CrossSectionBeam<2>;
+using Point = Vector<double, 2>;
+
+constexpr double density = 7800.0, side = 0.02;
+const double line_density = density * side * side;
+
+Material material() { return Material::isotropic(2e9, 0.3, density); }
+Section section() { return rectangle(side, side); }
+
+/// Integrates a model to the given time and returns whether it got there.
+template <class Scene>
+bool run(Scene& model, double end, double step) {
+    DynamicProblem<Scene> problem(model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.step = step;
+    options.rho = 1.0;
+    Schedule schedule;
+    schedule.end = end;
+    return GeneralizedAlpha(options).integrate(problem, solver, schedule).status ==
+           Status::converged;
+}
+
+/// Gives every node the same velocity.
+template <class Scene>
+void set_velocity(Scene& model, const Point& velocity) {
+    for (int node = 0; node < model.nodes(); ++node) model.set_rate({node}, Field::r, velocity);
+}
+
+}  // namespace
+
+TEST_CASE("LinearDamping: force and derivatives are those of -D v", "[model][damping]") {
+    test::Random random(2);
+    MatrixX D(4, 4);
+    for (int k = 0; k < 16; ++k) D.data()[k] = random.uniform(-1.0, 1.0);
+    const LinearDamping damping({{{0}, Field::r}, {{1}, Field::r}}, D);
+    const Vector<double, 4> v = random.vector<4>();
+    LoadState state{VectorX::Zero(4), v, 0.0};
+    LoadResult out{VectorX::Zero(4), MatrixX::Zero(4, 4), MatrixX::Zero(4, 4), 0.0};
+    damping.evaluate(state, out);
+    CHECK((out.force + D * v).norm() == 0.0);
+    CHECK((out.damping + D).norm() == 0.0);
+    CHECK(out.stiffness.norm() == 0.0);
+}
+
+TEMPLATE_TEST_CASE("damping: a free beam slows down by drag and by mass as its closed form",
+                   "[model][damping][dynamics]", Element, Cable<2>) {
+    const double rate = 3.0, end = 0.4;
+    for (const bool drag : {false, true}) {
+        Model<TestType> model;
+        const auto beam =
+            straight_beam(model, material(), section(), Point(0, 0), Point(1, 0.5), 3);
+        if (drag) {
+            add_drag(model, beam, rate * line_density);
+        } else {
+            add_rayleigh_damping(model, beam, rate, 0.0);
+        }
+        const Point start(0.7, -0.3);
+        set_velocity(model, start);
+        REQUIRE(run(model, end, 1e-3));
+        // second order: (rate step)^2 end rate/12 = 9e-7
+        const Point expected = std::exp(-rate * end) * start;
+        for (int node = 0; node < model.nodes(); ++node)
+            CHECK((model.velocity({node}) - expected).norm() <= 2e-6 * start.norm());
+    }
+}
+
+TEST_CASE("add_drag: its power is that of the centre line's velocity, on a curve too",
+          "[model][damping]") {
+    Model<Element> model;
+    const double c = 2.5;
+    const auto beam = arc(model, material(), section(), Point(0, 0), Point(1, 0), 1.0, 1.0, 2);
+    add_drag(model, beam, c);
+    REQUIRE(model.loads().size() == 2);
+    double power = 0.0, length = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        LoadState state{VectorX::Zero(12), VectorX::Zero(12), 0.0};
+        const auto e = model.element_coordinates(k);
+        for (int node = 0; node < 2; ++node) {  // a turn about the arc's centre, 1 rad/s
+            const Point r = e.segment<2>(6 * node) - Point(0, 1), t = e.segment<2>(6 * node + 2);
+            state.v.segment<2>(6 * node) << -r[1], r[0];
+            state.v.segment<2>(6 * node + 2) << -t[1], t[0];
+            state.v.segment<2>(6 * node + 4) << 5.0, 7.0;  // of no consequence
+        }
+        LoadResult out{VectorX::Zero(12), MatrixX::Zero(12, 12), MatrixX::Zero(12, 12), 0.0};
+        model.loads()[static_cast<std::size_t>(k)].load.evaluate(state, out);
+        power += out.force.dot(state.v);
+        length += model.group().element(k).length();
+    }
+    CHECK(power == Approx(-c * length).epsilon(2e-4));  // cubics for arcs
+}
+
+TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",
+          "[model][damping][dynamics]") {
+    Model<Element> model;
+    const auto beam = straight_beam(model, material(), section(), Point(0, 0), Point(1, 0), 2);
+    model.clamp(beam.first());
+    // first mode of the model itself, from its dense matrices
+    Assembly<Model<Element>> assembly(model, Storage::full);
+    State& state = model.state();
+    const VectorX rest = VectorX::Zero(state.q.size());
+    REQUIRE(!assembly.evaluate({state.q, rest, state.multipliers, {0.0, 1.0}}, Request::tangent));
+    const MatrixX K = assembly.tangent(), M = assembly.mass();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixX> modes(K, M);
+    const double w = std::sqrt(modes.eigenvalues()[0]);
+    const double a = 0.02 * w, b = 0.03 / w;
+    add_rayleigh_damping(model, beam, a, b);
+    const VectorX shape = modes.eigenvectors().col(0);
+    const double size = 1e-6 / shape.cwiseAbs().maxCoeff();
+    const VectorX start = state.q;
+    assembly.numbering().add_free(shape, size, state.q);
+    const double ratio = 0.5 * (a / w + b * w), damped = w * std::sqrt(1.0 - ratio * ratio);
+    const int tip = model.coordinate(beam.last(), Field::r) + 1;
+    const double first = state.q[tip];
+    const double period = 2.0 * M_PI / damped;
+    REQUIRE(run(model, period, period / 2000.0));
+    // from rest x(T) = x(0) exp(-ratio w T)
+    CHECK(model.state().q[tip] / first == Approx(std::exp(-ratio * w * period)).epsilon(1e-3));
+    CHECK(start.size() == state.q.size());
+}
+
+TEST_CASE("damping: values that cannot be meant are refused", "[model][damping][bad-input]") {
+    Model<Element> model;
+    const auto beam = straight_beam(model, material(), section(), Point(0, 0), Point(1, 0), 2);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(add_drag(model, beam, -1.0), InvalidArgument);
+    CHECK_THROWS_AS(add_drag(model, beam, nan), InvalidArgument);
+    CHECK_THROWS_AS(add_rayleigh_damping(model, beam, -1.0, 0.0), InvalidArgument);
+    CHECK_THROWS_AS(add_rayleigh_damping(model, beam, 0.0, nan), InvalidArgument);
+    CHECK_THROWS_AS(LinearDamping({{{0}, Field::r}}, MatrixX::Zero(2, 3)), InvalidArgument);
+}

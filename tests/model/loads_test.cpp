@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/model/loads.hpp>
+
+#include <support/catch.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
+
+#include <limits>
+
+namespace {
+
+using ancf::Field;
+using ancf::NodeId;
+using Vector3 = ancf::Vector<double, 3>;
+using Vector6 = ancf::Vector<double, 6>;
+
+constexpr double tolerance = 1e-13;  // round-off of some tens of operations; measured 4e-16
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Slopes r_x, r_y of a stretched, sheared, rotated node.
+Vector6 random_slopes(ancf::test::Random& random) {
+    const ancf::Matrix<double, 3> turn = ancf::test::random_rotation<3>(random);
+    Vector6 slopes;
+    slopes << turn.col(0) + 0.3 * random.vector<3>(), turn.col(1) + 0.3 * random.vector<3>();
+    return slopes;
+}
+
+template <class Load>
+ancf::LoadResult evaluate(const Load& load, const ancf::VectorX& q) {
+    ancf::LoadResult out;
+    out.force.setZero(q.size());
+    out.stiffness.setZero(q.size(), q.size());
+    out.damping.setZero(q.size(), q.size());
+    load.evaluate({q, ancf::VectorX::Zero(q.size()), 0.0}, out);
+    return out;
+}
+
+template <class Load, int Size>
+void check_stiffness(const Load& load, const ancf::Vector<double, Size>& q) {
+    const auto out = evaluate(load, q);
+    const auto expected =
+        ancf::test::complex_step_jacobian([&](const auto& z) { return load.force(z); }, q);
+    REQUIRE(expected.norm() > 0.0);
+    CHECK((out.force - load.force(q)).norm() <= tolerance * out.force.norm());
+    CHECK(ancf::test::relative_error(out.stiffness, expected) <= tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of the force", "[load]") {
+    const auto seed = GENERATE(range(0U, 50U));
+    INFO("seed " << seed);
+    ancf::test::Random random(seed);
+    const Vector3 vector = random.vector<3>();
+    const Vector6 slopes = random_slopes(random);
+
+    check_stiffness(ancf::SlopeMoment(NodeId{0}, Field::r_y, random.direction<3>(), 2.5),
+                    Vector3(slopes.tail<3>()));
+    check_stiffness(ancf::PlanarSlopeMoment(NodeId{0}, Field::r_x, -1.5),
+                    ancf::Vector<double, 2>(slopes.head<2>()));
+    check_stiffness(ancf::TangentMoment(NodeId{0}, vector), Vector3(slopes.head<3>()));
+    check_stiffness(ancf::Moment(NodeId{0}, vector), slopes);
+    check_stiffness(ancf::Moment(NodeId{0}, vector, ancf::Attachment::frame), slopes);
+}
+
+TEST_CASE("FollowerForce: stiffness equals the complex-step derivative of the force", "[load]") {
+    const auto seed = GENERATE(range(0U, 50U));
+    INFO("seed " << seed);
+    ancf::test::Random random(seed);
+    const ancf::FollowerForce load(NodeId{0}, random.vector<3>());
+    const Vector6 slopes = random_slopes(random);
+    ancf::VectorX q(9);
+    q << random.vector<3>(), slopes;
+
+    const auto out = evaluate(load, q);
+    const auto expected =
+        ancf::test::complex_step_jacobian([&](const auto& z) { return load.force(z); }, slopes);
+    CHECK(ancf::test::relative_error(out.stiffness.topRightCorner<3, 6>(), expected) <= tolerance);
+    CHECK(out.stiffness.leftCols<3>().norm() == 0.0);
+    CHECK(out.stiffness.bottomRows<6>().norm() == 0.0);
+    CHECK((out.force.head<3>() - load.force(slopes)).norm() <= tolerance);
+}
+
+TEST_CASE("Moment: the generalised force has the moment as its resultant", "[load]") {
+    const auto seed = GENERATE(range(0U, 50U));
+    INFO("seed " << seed);
+    ancf::test::Random random(seed);
+    const Vector3 moment = random.vector<3>();
+    const Vector6 slopes = random_slopes(random);
+    const Vector6 force = ancf::Moment(NodeId{0}, moment).force(slopes);
+    const Vector3 sum = ancf::cross(Vector3(slopes.head<3>()), Vector3(force.head<3>())) +
+                        ancf::cross(Vector3(slopes.tail<3>()), Vector3(force.tail<3>()));
+    CHECK((sum - moment).norm() <= tolerance * moment.norm());
+}
+
+TEST_CASE("SlopeMoment: the work over one turn of a normal slope is 2 pi m", "[load]") {
+    const ancf::SlopeMoment load(NodeId{0}, Field::r_y, {0.0, 0.0, 2.0}, 3.0);
+    constexpr int parts = 1000;
+    double work = 0.0;
+    for (int k = 0; k < parts; ++k) {
+        const double angle = 2.0 * M_PI * k / parts;
+        const Vector3 slope(1.2 * std::cos(angle), 1.2 * std::sin(angle), 0.0);
+        const Vector3 step = 2.0 * M_PI / parts * Vector3(-slope[1], slope[0], 0.0);
+        work += load.force(slope).dot(step);
+    }
+    CHECK(work == Approx(6.0 * M_PI).epsilon(1e-12));
+}
+
+TEST_CASE("Force: its potential falls by the work it does", "[load]") {
+    const ancf::Force load(NodeId{0}, {1.0, -2.0, 3.0});
+    const auto at_origin = evaluate(load, Vector3::Zero());
+    const auto moved = evaluate(load, Vector3(0.5, 0.25, -1.0));
+    CHECK(moved.potential - at_origin.potential == Approx(-(0.5 - 0.5 - 3.0)));
+    CHECK(moved.force == at_origin.force);
+}
+
+TEST_CASE("loads: values that cannot be meant are refused", "[load][bad-input]") {
+    const NodeId node{0};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(ancf::Force(node, {nan, 0.0, 0.0}), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::Moment(node, {0.0, infinity, 0.0}), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::FollowerForce(node, {0.0, 0.0, nan}), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::TangentMoment(node, {nan, 0.0, 0.0}), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r, {0.0, 0.0, 1.0}, 1.0), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 0.0}, 1.0), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 1.0}, nan), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r, 1.0), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r_x, infinity), ancf::InvalidArgument);
+}

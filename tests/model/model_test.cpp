@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/model/model.hpp>
+
+#include <ancf/element/continuum_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/loads.hpp>
+
+#include <support/bar.hpp>
+#include <support/catch.hpp>
+
+#include <Eigen/LU>
+
+#include <limits>
+
+namespace {
+
+using ancf::Field;
+using ancf::InvalidArgument;
+using Bar = ancf::test::Bar<3>;
+using Beam = ancf::ContinuumBeam<3>;
+using Scene = ancf::Model<Beam, Bar>;
+using Vector3 = ancf::Vector<double, 3>;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
+const auto section = ancf::rectangle(0.1, 0.2);
+
+}  // namespace
+
+TEST_CASE("straight_beam: any direction gives unit slopes and equal elements", "[model]") {
+    const Vector3 to = GENERATE(Vector3(2, 0, 0), Vector3(-2, 0, 0), Vector3(0, 0, 3),
+                                Vector3(-1, 1e-9, 0), Vector3(1, -2, 0.5));
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, to, 4);
+    REQUIRE(beam.nodes.size() == 5);
+    CHECK(beam.prototypes.size() == 1);
+    CHECK(scene.group<Beam>().prototypes.size() == 1);
+    CHECK(scene.group<Beam>().element(3).length() == Approx(to.norm() / 4.0));
+    CHECK((scene.position(beam.last()) - to).norm() <= 1e-15 * to.norm());
+    ancf::Matrix<double, 3> slopes;
+    slopes << scene.value(beam.node(2), Field::r_x), scene.value(beam.node(2), Field::r_y),
+        scene.value(beam.node(2), Field::r_z);
+    CHECK((slopes.transpose() * slopes - ancf::Matrix<double, 3>::Identity()).norm() <= 1e-14);
+    CHECK(slopes.determinant() == Approx(1.0));
+    CHECK((slopes.col(0) - to.normalized()).norm() <= 1e-14);
+}
+
+TEST_CASE("reference_slopes: along X the section axes are Y and Z", "[model]") {
+    CHECK(ancf::reference_slopes(Vector3(3, 0, 0)) == ancf::Matrix<double, 3>::Identity());
+    const auto turned = ancf::reference_slopes(Vector3(0, 1, 0), Vector3(0, 5, 2));
+    CHECK((turned.col(1) - Vector3(0, 0, 1)).norm() <= 1e-15);
+    const auto plane = ancf::reference_slopes(ancf::Vector<double, 2>(0, 2));
+    CHECK(plane.col(1) == ancf::Vector<double, 2>(-1, 0));
+}
+
+TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
+    scene.set_value(beam.last(), Field::r, {1.0, 0.5, 0.0});
+    scene.set_rate(beam.last(), Field::r_y, {0.0, 0.0, 7.0});
+    const auto far = scene.add_node({3, 0, 0});
+    CHECK(scene.layout().size(far.index) == 0);
+    CHECK_THROWS_AS(scene.position(far), InvalidArgument);
+    scene.connect<Bar>(scene.add_prototype(Bar(1, 1, 1)), beam.last(), far);
+    CHECK(scene.position(beam.last()) == Vector3(1.0, 0.5, 0.0));
+    CHECK(scene.position(far) == Vector3(3, 0, 0));
+    CHECK(scene.state().v[scene.coordinate(beam.last(), Field::r_y) + 2] == 7.0);
+    CHECK(scene.velocity(far).norm() == 0.0);
+}
+
+TEST_CASE("Model: element coordinates are the fields of both nodes in order", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
+    const Beam::Coordinates e = scene.element_coordinates<Beam>(1);
+    Beam::Coordinates expected;
+    expected << 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    CHECK(e == expected);
+    CHECK_THROWS_AS(scene.element_coordinates<Beam>(2), InvalidArgument);
+}
+
+TEST_CASE("Model: supports replace one another and can be released", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 1);
+    scene.clamp(beam.first());
+    CHECK(scene.supports().size() == 12);
+    scene.clamp(beam.first());
+    CHECK(scene.supports().size() == 12);
+    scene.release(beam.first(), Field::r_x);
+    CHECK(scene.supports().size() == 9);
+    scene.clamp(beam.last(), ancf::Clamp::free_slope);
+    CHECK(scene.supports().size() == 18);
+}
+
+TEST_CASE("add_line_load: its resultant is the force per length times the length", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 1, 0}, 3);
+    ancf::add_line_load(scene, beam, {0.0, -3.0, 1.0});
+    REQUIRE(scene.loads().size() == 3);
+    Vector3 sum = Vector3::Zero();
+    for (const auto& load : scene.loads()) {
+        ancf::LoadResult out;
+        out.force.setZero(24);
+        out.stiffness.setZero(24, 24);
+        load.load.evaluate({ancf::VectorX::Zero(24), ancf::VectorX::Zero(24), 0.0}, out);
+        sum += out.force.segment<3>(0) + out.force.segment<3>(12);
+        // Hermite: l^2/12 on the slope, l the element's length
+        const double length = std::sqrt(5.0) / 3.0;
+        CHECK(out.force[4] == Approx(-3.0 * length * length / 12.0));
+    }
+    CHECK((sum - std::sqrt(5.0) * Vector3(0, -3, 1)).norm() <= 1e-14);
+}
+
+TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
+    const ancf::NodeId absent{7};
+    const int bar = scene.add_prototype(Bar(1, 1, 1));
+    CHECK_THROWS_AS(scene.add_node({0, not_a_number, 0}), InvalidArgument);
+    CHECK_THROWS_AS(scene.connect<Bar>(bar, beam.first(), beam.first()), InvalidArgument);
+    CHECK_THROWS_AS(scene.connect<Bar>(bar, beam.first(), absent), InvalidArgument);
+    CHECK_THROWS_AS(scene.connect<Bar>(bar + 1, beam.first(), beam.last()), InvalidArgument);
+    CHECK_THROWS_AS(scene.connect<Bar>(-1, beam.first(), beam.last()), InvalidArgument);
+    CHECK_THROWS_AS(scene.clamp(absent), InvalidArgument);
+    CHECK_THROWS_AS(scene.pin({-1}), InvalidArgument);
+    CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, 3), InvalidArgument);
+    CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, -1), InvalidArgument);
+    CHECK_THROWS_AS(scene.release(absent, Field::r), InvalidArgument);
+    CHECK_THROWS_AS(scene.add(ancf::Force(absent, {1, 0, 0})), InvalidArgument);
+    CHECK_THROWS_AS(scene.add_mass(beam.last(), 0.0), InvalidArgument);
+    CHECK_THROWS_AS(scene.add_mass(beam.last(), not_a_number), InvalidArgument);
+    CHECK_THROWS_AS(scene.add_mass(absent, 1.0), InvalidArgument);
+    CHECK_THROWS_AS(scene.set_gravity({0, 0, not_a_number}), InvalidArgument);
+    CHECK_THROWS_AS(scene.position(absent), InvalidArgument);
+    CHECK_THROWS_AS(scene.prototype<Bar>(1), InvalidArgument);
+    CHECK_THROWS_AS(beam.node(2), InvalidArgument);
+    CHECK_THROWS_AS(ancf::add_line_load(scene, beam, {0, not_a_number, 0}), InvalidArgument);
+    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {0, 0, 0}, 1),
+                    InvalidArgument);
+    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 0),
+                    InvalidArgument);
+    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {not_a_number, 0, 0}, 1),
+                    InvalidArgument);
+    CHECK_THROWS_AS(ancf::reference_slopes(Vector3(1, 0, 0), Vector3(2, 0, 0)), InvalidArgument);
+    CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);
+}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <solver/linear_solver_cases.hpp>
+#include <support/catch.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <limits>
+
+namespace {
+
+using namespace ancf;
+using namespace ancf::test;
+
+/// Smallest eigenvalue in magnitude of the matrix scaled to a unit diagonal.
+double exact_rcond(const SparseMatrix& lower) {
+    const MatrixX dense = stored(lower, Storage::full);
+    const VectorX scale = dense.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+    const MatrixX scaled = scale.asDiagonal() * dense * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixX> spectrum(scaled, Eigen::EigenvaluesOnly);
+    return spectrum.eigenvalues().cwiseAbs().minCoeff();
+}
+
+template <class Solver>
+double reported_rcond(const SparseMatrix& lower) {
+    Solver solver;
+    const SparseMatrix matrix = stored(lower, Solver::storage);
+    solver.analyze(matrix);
+    const FactorReport report = solver.factorize(matrix);
+    REQUIRE(report.status == Status::converged);
+    return report.rcond;
+}
+
+TEMPLATE_TEST_CASE("rcond: on beams it is within a factor of three of the smallest eigenvalue",
+                   "[solver][condition]", BlockTridiagonal, EigenLdlt, EigenLu) {
+    int checked = 0;
+    for (const int elements : {1, 2, 4, 8, 16})
+        for (const double height : {0.3, 0.1, 0.01, 0.001}) {
+            const SparseMatrix tangent = Beam{elements, 1.0, height}.tangent();
+            const double ratio = reported_rcond<TestType>(tangent) / exact_rcond(tangent);
+            INFO("elements " << elements << ", height " << height << ", ratio " << ratio);
+            CHECK(ratio > 1.0 / 3.0);  // measured 0.59 to 1.45
+            CHECK(ratio < 3.0);
+            ++checked;
+        }
+    CHECK(checked == 20);
+}
+
+TEMPLATE_TEST_CASE("rcond: it falls with the fourth power of the number of elements",
+                   "[solver][condition]", BlockTridiagonal, EigenLdlt, EigenLu) {
+    const double coarse = reported_rcond<TestType>(Beam{64, 1.0, 0.1}.tangent());
+    const double fine = reported_rcond<TestType>(Beam{512, 1.0, 0.1}.tangent());
+    CHECK(std::log(coarse / fine) / std::log(8.0) == Approx(4.0).margin(0.1));
+}
+
+TEMPLATE_TEST_CASE("rcond: units do not change it", "[solver][condition]", BlockTridiagonal,
+                   EigenLdlt, EigenLu) {
+    const SparseMatrix tangent = Beam{16, 1.0, 0.05}.tangent();
+    const double expected = reported_rcond<TestType>(tangent);
+    VectorX unit(tangent.cols());
+    for (Eigen::Index i = 0; i < unit.size(); ++i) unit[i] = std::ldexp(1.0, int(i % 61) - 30);
+    const SparseMatrix other = unit.asDiagonal() * tangent * unit.asDiagonal();
+    CHECK(reported_rcond<TestType>(other) == Approx(expected).epsilon(1e-6));
+}
+
+TEMPLATE_TEST_CASE("rcond: a mechanism is named by an unknown that takes part in it",
+                   "[solver][condition]", BlockTridiagonal, EigenLdlt, EigenLu) {
+    // two beams that are not connected: the second one is free
+    const SparseMatrix held = Beam{4, 1.0, 0.05, 12}.tangent();
+    const SparseMatrix free = Beam{4, 1.0, 0.05, 0}.tangent();
+    Triplets triplets;
+    for (const auto& [matrix, first] : {std::pair(&held, 0), std::pair(&free, 48)})
+        for (int j = 0; j < matrix->cols(); ++j)
+            for (SparseMatrix::InnerIterator entry(*matrix, j); entry; ++entry)
+                triplets.emplace_back(static_cast<int>(entry.row()) + first, j + first,
+                                      entry.value());
+    const SparseMatrix matrix = stored(sparse(48 + 60, triplets), TestType::storage);
+    TestType solver;
+    solver.analyze(matrix);
+    const FactorReport report = solver.factorize(matrix);
+    CHECK(report.status == Status::singular);
+    CHECK(report.failed_column >= 48);
+}
+
+TEST_CASE("symmetric_roots: the root of the diagonal, or what scales a constraint to one",
+          "[solver][condition]") {
+    Triplets triplets = {{0, 0, 4.0},  {1, 1, -9.0}, {3, 3, 1e-6}, {2, 0, 6.0},
+                         {2, 1, 12.0}, {4, 2, 5.0},  {2, 2, 0.0}};
+    VectorX expected(6);
+    expected << 2.0, 3.0, 4.0, 1e-3, 1.0, 1.0;  // row 2: 12 / 3; 4 couples to a constraint only
+    VectorX roots;
+    const SparseMatrix lower = sparse(6, triplets);
+    detail::symmetric_roots(lower, roots);
+    CHECK((roots - expected).norm() <= 1e-15);
+    detail::symmetric_roots(stored(lower, Storage::full), roots);
+    CHECK((roots - expected).norm() <= 1e-15);
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/scaled.hpp>
+
+#include <solver/linear_solver_cases.hpp>
+#include <solver/linear_solver_properties.hpp>
+#include <support/catch.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace {
+
+using namespace ancf;
+using namespace ancf::test;
+
+/// Keeps the matrix that it is given; solves with an error of one part in 1000.
+class Rough {
+public:
+    static constexpr Storage storage = Storage::lower;
+    void analyze(const SparseMatrix& matrix) { solver_.analyze(matrix); }
+    FactorReport factorize(const SparseMatrix& matrix) {
+        seen = matrix;
+        return solver_.factorize(matrix);
+    }
+    void solve(const VectorX& b, VectorX& x) const {
+        solver_.solve(b, x);
+        x *= 1.001;
+    }
+    static std::string_view name() { return "rough"; }
+
+    SparseMatrix seen;
+
+private:
+    EigenLdlt solver_;
+};
+
+TEST_CASE("Scaled: the inner solver gets a diagonal between 1 and 4, scaled by powers of two",
+          "[solver][scaled]") {
+    const SparseMatrix tangent = Beam{8, 1e3, 1e-3}.tangent();
+    Scaled<Rough> solver;
+    solver.analyze(tangent);
+    REQUIRE(solver.factorize(tangent).status == Status::converged);
+    for (int j = 0; j < tangent.cols(); ++j) {
+        int exponent = 0;
+        CHECK(std::frexp(solver.scale()[j], &exponent) == 0.5);
+        for (SparseMatrix::InnerIterator entry(tangent, j), seen(solver.inner().seen, j); entry;
+             ++entry, ++seen) {
+            CHECK(seen.value() == entry.value() * solver.scale()[j] * solver.scale()[entry.row()]);
+            if (entry.row() == j) CHECK((seen.value() >= 1.0 && seen.value() < 4.0));
+        }
+    }
+    CHECK(solver.name() == "scaled rough");
+}
+
+TEST_CASE("Scaled: every step of refinement takes off what the inner solver leaves",
+          "[solver][scaled]") {
+    const SparseMatrix matrix = random_chain({12, 12, 12}, 1);
+    const VectorX b = random_vector(36, 1);
+    for (int steps = 0; steps <= 3; ++steps) {
+        Scaled<Rough> solver(Rough(), {steps, ResidualPrecision::working});
+        solver.analyze(matrix);
+        REQUIRE(solver.factorize(matrix).status == Status::converged);
+        VectorX x;
+        solver.solve(b, x);
+        const VectorX rest = b - product(matrix, Storage::lower, x);
+        CHECK(rest.norm() / b.norm() * std::pow(1e3, steps + 1) == Approx(1.0).epsilon(0.01));
+    }
+}
+
+TEST_CASE("Scaled: twice the digits in the residual make a long cantilever exact to a double",
+          "[solver][scaled]") {
+    // condition number 1e12; the exact solution of the rounded matrix by many steps
+    const Beam beam{1000, 1.0, 0.01};
+    const SparseMatrix tangent = beam.tangent();
+    const auto tip = [&](const ScaledOptions& options) {
+        Scaled<BlockTridiagonal> solver(BlockTridiagonal(), options);
+        solver.analyze(tangent);
+        REQUIRE(solver.factorize(tangent).status == Status::converged);
+        VectorX x;
+        solver.solve(beam.tip_load(), x);
+        return beam.tip(x);
+    };
+    const double exact = tip({12, ResidualPrecision::twice});
+    CHECK(tip({0, ResidualPrecision::working}) == Approx(exact).epsilon(1e-4));  // measured 6e-6
+    CHECK(tip({1, ResidualPrecision::twice}) == Approx(exact).epsilon(1e-8));    // 1e-10
+    CHECK(tip({3, ResidualPrecision::twice}) == Approx(exact).epsilon(1e-14));   // 0
+}
+
+TEST_CASE("residual: of twice the precision it keeps what cancels", "[solver][scaled]") {
+    const SparseMatrix lower = sparse_lower((MatrixX(2, 2) << 1e16, 1.0, 1.0, 1e16).finished());
+    const VectorX x = VectorX::Ones(2);
+    const VectorX b = VectorX::Constant(2, 1e16);
+    for (const Storage storage : {Storage::lower, Storage::full}) {
+        const VectorX r = detail::residual<detail::TwiceSum>(stored(lower, storage), storage, x, b);
+        CHECK(r == VectorX::Constant(2, -1.0));
+    }
+}
+
+TEST_CASE("Scaled: saddle points of badly matched units are solved", "[solver][scaled]") {
+    solves_saddle_points<Scaled<EigenLu>>();
+    solves_unsymmetric_systems<Scaled<EigenLu>>();
+    calls_redundant_constraints_singular<Scaled<EigenLu>>();
+}
+
+TEST_CASE("Scaled: negative steps are refused", "[solver][scaled]") {
+    CHECK_THROWS_WITH(Scaled<EigenLu>(EigenLu(), {-1, ResidualPrecision::working}),
+                      ContainsSubstring("-1"));
+}
+
+}  // namespace

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/solver/statics.hpp>
+
+#include <ancf/element/continuum_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <support/bar.hpp>
+#include <support/catch.hpp>
+
+#include <limits>
+
+namespace {
+
+using ancf::Field;
+using ancf::Status;
+using Bar = ancf::test::Bar<3>;
+using Chain = ancf::Model<Bar>;
+using Scene = ancf::Model<ancf::ContinuumBeam<3>>;
+
+constexpr double axial_stiffness = 100.0;
+
+/// Two bars in a row along X, held sideways; the far end is node 2.
+Chain make_chain() {
+    Chain chain;
+    const int prototype = chain.add_prototype(Bar(axial_stiffness, 1.0, 1.0));
+    for (int k = 0; k < 3; ++k) {
+        const auto node = chain.add_node({1.0 * k, 0.0, 0.0});
+        chain.fix(node, Field::r, 1);
+        chain.fix(node, Field::r, 2);
+        if (k > 0) chain.connect(prototype, {k - 1}, node);
+    }
+    chain.pin({0});
+    return chain;
+}
+
+/// A soft, thick cantilever of continuum elements along a skew line.
+Scene make_cantilever(int elements = 2) {
+    Scene scene;
+    const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
+    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
+                                          {1, 1, 0.5}, elements);
+    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    return scene;
+}
+
+ancf::NodeId last(const Scene& scene) { return {scene.nodes() - 1}; }
+
+template <class Model>
+ancf::StaticsReport solve(Model& model, const ancf::StaticsOptions& options = {}) {
+    ancf::EigenLu solver;
+    return ancf::solve_statics(model, solver, options);
+}
+
+}  // namespace
+
+TEST_CASE("statics: a bar in tension finds the stretch of its Green strain", "[statics]") {
+    Chain chain = make_chain();
+    // force at stretch s: EA s (s^2 - 1)/2
+    const double stretch = 1.2;
+    chain.add(ancf::Force({2}, {axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0, 0, 0}));
+    const auto report = solve(chain);
+    REQUIRE(report.status == Status::converged);
+    CHECK(chain.position({2})[0] == Approx(2.0 * stretch).epsilon(1e-12));
+    CHECK(report.factor == 1.0);
+    CHECK(report.reactions[0] == Approx(-axial_stiffness * stretch * 0.22).epsilon(1e-12));
+    CHECK(report.imbalance.force.norm() <= 1e-12 * axial_stiffness);
+    CHECK(report.strain_energy == Approx(0.5 * axial_stiffness * 2.0 * 0.22 * 0.22).epsilon(1e-12));
+}
+
+TEST_CASE("statics: Newton converges quadratically", "[statics]") {
+    Scene scene = make_cantilever();
+    scene.add(ancf::Force(last(scene), {0.0, 20.0, -10.0}));
+    const auto report = solve(scene);
+    REQUIRE(report.status == Status::converged);
+    const auto& corrections = report.steps.front().corrections;
+    REQUIRE(corrections.size() >= 4);
+    int checked = 0;
+    for (std::size_t k = 1; k < corrections.size(); ++k) {
+        if (corrections[k - 1] > 2e-3 || corrections[k] < 1e-12) continue;
+        // the constant of this scene; measured 89
+        CHECK(corrections[k] <= 200.0 * corrections[k - 1] * corrections[k - 1]);
+        ++checked;
+    }
+    CHECK(checked >= 1);
+}
+
+TEST_CASE("statics: load steps end at the same equilibrium as one step", "[statics]") {
+    Scene one = make_cantilever();
+    Scene many = make_cantilever();
+    const ancf::Force load(last(one), {0.0, 20.0, -10.0});
+    one.add(load);
+    many.add(load);
+    REQUIRE(solve(one).status == Status::converged);
+    ancf::StaticsOptions options;
+    options.steps = 5;
+    int seen = 0;
+    options.progress = [&](double factor, const ancf::State&) {
+        ++seen;
+        CHECK(factor == Approx(0.2 * seen));
+        return true;
+    };
+    const auto report = solve(many, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps.size() == 5);
+    CHECK(seen == 5);
+    CHECK((one.state().q - many.state().q).norm() <= 1e-10 * one.state().q.norm());
+}
+
+TEST_CASE("statics: reactions balance loads of every kind, moments included", "[statics]") {
+    Scene scene = make_cantilever(3);
+    scene.set_gravity({0.3, -1.0, 0.2});
+    scene.add(ancf::Moment(last(scene), {0.5, -0.3, 0.2}));
+    scene.add(ancf::FollowerForce({1}, {0.0, 2.0, 1.0}));
+    const auto report = solve(scene);
+    REQUIRE(report.status == Status::converged);
+    const double scale = report.reactions.norm();
+    REQUIRE(scale > 1.0);
+    CHECK(report.imbalance.force.norm() <= 1e-9 * scale);
+    CHECK(report.imbalance.moment.norm() <= 1e-9 * scale);
+}
+
+TEST_CASE("statics: a driven support moves the chain and reports its reaction", "[statics]") {
+    Chain chain = make_chain();
+    chain.prescribe({2}, Field::r, 0, [](double factor) { return 2.0 + 0.4 * factor; });
+    const auto report = solve(chain);
+    REQUIRE(report.status == Status::converged);
+    CHECK(chain.position({1})[0] == Approx(1.2).epsilon(1e-12));
+    CHECK(report.reactions[chain.coordinate({2}, Field::r)] ==
+          Approx(axial_stiffness * 1.2 * 0.22).epsilon(1e-10));
+}
+
+TEST_CASE("statics: an amplitude overrides the load factor", "[statics]") {
+    Chain chain = make_chain();
+    chain.add(ancf::Force({2}, {1.0, 0.0, 0.0}), [](double) { return 22.0 * 1.2 / 2.0 * 2.0; });
+    REQUIRE(solve(chain).status == Status::converged);
+    const double stretch = 0.5 * chain.position({2})[0];
+    CHECK(axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0 == Approx(26.4).epsilon(1e-10));
+}
+
+TEST_CASE("statics: beyond the limit load of a bar nothing is called converged", "[statics]") {
+    // Green strain gives way at the stretch 1/sqrt(3), at 0.19245 EA
+    Chain chain = make_chain();
+    for (int k = 0; k < 3; ++k) chain.fix({k}, Field::r, 1);
+    ancf::StaticsOptions options;
+    options.adaptive = true;
+    SECTION("just below") {
+        chain.add(ancf::Force({2}, {-0.19 * axial_stiffness, 0, 0}));
+        const auto report = solve(chain, options);
+        CHECK(report.status == Status::converged);
+        CHECK(chain.position({2})[0] > 2.0 * 0.577350);
+    }
+    SECTION("just above the path ends near the limit") {
+        chain.add(ancf::Force({2}, {-0.30 * axial_stiffness, 0, 0}));
+        const auto report = solve(chain, options);
+        // Newton may jump to the inverted bar; then the position tells, and the report its pivots
+        if (report.status == Status::converged)
+            CHECK(chain.position({2})[0] < 0.0);
+        else
+            CHECK(report.factor == Approx(0.19245 / 0.30).epsilon(0.01));
+    }
+}
+
+TEST_CASE("statics: a scene at rest needs no iteration", "[statics]") {
+    Scene scene = make_cantilever();
+    const ancf::VectorX before = scene.state().q;
+    const auto report = solve(scene);
+    CHECK(report.status == Status::converged);
+    CHECK(report.iterations() == 0);
+    CHECK(scene.state().q == before);
+}
+
+TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {
+    Chain empty;
+    CHECK(solve(empty).status == Status::converged);
+    Chain held = make_chain();
+    for (int k = 0; k < 3; ++k) held.pin({k});
+    held.add(ancf::Force({2}, {5.0, 0.0, 0.0}));
+    const auto report = solve(held);
+    CHECK(report.status == Status::converged);
+    CHECK(report.reactions[6] == Approx(-5.0));
+}
+
+TEST_CASE("statics: failures are values and leave the last equilibrium", "[statics][bad-input]") {
+    SECTION("a scene without supports is singular") {
+        Scene scene;
+        const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
+        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
+                                              {1, 0, 0}, 1);
+        scene.add(ancf::Force(beam.last(), {0, 1, 0}));
+        const ancf::VectorX before = scene.state().q;
+        const auto report = solve(scene);
+        CHECK(report.status != Status::converged);
+        CHECK(scene.state().q == before);
+        CHECK(report.factor == 0.0);
+    }
+    SECTION("a load that is not a number") {
+        Chain chain = make_chain();
+        chain.add(ancf::Force({2}, {1.0, 0.0, 0.0}),
+                  [](double) { return std::numeric_limits<double>::quiet_NaN(); });
+        CHECK(solve(chain).status == Status::not_finite);
+    }
+    SECTION("a slope of no length") {
+        Scene scene = make_cantilever();
+        scene.set_value({1}, Field::r_y, {0, 0, 0});
+        scene.fix({1}, Field::r_y);
+        const auto report = solve(scene);
+        CHECK(report.status == Status::degenerate);
+        REQUIRE(report.fault);
+        CHECK(report.fault->element == 0);
+    }
+    SECTION("too few iterations") {
+        Scene scene = make_cantilever();
+        scene.add(ancf::Force(last(scene), {0.0, 20.0, -10.0}));
+        ancf::StaticsOptions options;
+        options.max_iterations = 2;
+        const auto report = solve(scene, options);
+        CHECK(report.status == Status::max_iterations);
+        CHECK(report.iterations() == 2);
+    }
+}
+
+TEST_CASE("statics: options that cannot be meant are refused", "[statics][bad-input]") {
+    Chain chain = make_chain();
+    const auto refused = [&](auto change) {
+        ancf::StaticsOptions options;
+        change(options);
+        ancf::EigenLu solver;
+        CHECK_THROWS_AS(ancf::solve_statics(chain, solver, options), ancf::InvalidArgument);
+    };
+    refused([](auto& o) { o.steps = 0; });
+    refused([](auto& o) { o.max_iterations = 0; });
+    refused([](auto& o) { o.residual_tolerance = 0.0; });
+    refused([](auto& o) { o.correction_tolerance = -1.0; });
+    refused([](auto& o) { o.min_step = std::numeric_limits<double>::quiet_NaN(); });
+    refused([](auto& o) { o.first_factor = std::numeric_limits<double>::infinity(); });
+    refused([](auto& o) { o.last_factor = 0.0; });
+}

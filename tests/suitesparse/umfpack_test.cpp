@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/suitesparse/umfpack.hpp>
+
+#include <solver/linear_solver_cases.hpp>
+#include <solver/linear_solver_properties.hpp>
+#include <support/catch.hpp>
+
+namespace {
+
+using namespace ancf;
+using namespace ancf::suitesparse;
+using namespace ancf::test;
+
+TEST_CASE("Umfpack: saddle points are solved", "[suitesparse]") { solves_saddle_points<Umfpack>(); }
+
+TEST_CASE("Umfpack: an unsymmetric matrix is not mistaken for its transpose", "[suitesparse]") {
+    solves_unsymmetric_systems<Umfpack>();
+}
+
+TEST_CASE("Umfpack: constraints given twice are singular", "[suitesparse]") {
+    calls_redundant_constraints_singular<Umfpack>();
+}
+
+TEST_CASE("Umfpack: a pattern analysed with zeros in it serves any values", "[suitesparse]") {
+    const SparseMatrix matrix = stored(random_chain({12, 12, 12}, 1), Storage::full);
+    Umfpack solver;
+    solver.analyze(0.0 * matrix);
+    REQUIRE(solver.factorize(matrix).status == Status::converged);
+    const VectorX b = random_vector(36, 1);
+    VectorX x;
+    solver.solve(b, x);
+    CHECK(backward_error(matrix, Storage::full, x, b) <= 4e-15);
+}
+
+TEST_CASE("Umfpack: the matrix may change after the factorisation", "[suitesparse]") {
+    SparseMatrix matrix = stored(random_chain({12, 12}, 1), Storage::full);
+    Umfpack solver;
+    solver.analyze(matrix);
+    REQUIRE(solver.factorize(matrix).status == Status::converged);
+    const VectorX b = random_vector(24, 1);
+    VectorX expected;
+    VectorX x;
+    solver.solve(b, expected);
+    matrix *= 0.0;
+    solver.solve(b, x);
+    CHECK(x == expected);
+}
+
+TEST_CASE("Umfpack: options that cannot be meant are refused", "[suitesparse]") {
+    UmfpackOptions options;
+    options.refinement_steps = -1;
+    CHECK_THROWS_WITH(Umfpack(options), ContainsSubstring("refinement_steps"));
+    options.refinement_steps = 0;
+    options.singular_rcond = 1.0;
+    CHECK_THROWS_WITH(Umfpack(options), ContainsSubstring("singular_rcond"));
+}
+
+}  // namespace

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How a run of IDA starts, reports, fails and ends.
+
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/sundials/ida.hpp>
+
+#include <sundials/scenes.hpp>
+#include <support/catch.hpp>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+using ancf::InvalidArgument;
+using ancf::Status;
+using ancf::sundials::Form;
+using ancf::sundials::Ida;
+using ancf::sundials::IdaOptions;
+using ancf::sundials::Order;
+using namespace ancf_test;
+
+namespace {
+
+/// A load whose value after a time is the user's trouble.
+struct Trouble {
+    ancf::NodeId node;
+    double after;
+    double value;  // returned then; NaN or a number
+    bool throws;
+
+    struct Code {
+        int number;
+    };
+
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
+    void evaluate(const ancf::LoadState& state, ancf::LoadResult& out) const {
+        if (state.time <= after) return;
+        if (throws) throw Code{42};
+        out.force[1] = value;
+    }
+};
+
+/// What a file descriptor receives while this lives.
+class Captured {
+public:
+    explicit Captured(int descriptor)
+        : descriptor_(descriptor), kept_(dup(descriptor)), file_(std::tmpfile()) {
+        std::fflush(nullptr);
+        dup2(fileno(file_), descriptor);
+    }
+    ~Captured() {
+        dup2(kept_, descriptor_);
+        close(kept_);
+        std::fclose(file_);
+    }
+    Captured(const Captured&) = delete;
+    Captured& operator=(const Captured&) = delete;
+
+    [[nodiscard]] long bytes() const {
+        std::fflush(nullptr);
+        return lseek(fileno(file_), 0, SEEK_END);
+    }
+
+private:
+    int descriptor_, kept_;
+    std::FILE* file_;
+};
+
+ancf::Schedule until(double end, std::vector<double> times = {}) {
+    ancf::Schedule schedule;
+    schedule.end = end;
+    schedule.times = std::move(times);
+    return schedule;
+}
+
+}  // namespace
+
+TEST_CASE("Ida: options that cannot be meant are refused by name", "[ida][input]") {
+    const auto refused = [](auto change, const std::string& name) {
+        IdaOptions options;
+        change(options);
+        CHECK_THROWS_WITH(Ida(options), ContainsSubstring(name));
+        CHECK_THROWS_AS(Ida(options), InvalidArgument);
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double tolerance : {-1e-6, 0.0, 1.0, 1e-20, nan})
+        refused([&](IdaOptions& o) { o.tolerance = tolerance; }, "tolerance");
+    for (const double value : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
+        refused([&](IdaOptions& o) { o.length_scale = value; }, "length_scale");
+        refused([&](IdaOptions& o) { o.velocity_scale = value; }, "velocity_scale");
+        refused([&](IdaOptions& o) { o.force_scale = value; }, "force_scale");
+        refused([&](IdaOptions& o) { o.first_step = value; }, "first_step");
+        refused([&](IdaOptions& o) { o.max_step = value; }, "max_step");
+    }
+    refused([](IdaOptions& o) { o.max_steps = -1; }, "max_steps");
+}
+
+TEST_CASE("Ida: schedules, storage and scenes that cannot be meant are refused", "[ida][input]") {
+    Hanging scene = pendulum(1);
+    ancf::DynamicProblem<Scene> problem(*scene.model);
+    const Ida ida;
+    CHECK_THROWS_AS(ida.integrate(problem, until(-1.0)), InvalidArgument);
+    CHECK_THROWS_AS(ida.integrate(problem, until(1.0, {0.5, 0.2})), InvalidArgument);
+    CHECK_THROWS_AS(ida.integrate(problem, until(1.0, {1.5})), InvalidArgument);
+    CHECK_THROWS_AS(ancf::equal_intervals(0.0, -1.0, 0.1), InvalidArgument);
+    CHECK_THROWS_AS(ancf::equal_intervals(0.0, 1.0, 0.0), InvalidArgument);
+
+    Hanging free = soft_beam(1);
+    ancf::ProblemOptions lower;
+    lower.storage = ancf::Storage::lower;
+    ancf::DynamicProblem<Scene> half(*free.model, lower);
+    CHECK_THROWS_WITH(ida.integrate(half, until(1.0)), ContainsSubstring("full storage"));
+
+    for (const ancf::NodeId node : free.beam.nodes) free.model->clamp(node);
+    ancf::DynamicProblem<Scene> held(*free.model);
+    CHECK_THROWS_WITH(ida.integrate(held, until(1.0)), ContainsSubstring("no free coordinate"));
+}
+
+TEST_CASE("Ida: an inconsistent start is refused, the constraint named, the model untouched",
+          "[ida][start]") {
+    Hanging scene = link_pendulum(2);
+    const ancf::NodeId first = scene.beam.first();
+    SECTION("coordinates off the constraint") {
+        scene.model->set_value(first, ancf::Field::r, {0.0, 1e-3, 0.0});
+    }
+    SECTION("rates off the constraint, which IDA itself would not notice") {
+        scene.model->set_rate(first, ancf::Field::r, {0.0, 1e-3, 0.0});
+    }
+    const ancf::State before = scene.model->state();
+    const Run got = run(scene, until(0.1, {0.0, 0.1}));
+    CHECK(got.report.status == Status::inconsistent);
+    CHECK_THAT(got.report.message, ContainsSubstring("distance"));
+    CHECK(got.report.steps == 0);
+    CHECK(got.report.code.empty());
+    CHECK(got.rows.empty());
+    CHECK(scene.model->state().q == before.q);
+    CHECK(scene.model->state().v == before.v);
+}
+
+TEST_CASE("Ida: redundant constraints are named, or solved with the least multipliers on request",
+          "[ida][start]") {
+    const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
+    IdaOptions options;
+    options.form = form;
+    Hanging scene = pendulum(2);
+    scene.model->add(ancf::Pin<3>(scene.beam.first(), Point::Zero()));  // a second time
+    const Run refused = run(scene, until(0.1, {0.1}), options);
+    CHECK(refused.report.status == Status::redundant);
+    CHECK_THAT(refused.report.message, ContainsSubstring("pin"));
+
+    ancf::ProblemOptions least;
+    least.redundancy = ancf::Redundancy::minimum_norm;
+    ancf::DynamicProblem<Scene> problem(*scene.model, least);
+    const Run got = run(problem, until(0.1, {0.1}), options);
+    REQUIRE(got.report.status == Status::converged);
+    Hanging plain = pendulum(2);
+    const Run single = run(plain, until(0.1, {0.1}), options);
+    CHECK((got.rows[0].state.q - single.rows[0].state.q).norm() <= 1e-6);  // tolerance 1e-8
+    const ancf::VectorX& two = got.rows[0].state.multipliers;
+    const ancf::VectorX& one = single.rows[0].state.multipliers;
+    REQUIRE(two.size() == 6);
+    CHECK((two.head(3) - 0.5 * one).norm() <= 1e-5 * one.norm());
+    CHECK((two.tail(3) - 0.5 * one).norm() <= 1e-5 * one.norm());
+}
+
+TEST_CASE("Ida: output times do not change the steps, and dense output is as good as a step",
+          "[ida][output]") {
+    Hanging sparse = link_pendulum(2);
+    const Run few = run(sparse, until(0.4, {0.4}));
+    Hanging dense = link_pendulum(2);
+    const Run many = run(dense, ancf::equal_intervals(0.0, 0.4, 0.001));
+    REQUIRE(many.rows.size() == 401);
+    CHECK(many.report.steps == few.report.steps);
+    CHECK(many.rows.back().state.q == few.rows.back().state.q);
+    // exact reference in time: rates are the slopes of coordinates
+    double worst = 0.0;
+    for (std::size_t k = 100; k + 2 < many.rows.size(); ++k) {
+        const auto at = [&](std::size_t row) -> const ancf::State& { return many.rows[row].state; };
+        const ancf::VectorX slope =
+            (8.0 * (at(k + 1).q - at(k - 1).q) - (at(k + 2).q - at(k - 2).q)) / 0.012;
+        worst = std::max(worst, (slope - at(k).v).cwiseAbs().maxCoeff());
+    }
+    CHECK(worst <= 2e-3);  // of rates up to 5 m/s and 20 1/s
+}
+
+TEST_CASE("Ida: a run of no duration reports its start", "[ida][output]") {
+    Hanging scene = pendulum(2);
+    const Run got = run(scene, until(0.0, {0.0}));
+    CHECK(got.report.status == Status::converged);
+    CHECK(got.report.steps == 0);
+    REQUIRE(got.rows.size() == 1);
+    CHECK(got.rows[0].state.q == scene.model->state().q);
+    // half the weight and the moment of the other half: a quarter at the first instant of a rigid rod
+    CHECK(got.rows[0].state.multipliers[1] < 0.0);
+}
+
+TEST_CASE("Ida: a run goes on from the state that another left in the model", "[ida][start]") {
+    Hanging scene = link_pendulum(2);
+    REQUIRE(run(scene, until(0.3)).report.status == Status::converged);
+    CHECK(scene.model->state().time == 0.3);
+    const Run rest = run(scene, until(0.6, {0.6}));
+    REQUIRE(rest.report.status == Status::converged);
+    Hanging whole = link_pendulum(2);
+    const Run once = run(whole, until(0.6, {0.6}));
+    CHECK((rest.rows[0].state.q - once.rows[0].state.q).cwiseAbs().maxCoeff() <=
+          1e-4);  // 1e-8 tolerance
+}
+
+TEST_CASE("Ida: steps keep to the limits that were set", "[ida][options]") {
+    Hanging scene = pendulum(2);
+    IdaOptions options;
+    options.max_step = 1e-4;
+    options.first_step = 1e-5;
+    options.order = Order::two;
+    const Run got = run(scene, until(0.05), options);
+    CHECK(got.report.order == 2);
+    CHECK(got.report.largest_step <= 1e-4);
+    CHECK(got.report.smallest_step <= 1e-5);
+    CHECK(got.report.steps >= 500);
+    options.order = Order::five;
+    options.max_steps = 100;
+    Hanging again = pendulum(2);
+    const Run stopped = run(again, until(0.05, {0.0, 0.002, 0.05}), options);
+    CHECK(stopped.report.status == Status::max_iterations);
+    CHECK(stopped.report.code == "IDA_TOO_MUCH_WORK");
+    CHECK(stopped.report.steps == 100);
+    CHECK(stopped.rows.size() == 2);
+    CHECK(again.model->state().time == stopped.report.time);
+    CHECK(stopped.report.time > 0.002);
+}
+
+TEST_CASE("Ida: a progress callback sees every step and can stop the run", "[ida][callback]") {
+    Hanging scene = pendulum(2);
+    ancf::Schedule schedule = until(0.2);
+    long calls = 0;
+    double before = 0.0;
+    schedule.progress = [&](double time, double end) {
+        ++calls;
+        CHECK(time > before);
+        CHECK(end == 0.2);
+        before = time;
+        return time < 0.1;
+    };
+    const Run got = run(scene, schedule);
+    CHECK(got.report.status == Status::stopped);
+    CHECK(calls == got.report.steps);
+    CHECK(got.report.time >= 0.1);
+    CHECK(got.report.time < 0.2);
+    CHECK(scene.model->state().time == got.report.time);
+}
+
+TEST_CASE("Ida: what a user's callable throws comes out intact", "[ida][callback]") {
+    Hanging scene = link_pendulum(2);
+    ancf::Schedule schedule = until(0.2, {0.1});
+    SECTION("a load, inside IDA") { scene.model->add(Trouble{scene.beam.last(), 0.05, 0.0, true}); }
+    SECTION("an amplitude, inside IDA") {
+        scene.model->set_gravity({0.0, -9.81, 0.0}, [](double t) {
+            if (t > 0.05) throw Trouble::Code{42};
+            return 1.0;
+        });
+    }
+    SECTION("the motion of a constraint, inside IDA") {
+        const auto one = [](double t) {
+            if (t > 0.05) throw Trouble::Code{42};
+            return 0.0;
+        };
+        scene.model->add(ancf::FixedCoordinate<3>(scene.beam.first(), ancf::Field::r, 2,
+                                                  ancf::Motion{one, one, one}));
+    }
+    SECTION("an observer") {
+        schedule.observe = [](const ancf::Snapshot&) { throw Trouble::Code{42}; };
+    }
+    SECTION("progress") {
+        schedule.progress = [](double, double) -> bool { throw Trouble::Code{42}; };
+    }
+    ancf::DynamicProblem<Scene> problem(*scene.model);
+    int caught = 0;
+    try {
+        (void)Ida().integrate(problem, schedule);
+    } catch (const Trouble::Code& code) {
+        caught = code.number;
+    }
+    CHECK(caught == 42);
+}
+
+TEST_CASE("Ida: a failure is a status with IDA's own name, keeps what was seen, and is silent",
+          "[ida][failure]") {
+    Hanging scene = pendulum(2);
+    IdaOptions options;
+    std::string code;
+    Status status = Status::converged;
+    SECTION("a load that is not a number") {
+        scene.model->add(
+            Trouble{scene.beam.last(), 0.05, std::numeric_limits<double>::quiet_NaN(), false});
+        status = Status::not_finite;
+    }
+    SECTION("a load that jumps beyond what any step follows") {
+        scene.model->add(Trouble{scene.beam.last(), 0.05, 1e300, false});
+        status = Status::degenerate;  // of the elements that it tears apart
+    }
+    long said = -1;
+    Run got;
+    {  // nothing may reach the terminal
+        const Captured out(1);
+        const Captured err(2);
+        got = run(scene, until(0.2, {0.0, 0.04, 0.1, 0.2}), options);
+        said = out.bytes() + err.bytes();
+    }
+    CAPTURE(got.report.code, got.report.message);
+    CHECK(got.report.status == status);
+    CHECK(got.report.code.substr(0, 4) == "IDA_");
+    CHECK_THAT(got.report.message, ContainsSubstring(got.report.code));
+    CHECK(got.rows.size() == 2);
+    CHECK(got.report.time >= 0.04);
+    CHECK(got.report.time <= 0.0500001);
+    CHECK(scene.model->state().time == got.report.time);
+    CHECK(scene.model->state().q.allFinite());
+    CHECK(said == 0);
+}
+
+TEST_CASE("Ida: a driven support and a driven constraint give the same motion", "[ida][driven]") {
+    const double speed = 3.0;
+    const auto value = [=](double t) { return 0.05 * std::sin(speed * t) * std::sin(speed * t); };
+    const auto rate = [=](double t) { return 0.05 * speed * std::sin(2.0 * speed * t); };
+    const auto acceleration = [=](double t) {
+        return 0.1 * speed * speed * std::cos(2.0 * speed * t);
+    };
+    Hanging support = soft_beam(2);
+    support.model->pin(support.beam.first());
+    support.model->prescribe(support.beam.first(), ancf::Field::r, 1, value, rate, acceleration);
+    Hanging constraint = soft_beam(2);
+    constraint.model->add(ancf::Pin<3>(
+        constraint.beam.first(),
+        ancf::PointMotion<3>([=](double t) { return Point(0.0, value(t), 0.0); },
+                             [=](double t) { return Point(0.0, rate(t), 0.0); },
+                             [=](double t) { return Point(0.0, acceleration(t), 0.0); })));
+    const ancf::Schedule schedule = until(0.5, {0.1, 0.3, 0.5});
+    const Run one = run(support, schedule);
+    REQUIRE(one.report.status == Status::converged);
+    for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
+        IdaOptions options;
+        options.form = form;
+        Hanging fresh = std::move(constraint);
+        const ancf::State start = fresh.model->state();
+        const Run two = run(fresh, schedule, options);
+        REQUIRE(two.report.status == Status::converged);
+        for (std::size_t k = 0; k < 3; ++k)
+            CHECK((one.rows[k].state.q - two.rows[k].state.q).cwiseAbs().maxCoeff() <=
+                  2e-5);  // 5e-6 measured
+        fresh.model->state() = start;
+        constraint = std::move(fresh);
+    }
+}
+
+TEST_CASE("Ida: joints hold in space", "[ida][joints]") {
+    const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
+    const bool welded = GENERATE(false, true);
+    CAPTURE(form == Form::index3, welded);
+    Hanging scene = soft_beam(2);
+    scene.model->add(ancf::Pin<3>(scene.beam.first(), Point::Zero()));
+    const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
+    const auto section = ancf::rectangle(0.05, 0.05);
+    const auto second =
+        ancf::straight_beam(*scene.model, rubber, section, {1.2, 0.0, 0.0}, {1.2, 0.3, 0.6}, 2);
+    if (welded)
+        scene.model->add(ancf::Weld(*scene.model, scene.beam.last(), second.first()));
+    else
+        scene.model->add(
+            ancf::Revolute(*scene.model, scene.beam.last(), second.first(), {0.0, 0.3, 1.0}));
+    IdaOptions options;
+    options.form = form;
+    options.tolerance = 1e-7;
+    const Run got = run(scene, ancf::equal_intervals(0.0, 0.4, 0.1), options);
+    REQUIRE(got.report.status == Status::converged);
+    for (const Row& row : got.rows) {
+        CHECK(row.violation <= 1e-12);
+        CHECK(row.violation_rate <= 1e-11);
+    }
+    CHECK(got.report.energy_drift <= 1e-3 * got.report.kinetic_largest);
+    const double depth =
+        got.rows.back().state.q[scene.model->coordinate(second.last(), ancf::Field::r) + 2];
+    CHECK(std::abs(depth) > 0.05);  // truly out of the plane
+}
