@@ -21,6 +21,7 @@
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/curve.hpp>
+#include <ancf/model/damping.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/model/polyline.hpp>
