@@ -75,6 +75,12 @@ public:
         return total;
     }
 
+    /// Calls visit(runs) with the runs of each colour, in the order in which they are added.
+    template <class Visitor>
+    void for_each_colour(const Visitor& visit) const {
+        for (const std::vector<ElementRun>& runs : colours_) visit(runs);
+    }
+
     [[nodiscard]] std::size_t colours() const noexcept { return colours_.size(); }
 
 private:

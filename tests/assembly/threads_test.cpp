@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/element/cable.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/section/profiles.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace {
+
+using namespace ancf;
+using Scene = Model<CrossSectionBeam<3>, Cable<3>>;
+
+constexpr int beam_elements = 1100;  // several runs of each colour, the last one incomplete
+
+/// A long beam with a cable along it; both share every fourth node of the beam.
+Scene make_scene() {
+    Scene scene;
+    const auto material = Material::isotropic(2e9, 0.3, 1200.0);
+    const auto beam = straight_beam<CrossSectionBeam<3>>(scene, material, rectangle(0.1, 0.2),
+                                                         {0, 0, 0}, {110, 0, 0}, beam_elements);
+    const int cable = scene.add_prototype(Cable<3>(material, rectangle(0.01, 0.01), 0.4));
+    for (int k = 0; k + 4 <= beam_elements; k += 4)
+        scene.connect<Cable<3>>(cable, beam.node(k), beam.node(k + 4));
+    scene.clamp(beam.first());
+    scene.set_gravity({0.0, -9.81, 0.0});
+    return scene;
+}
+
+struct Evaluated {
+    double energy;
+    VectorX force;
+    std::vector<double> tangent;
+};
+
+Evaluated evaluate_on(int threads, const Scene& scene, const VectorX& q) {
+#if defined(_OPENMP)
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(threads);
+#else
+    static_cast<void>(threads);
+#endif
+    Assembly<Scene> assembly(scene, Storage::lower);
+    const VectorX rest = VectorX::Zero(q.size());
+    const auto fault = assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent);
+#if defined(_OPENMP)
+    omp_set_num_threads(before);
+#endif
+    REQUIRE_FALSE(fault);
+    const SparseMatrix& tangent = assembly.tangent();
+    return {assembly.strain_energy(), assembly.internal_force(),
+            std::vector<double>(tangent.valuePtr(), tangent.valuePtr() + tangent.nonZeros())};
+}
+
+}  // namespace
+
+TEST_CASE("Assembly: one, two and three threads give the same bits", "[assembly]") {
+    const Scene scene = make_scene();
+    test::Random random(11);
+    VectorX q = scene.state().q;
+    for (double& value : q) value += random.uniform(-0.01, 0.01);
+    const Evaluated serial = evaluate_on(1, scene, q);
+    CHECK(serial.energy > 0.0);
+    CHECK(serial.force.squaredNorm() > 0.0);
+    for (const int threads : {2, 3}) {
+        const Evaluated shared = evaluate_on(threads, scene, q);
+        CAPTURE(threads);
+        CHECK(shared.energy == serial.energy);
+        CHECK((shared.force.array() == serial.force.array()).all());
+        CHECK(shared.tangent == serial.tangent);
+    }
+}
+
+TEST_CASE("ElementSchedule: runs of one colour share no node and cover every element once",
+          "[assembly]") {
+    const Scene scene = make_scene();
+    int groups = 0;
+    scene.for_each_group([&](const auto& group) {
+        ++groups;
+        const auto count = static_cast<int>(group.connections.size());
+        const ElementSchedule schedule(group.connections, scene.layout().nodes());
+        CHECK(schedule.colours() == (count > ElementSchedule::run_length ? 2U : 1U));
+        std::vector<int> times(static_cast<std::size_t>(count), 0);
+        int wrong = 0;
+        schedule.for_each_colour([&](const std::vector<ElementRun>& runs) {
+            std::vector<int> owner(static_cast<std::size_t>(scene.layout().nodes()), -1);
+            for (std::size_t run = 0; run < runs.size(); ++run)
+                for (int k = runs[run].first; k < runs[run].last; ++k) {
+                    ++times[static_cast<std::size_t>(k)];
+                    const Connection& c = group.connections[static_cast<std::size_t>(k)];
+                    for (const NodeId node : {c.first, c.second}) {
+                        int& own = owner[static_cast<std::size_t>(node.index)];
+                        wrong += own >= 0 && own != static_cast<int>(run) ? 1 : 0;
+                        own = static_cast<int>(run);
+                    }
+                }
+        });
+        CHECK(wrong == 0);
+        CHECK(std::count(times.begin(), times.end(), 1) == count);
+    });
+    CHECK(groups == 2);
+}
