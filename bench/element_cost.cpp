@@ -5,9 +5,10 @@
 /// What a scene pays for the elements it is made of: cables and beams, in the plane and in space,
 /// at equal mesh.
 ///
-/// For each element the time and the operations of one force and tangent, and the time of one Newton step
-/// (assembly, factorisation, solution) of a cantilever; beside them the ratio to the spatial cross-section beam
-/// and that of the coordinates. All by the rule "mixed" and Eigen's sparse L D L^T.
+/// For each element the time and the operations of one force and tangent, and the time of one
+/// Newton step (assembly, factorisation, solution) of a cantilever; beside them the ratio to the
+/// spatial cross-section beam and that of the coordinates. All by the rule "mixed" and Eigen's
+/// sparse L D L^T.
 ///
 ///     element_cost --csv > element_cost.csv
 

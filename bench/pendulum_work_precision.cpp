@@ -4,9 +4,10 @@
 /// @file
 /// Work against precision of every integrator on three pendulums: CSV on stdout.
 ///
-/// The rubber pendulum of [Dufva2006, section 5.1], the same on a massless link of 0.4 m, and a steel one
-/// (2 m, 10 mm square). The error is the largest distance of the tip from a reference solution at 24
-/// times in 1.2 s; the reference is a run of the same mesh with a far smaller tolerance or step.
+/// The rubber pendulum of [Dufva2006, section 5.1], the same on a massless link of 0.4 m, and a
+/// steel one (2 m, 10 mm square). The error is the largest distance of the tip from a reference
+/// solution at 24 times in 1.2 s; the reference is a run of the same mesh with a far smaller
+/// tolerance or step.
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>

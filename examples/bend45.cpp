@@ -10,8 +10,9 @@
 ///     |#--''          radius 100, section 1 x 1, E 1e7, G 5e6
 ///     +------------- X
 ///
-/// Clamped at the origin along X, an eighth of a circle that turns towards Y. With the paper's torsional stiffness
-/// at k = 1 (G Ip) a force of 600 brings the tip of a shear-deformable beam to (47.150439, 15.684801, 53.474859).
+/// Clamped at the origin along X, an eighth of a circle that turns towards Y. With the paper's
+/// torsional stiffness at k = 1 (G Ip) a force of 600 brings the tip of a shear-deformable beam to
+/// (47.150439, 15.684801, 53.474859).
 
 #include <ancf/model/curve.hpp>
 #include <ancf/model/loads.hpp>

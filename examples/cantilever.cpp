@@ -10,8 +10,8 @@
 ///      /|<------------------ L ---------------->|         +-- X
 ///
 /// Model II, the default, is slender (L 2, 0.01 x 0.01) and bends far: P = 1.5 E I/L^2. With 16
-/// cross-section elements the tip comes to (1.7841, 0.8220). Model I is deep (L 2, 0.1 wide, 0.5 high)
-/// and stiff: P = 2.5e6 N lifts the tip by 0.032417 m.
+/// cross-section elements the tip comes to (1.7841, 0.8220). Model I is deep (L 2, 0.1 wide, 0.5
+/// high) and stiff: P = 2.5e6 N lifts the tip by 0.032417 m.
 
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

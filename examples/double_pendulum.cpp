@@ -11,9 +11,10 @@
 ///     at the origin       /  second beam, along Z: out of the plane
 ///                        /
 ///
-/// Horizontal and at rest at first; each beam 0.8 m, 0.05 x 0.05, E 5e6, G 1.923e6, rho 5540. The hinge
-/// carries moments, so that the first beam is twisted. The tip of four elements per beam passes the places
-/// below, on which the integrators agree to the digits shown as their tolerance falls.
+/// Horizontal and at rest at first; each beam 0.8 m, 0.05 x 0.05, E 5e6, G 1.923e6, rho 5540. The
+/// hinge carries moments, so that the first beam is twisted. The tip of four elements per beam
+/// passes the places below, on which the integrators agree to the digits shown as their tolerance
+/// falls.
 
 #include <ancf/dynamics/report.hpp>
 #include <ancf/model/constraints.hpp>

@@ -10,9 +10,9 @@
 ///       |                     |       AB = CD = 0.12 m, BC = AD = 0.24 m; steel
 ///     A o                     o D     crank and coupler 16 x 16 mm, rocker 8 x 8 mm
 ///
-/// After Bauchau, Flexible Multibody Dynamics (2011). The crank is brought to 0.6 rad/s in half a second and
-/// kept there. The program checks itself: the constraints hold, the energy in the bars is the motor's
-/// work, and a mesh twice as fine moves in the same way.
+/// After Bauchau, Flexible Multibody Dynamics (2011). The crank is brought to 0.6 rad/s in half a
+/// second and kept there. The program checks itself: the constraints hold, the energy in the bars
+/// is the motor's work, and a mesh twice as fine moves in the same way.
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>

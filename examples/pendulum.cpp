@@ -9,9 +9,9 @@
 ///     o==================--- X   v      L 1.2, 0.05 x 0.05, E 0.7e6, G 2.6923e5, rho 5540
 ///     pin at the origin
 ///
-/// Horizontal and at rest at first. The tip of four elements passes y = -0.194023, -1.303027, -0.766241
-/// and 0.170784 m at 0.2, 0.5, 0.8 and 1.2 s; the total energy stays zero. --link hangs the beam on a
-/// massless link instead: a constraint that is not linear.
+/// Horizontal and at rest at first. The tip of four elements passes y = -0.194023, -1.303027,
+/// -0.766241 and 0.170784 m at 0.2, 0.5, 0.8 and 1.2 s; the total energy stays zero. --link hangs
+/// the beam on a massless link instead: a constraint that is not linear.
 
 #include <ancf/dynamics/report.hpp>
 #include <ancf/model/constraints.hpp>

@@ -9,8 +9,9 @@
 ///     ||  the load P turns from Y (theta = 0) towards Z (theta = 90 degrees)
 ///     +---Z (flap)
 ///
-/// Experiment: Dowell and Traybar, USAAMRDL TR 75-61A (1975). Compared here with a geometrically exact beam of
-/// Saint-Venant's torsional stiffness (G J 3.103338 N m^2), solved to round-off: within 0.5 % of each displacement.
+/// Experiment: Dowell and Traybar, USAAMRDL TR 75-61A (1975). Compared here with a geometrically
+/// exact beam of Saint-Venant's torsional stiffness (G J 3.103338 N m^2), solved to round-off:
+/// within 0.5 % of each displacement.
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/beam.hpp>

@@ -9,8 +9,8 @@
 ///
 ///     echo "0 0 0  1 0 0  0 1 0  0 0 1   2.1 0 0  1 0 0  0 1 0  0 0 1" | probe
 ///
-/// Prints `energy U`, `force` and 24 numbers, then `tangent` and 24 rows of 24 numbers. The defaults are
-/// those of Model II of [Dufva2006]: L 2, 0.01 x 0.01, E 2.07e11, G 7.9615e10.
+/// Prints `energy U`, `force` and 24 numbers, then `tangent` and 24 rows of 24 numbers. The
+/// defaults are those of Model II of [Dufva2006]: L 2, 0.01 x 0.01, E 2.07e11, G 7.9615e10.
 
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>

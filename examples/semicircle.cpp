@@ -9,8 +9,8 @@
 ///       |        |                                        |
 ///     tip       ///  clamp at the origin                  +-- X, the beam before
 ///
-/// In the thin limit the tip comes to (0, 2 l/pi). This section is thick (0.035 l), and the Green strain
-/// of the element moves its own limit to (-0.003648, 0.633306); 32 elements reach it.
+/// In the thin limit the tip comes to (0, 2 l/pi). This section is thick (0.035 l), and the Green
+/// strain of the element moves its own limit to (-0.003648, 0.633306); 32 elements reach it.
 
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

@@ -8,9 +8,9 @@
 ///      /|==================================|  | ) T = 20.605 N m about X, one load step
 ///      /|                                   --
 ///
-/// L 0.254, width 0.00254 along Z, height 0.00635 along Y, five elements. Half of the torque acts on r_y,
-/// half on r_z, at the tip; r_y turns by 179.9 degrees. The paper needs 33 Newton iterations with the
-/// transverse strain of Eq. 24 (green) and 9 with that of Eq. 25 (stretch).
+/// L 0.254, width 0.00254 along Z, height 0.00635 along Y, five elements. Half of the torque acts
+/// on r_y, half on r_z, at the tip; r_y turns by 179.9 degrees. The paper needs 33 Newton
+/// iterations with the transverse strain of Eq. 24 (green) and 9 with that of Eq. 25 (stretch).
 
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

@@ -14,7 +14,8 @@
 
 namespace examples {
 
-/// Sums the turns from one direction to the next in a plane; each is taken as less than half a turn.
+/// Sums the turns from one direction to the next in a plane; each is taken as less than half a
+/// turn.
 class TurnCounter {
 public:
     void add(double first, double second) {

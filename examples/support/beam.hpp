@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The options of a beam of rectangular section, and the choice of its element when the program runs.
+/// The options of a beam of rectangular section, and the choice of its element when the program
+/// runs.
 
 #pragma once
 

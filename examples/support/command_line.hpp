@@ -4,7 +4,8 @@
 /// @file
 /// Command lines that say exactly what is wrong with a value, and one place for exit codes.
 ///
-/// 0: done. 1: a published value was missed or a run did not converge. 2: input that cannot be meant.
+/// 0: done. 1: a published value was missed or a run did not converge. 2: input that cannot be
+/// meant.
 
 #pragma once
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// All of the core, which needs Eigen alone. The components suitesparse and sundials are included by name.
+/// All of the core, which needs Eigen alone. The components suitesparse and sundials are included
+/// by name.
 ///
 /// It is the quick way in; the narrower headers compile faster.
 

@@ -157,7 +157,8 @@ TEST_CASE("Assembly: internal forces of any state have no resultant", "[assembly
     const Scene scene = make_scene();
     const VectorX q = disturbed(scene, 11);
     ancf::Assembly<Scene> assembly(scene, Storage::full);
-    REQUIRE_FALSE(assembly.evaluate({q, VectorX::Zero(q.size()), VectorX(), {}}, ancf::Request::force));
+    REQUIRE_FALSE(
+        assembly.evaluate({q, VectorX::Zero(q.size()), VectorX(), {}}, ancf::Request::force));
     const auto sum = ancf::resultant(scene, q, assembly.internal_force());
     const double scale = assembly.internal_force().norm();
     REQUIRE(scale > 0.1);
@@ -214,7 +215,8 @@ TEST_CASE("Assembly: scenes that cannot be assembled are refused", "[assembly][b
         const VectorX wrong = VectorX::Zero(q.size() + 1);
         CHECK_THROWS_AS(assembly.evaluate({wrong, v, VectorX(), {}}, ancf::Request::force),
                         ancf::InvalidArgument);
-        CHECK_THROWS_AS(assembly.evaluate({q, v, v, {}}, ancf::Request::force), ancf::InvalidArgument);
+        CHECK_THROWS_AS(assembly.evaluate({q, v, v, {}}, ancf::Request::force),
+                        ancf::InvalidArgument);
         CHECK_THROWS_AS(assembly.mass_product(wrong), ancf::InvalidArgument);
         CHECK_THROWS_AS(ancf::resultant(scene, q, wrong), ancf::InvalidArgument);
     }

@@ -300,7 +300,8 @@ TEMPLATE_TEST_CASE("curved references: mass and weight are those of the arc", "[
 
 TEST_CASE("curved references: untwisting a twisted bar costs its torsional energy",
           "[element][curved]") {
-    // directors turn uniformly when carried, so the energy is closed: G J om^2/2 and the fibres' stretch
+    // directors turn uniformly when carried, so the energy is closed: G J om^2/2 and the fibres'
+    // stretch
     const double angle = 0.7, om = angle / range;
     const Section section = test::sample_rectangle();
     const auto reference = coordinates<Carried>(start(), twisted_end(angle));

@@ -144,7 +144,8 @@ TEST_CASE("planar cross-section beam: states without directors are not admissibl
     broken = e;
     broken[7] = std::nan("");
     CHECK_FALSE(element.admissible(broken));
-    CHECK_THROWS_AS(Planar(Material::isotropic(2e7, 0.3, density), odd_section(), 0.0), InvalidArgument);
+    CHECK_THROWS_AS(Planar(Material::isotropic(2e7, 0.3, density), odd_section(), 0.0),
+                    InvalidArgument);
     CHECK_THROWS_AS(Planar(Material::isotropic(2e7, 0.3, density), odd_section(), 1.0,
                            options(TransverseStrain::green, "gauss2")),
                     InvalidArgument);

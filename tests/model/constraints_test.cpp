@@ -146,7 +146,8 @@ void check_regular(const Scene& model, const Constraint& constraint, bool positi
     INFO(constraint.name());
     const VectorX q = local_values(model, constraint.coupling());
     auto out = sized(constraint.equations(), q.size());
-    constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(constraint.equations()), 0.0}, out);
+    constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(constraint.equations()), 0.0},
+                        out);
     const int skipped = positions_apart ? Scene::dimension : 0;
     const int angles = constraint.equations() - skipped;
     CHECK(out.violation.tail(angles).norm() <= 1e-14);
@@ -164,8 +165,10 @@ TEST_CASE("constraints on points: derivatives equal complex steps", "[constraint
     const auto model = random_scene<ancf::test::BeamCarrier>(random);
     const NodeId a{0}, b{1};
     const Vector3 place = random.vector<3>();
-    const auto inner = ancf::point_along<ancf::test::BeamCarrier>(model, 0, random.uniform(0.0, 1.0));
-    const auto outer = ancf::point_along<ancf::test::BeamCarrier>(model, 0, random.uniform(0.0, 1.0));
+    const auto inner =
+        ancf::point_along<ancf::test::BeamCarrier>(model, 0, random.uniform(0.0, 1.0));
+    const auto outer =
+        ancf::point_along<ancf::test::BeamCarrier>(model, 0, random.uniform(0.0, 1.0));
 
     check_derivatives(model, ancf::FixedCoordinate<3>(a, Field::r_y, 2, 0.3), random);
     check_derivatives(model, ancf::FixedCoordinate<3>(a, Field::r, 1, wave(0.2)), random);
@@ -201,8 +204,8 @@ TEST_CASE("joints of frames: derivatives equal complex steps", "[constraint]") {
     check_derivatives(model, ancf::DrivenRevolute(model, a, axis, wave(1.5)), random);
     check_derivatives(model, ancf::Universal(model, a, b, axis, other), random);
     check_derivatives(model, ancf::Universal(model, a, axis, other), random);
-    check_derivatives(model, ancf::Driven(ancf::Universal(model, a, b, axis, other), {{3, wave(0.4)}}),
-                      random);
+    check_derivatives(
+        model, ancf::Driven(ancf::Universal(model, a, b, axis, other), {{3, wave(0.4)}}), random);
     check_derivatives(model, ancf::AlignedTangent(model, a, b), random);
     check_derivatives(model, ancf::AlignedTangent(model, b), random);
 }
@@ -272,8 +275,8 @@ TEST_CASE("a weld measures the sine of the relative turn about its axis", "[cons
 
     // turning it back by a driven hinge about the same axis finds the joint closed
     const ancf::DrivenRevolute motor(model, a, b, axis,
-                                     {[=](double t) { return angle * t; }, [=](double) { return angle; },
-                                      [](double) { return 0.0; }});
+                                     {[=](double t) { return angle * t; },
+                                      [=](double) { return angle; }, [](double) { return 0.0; }});
     for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
         model.set_value(b, slope, turn * model.value(b, slope));
     const VectorX closed = motor.violation(local_values(model, motor.coupling()), 1.0).tail<3>();
@@ -285,7 +288,8 @@ TEST_CASE("a cable's tangent can be aligned with a beam's frame", "[constraint]"
     ancf::Model<ancf::test::BeamCarrier, ancf::test::CableCarrier> model;
     const auto beam = model.add_prototype(ancf::test::BeamCarrier{});
     const auto cable = model.add_prototype(ancf::test::CableCarrier{});
-    for (int k = 0; k < 4; ++k) model.add_node(random.vector<3>(), ancf::test::random_rotation<3>(random));
+    for (int k = 0; k < 4; ++k)
+        model.add_node(random.vector<3>(), ancf::test::random_rotation<3>(random));
     model.connect<ancf::test::BeamCarrier>(beam, NodeId{0}, NodeId{1});
     model.connect<ancf::test::CableCarrier>(cable, NodeId{2}, NodeId{3});
     const ancf::AlignedTangent joint(model, NodeId{1}, NodeId{2});
@@ -301,7 +305,8 @@ TEST_CASE("constraints name what they join", "[constraint]") {
     CHECK(ancf::Pin<3>(a, b).name() == "pin of node 3 and node 5");
     CHECK(ancf::Distance(a, Vector3(0.0, 1.0, 0.0), 1.0).name() ==
           "distance between node 3 and a point of space");
-    CHECK(ancf::FixedCoordinate<3>(a, Field::r_x, 1, 0.0).name() == "fixed r_x, component 1, of node 3");
+    CHECK(ancf::FixedCoordinate<3>(a, Field::r_x, 1, 0.0).name() ==
+          "fixed r_x, component 1, of node 3");
     CHECK(ancf::Driven(ancf::Pin<3>(a, b), {}).name() == "driven pin of node 3 and node 5");
 }
 
@@ -325,7 +330,8 @@ TEST_CASE("constraints refuse what cannot be meant", "[constraint]") {
     CHECK_THROWS_AS(ancf::FixedCoordinate<3>(a, Field::r, 0, infinity), InvalidArgument);
     CHECK_THROWS_AS(ancf::FixedCoordinate<3>(a, Field::r, 0, ancf::Motion{}), InvalidArgument);
     CHECK_THROWS_AS(ancf::Driven(ancf::Pin<3>(a, b), {{3, wave(1.0)}}), InvalidArgument);
-    CHECK_THROWS_WITH(ancf::Revolute(model, a, b, nowhere), ContainsSubstring("axis must have a length"));
+    CHECK_THROWS_WITH(ancf::Revolute(model, a, b, nowhere),
+                      ContainsSubstring("axis must have a length"));
     CHECK_THROWS_AS(ancf::Revolute(model, a, a, axis), InvalidArgument);
     CHECK_THROWS_AS(ancf::Weld(model, b, b), InvalidArgument);
     CHECK_THROWS_AS(ancf::DrivenRevolute(model, a, b, axis, ancf::Motion{}), InvalidArgument);

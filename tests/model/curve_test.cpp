@@ -64,8 +64,8 @@ double total_length(const Scene& model) {
     return sum;
 }
 
-/// Returns the displacement of the tip of a quarter of a circle, radius 1, clamped at the origin, that
-/// starts along X and turns towards Y.
+/// Returns the displacement of the tip of a quarter of a circle, radius 1, clamped at the origin,
+/// that starts along X and turns towards Y.
 P3 quarter_tip(int elements, const P3& force, const CrossSectionOptions& options = accurate()) {
     Space model;
     const auto beam = arc(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0, 0.5 * pi,
@@ -275,8 +275,8 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
         EigenLu solver;
         REQUIRE(solve_statics(model, solver).status == Status::converged);
         const double expected = P * (2.0 / (3.0 * E * I) + 1.0 / (G * J));
-        // Shear adds 1e-4 of it. The weld hands the torque to r_x and r_y alone; r_z follows through
-        // the section's own shear stiffness, which adds 6e-4.
+        // Shear adds 1e-4 of it. The weld hands the torque to r_x and r_y alone; r_z follows
+        // through the section's own shear stiffness, which adds 6e-4.
         CHECK(model.position(legs[1].last())[2] == Approx(expected).epsilon(1e-3));
         CHECK((model.position(legs[0].last()) - model.position(legs[1].first())).norm() <= 1e-14);
     }

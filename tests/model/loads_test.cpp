@@ -49,7 +49,8 @@ void check_stiffness(const Load& load, const ancf::Vector<double, Size>& q) {
 
 }  // namespace
 
-TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of the force", "[load]") {
+TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of the force",
+          "[load]") {
     const auto seed = GENERATE(range(0U, 50U));
     INFO("seed " << seed);
     ancf::test::Random random(seed);
@@ -124,8 +125,10 @@ TEST_CASE("loads: values that cannot be meant are refused", "[load][bad-input]")
     CHECK_THROWS_AS(ancf::FollowerForce(node, {0.0, 0.0, nan}), ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::TangentMoment(node, {nan, 0.0, 0.0}), ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r, {0.0, 0.0, 1.0}, 1.0), ancf::InvalidArgument);
-    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 0.0}, 1.0), ancf::InvalidArgument);
-    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 1.0}, nan), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 0.0}, 1.0),
+                    ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::SlopeMoment(node, Field::r_y, {0.0, 0.0, 1.0}, nan),
+                    ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r, 1.0), ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r_x, infinity), ancf::InvalidArgument);
 }

@@ -140,8 +140,9 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
                     InvalidArgument);
     CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 0),
                     InvalidArgument);
-    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {not_a_number, 0, 0}, 1),
-                    InvalidArgument);
+    CHECK_THROWS_AS(
+        ancf::straight_beam(scene, material, section, {0, 0, 0}, {not_a_number, 0, 0}, 1),
+        InvalidArgument);
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(1, 0, 0), Vector3(2, 0, 0)), InvalidArgument);
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);
 }

@@ -28,7 +28,6 @@ TEST_CASE("EigenLu: constraints given twice are singular", "[solver][eigen]") {
 
 TEST_CASE("EigenLdlt: on a saddle point it is right or says that it failed", "[solver][eigen]") {
     int solved = 0;
-    int failed = 0;
     for (const int coordinates : {1, 2, 6})
         for (std::uint64_t seed = 0; seed < 10; ++seed) {
             EigenLdlt solver;
@@ -39,11 +38,9 @@ TEST_CASE("EigenLdlt: on a saddle point it is right or says that it failed", "[s
                 ++solved;
             } else {
                 CHECK(report.failed_column >= saddle.unknowns);
-                ++failed;
             }
         }
-    CHECK(solved + failed == 30);
-    CHECK(solved >= 10);  // measured 30
+    CHECK(solved >= 10);  // of 30; measured 30
 
     EigenLdlt solver;  // regular, but no order of elimination has a first pivot
     const SparseMatrix swap = sparse(2, {{1, 0, 1.0}});

@@ -29,7 +29,8 @@ Truss make_truss(double height) {
     const auto left = truss.add_node({-1, 0, 0});
     const auto right = truss.add_node({1, 0, 0});
     const auto top = truss.add_node({0, height, 0});
-    const int bar = truss.add_prototype(Bar(axial_stiffness, 1.0, std::sqrt(1.0 + height * height)));
+    const int bar =
+        truss.add_prototype(Bar(axial_stiffness, 1.0, std::sqrt(1.0 + height * height)));
     truss.connect(bar, left, top);
     truss.connect(bar, right, top);
     truss.pin(left);
@@ -81,7 +82,8 @@ TEST_CASE("path: every point lies on the closed path", "[path]") {
     int seen = 0;
     options.progress = [&](const ancf::PathPoint& point, const ancf::State& state) {
         const double y = state.q[truss.coordinate(apex, Field::r) + 1];
-        CHECK(std::abs(load_at(0.5, y) - point.factor) <= 1e-7 * std::max(1.0, std::abs(point.factor)));
+        CHECK(std::abs(load_at(0.5, y) - point.factor) <=
+              1e-7 * std::max(1.0, std::abs(point.factor)));
         ++seen;
         return y > -1.0;
     };
@@ -129,7 +131,9 @@ TEST_CASE("path: displacement control passes the limit point of the load", "[pat
     options.at = {apex, Field::r};
     options.component = 1;
     options.first_step = 1.0;
-    options.progress = [](const ancf::PathPoint&, const ancf::State& state) { return state.q[7] > -0.45; };
+    options.progress = [](const ancf::PathPoint&, const ancf::State& state) {
+        return state.q[7] > -0.45;
+    };
     const auto report = ancf::follow_path(truss, solver, options);
     CHECK(report.status == Status::converged);
     CHECK(truss.position(apex)[1] <= -0.45);

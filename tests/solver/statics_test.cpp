@@ -11,6 +11,8 @@
 #include <support/bar.hpp>
 #include <support/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace {
@@ -61,7 +63,8 @@ TEST_CASE("statics: a bar in tension finds the stretch of its Green strain", "[s
     Chain chain = make_chain();
     // force at stretch s: EA s (s^2 - 1)/2
     const double stretch = 1.2;
-    chain.add(ancf::Force({2}, {axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0, 0, 0}));
+    chain.add(
+        ancf::Force({2}, {axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0, 0, 0}));
     const auto report = solve(chain);
     REQUIRE(report.status == Status::converged);
     CHECK(chain.position({2})[0] == Approx(2.0 * stretch).epsilon(1e-12));
@@ -78,14 +81,12 @@ TEST_CASE("statics: Newton converges quadratically", "[statics]") {
     REQUIRE(report.status == Status::converged);
     const auto& corrections = report.steps.front().corrections;
     REQUIRE(corrections.size() >= 4);
-    int checked = 0;
-    for (std::size_t k = 1; k < corrections.size(); ++k) {
-        if (corrections[k - 1] > 2e-3 || corrections[k] < 1e-12) continue;
-        // the constant of this scene; measured 89
-        CHECK(corrections[k] <= 200.0 * corrections[k - 1] * corrections[k - 1]);
-        ++checked;
-    }
-    CHECK(checked >= 1);
+    double best = 0.0;  // the order near the end, before round-off takes over
+    for (std::size_t k = 2; k < corrections.size(); ++k)
+        if (corrections[k] > 1e-13)
+            best = std::max(best, std::log(corrections[k] / corrections[k - 1]) /
+                                      std::log(corrections[k - 1] / corrections[k - 2]));
+    CHECK(best >= 1.9);
 }
 
 TEST_CASE("statics: load steps end at the same equilibrium as one step", "[statics]") {
@@ -138,7 +139,8 @@ TEST_CASE("statics: an amplitude overrides the load factor", "[statics]") {
     chain.add(ancf::Force({2}, {1.0, 0.0, 0.0}), [](double) { return 22.0 * 1.2 / 2.0 * 2.0; });
     REQUIRE(solve(chain).status == Status::converged);
     const double stretch = 0.5 * chain.position({2})[0];
-    CHECK(axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0 == Approx(26.4).epsilon(1e-10));
+    CHECK(axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0 ==
+          Approx(26.4).epsilon(1e-10));
 }
 
 TEST_CASE("statics: beyond the limit load of a bar nothing is called converged", "[statics]") {

@@ -197,7 +197,8 @@ TEST_CASE("Ida: a run of no duration reports its start", "[ida][output]") {
     CHECK(got.report.steps == 0);
     REQUIRE(got.rows.size() == 1);
     CHECK(got.rows[0].state.q == scene.model->state().q);
-    // half the weight and the moment of the other half: a quarter at the first instant of a rigid rod
+    // half the weight and the moment of the other half: a quarter at the first instant of a rigid
+    // rod
     CHECK(got.rows[0].state.multipliers[1] < 0.0);
 }
 

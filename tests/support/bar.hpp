@@ -38,7 +38,8 @@ public:
     [[nodiscard]] Evaluation<double, dofs> evaluate(const Coordinates& e) const {
         Evaluation<double, dofs> out;
         Coordinates slope;  // d eps / d e
-        const Vector<double, Dimension> d = e.template tail<Dimension>() - e.template head<Dimension>();
+        const Vector<double, Dimension> d =
+            e.template tail<Dimension>() - e.template head<Dimension>();
         slope << -d, d;
         slope /= length_ * length_;
         const double tension = stiffness_ * strain(e);
@@ -73,7 +74,8 @@ public:
 
 private:
     [[nodiscard]] double strain(const Coordinates& e) const {
-        const Vector<double, Dimension> d = e.template tail<Dimension>() - e.template head<Dimension>();
+        const Vector<double, Dimension> d =
+            e.template tail<Dimension>() - e.template head<Dimension>();
         return 0.5 * (d.squaredNorm() / (length_ * length_) - 1.0);
     }
 

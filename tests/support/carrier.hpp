@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// An element that gives its nodes vectors and nothing else: for tests that need a model but no mechanics.
+/// An element that gives its nodes vectors and nothing else: for tests that need a model but no
+/// mechanics.
 
 #pragma once
 
@@ -17,7 +18,8 @@ struct Carrier {
     static constexpr Fields all() {
         Fields set;
         for (int k = 0; k < field_count; ++k)
-            if ((Bits & (1U << static_cast<unsigned>(k))) != 0) set = set | Fields(static_cast<Field>(k));
+            if ((Bits & (1U << static_cast<unsigned>(k))) != 0)
+                set = set | Fields(static_cast<Field>(k));
         return set;
     }
     static constexpr Fields fields = all();

@@ -4,7 +4,8 @@
 /// @file
 /// Catch2, version 2 or 3: the one header that knows which.
 ///
-/// Where the two differ, the tests use one spelling: Approx and ContainsSubstring without a namespace.
+/// Where the two differ, the tests use one spelling: Approx and ContainsSubstring without a
+/// namespace.
 
 #pragma once
 

@@ -128,8 +128,8 @@ public:
     void apply_supports(const Instant& instant, VectorX& q) const;
 
     /// Calls visit(element, coordinates, add) for every element, in order: `coordinates` are the
-    /// indices of its nodal coordinates, add(block, matrix) scatters an element's square block into a
-    /// matrix of this pattern. For integrators with element forces of their own.
+    /// indices of its nodal coordinates, add(block, matrix) scatters an element's square block into
+    /// a matrix of this pattern. For integrators with element forces of their own.
     template <class Visitor>
     void for_each_element(Visitor&& visit) const {
         for_each_group([&](const auto& group, const auto& slots) {
@@ -194,8 +194,8 @@ private:
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<std::vector<Slots>> slots_;  // per group
-    std::vector<ElementSchedule> schedules_; // per group
+    std::vector<std::vector<Slots>> slots_;   // per group
+    std::vector<ElementSchedule> schedules_;  // per group
     std::vector<std::vector<int>> load_coordinates_;
     std::vector<std::vector<int>> constraint_coordinates_;
     VectorX gravity_;  // force of gravity at unit scale
@@ -207,17 +207,18 @@ private:
 };
 
 template <class Scene>
-Assembly<Scene>::Assembly(const Scene& model, Storage storage)
-    : model_(model), numbering_(model) {
+Assembly<Scene>::Assembly(const Scene& model, Storage storage) : model_(model), numbering_(model) {
     list_coordinates();
     if (storage == Storage::lower) {
-        detail::require(model.constraints().empty(),
-                        "Assembly: constraints make the tangent indefinite; choose a solver of full "
-                        "storage such as Umfpack or EigenLu");
+        detail::require(
+            model.constraints().empty(),
+            "Assembly: constraints make the tangent indefinite; choose a solver of full "
+            "storage such as Umfpack or EigenLu");
         for (const ScaledLoad& load : model.loads())
-            detail::require(load.load.symmetric(),
-                            "Assembly: a load has an unsymmetric stiffness; choose a solver of full "
-                            "storage such as Umfpack or EigenLu");
+            detail::require(
+                load.load.symmetric(),
+                "Assembly: a load has an unsymmetric stiffness; choose a solver of full "
+                "storage such as Umfpack or EigenLu");
     }
     build_pattern(storage);
     model.for_each_group([&](const auto& group) { build_slots(group); });
@@ -282,12 +283,11 @@ void Assembly<Scene>::build_slots(const ElementGroup<Element>& group) {
         for (std::size_t a = 0; a < 2; ++a) {
             const int node = slots.node[a];
             const int size = pattern_.first(node + 1) - pattern_.first(node);
-            slots.plain = slots.plain && layout.fields(node) == Element::fields &&
-                          size == Element::dofs / 2;
+            slots.plain =
+                slots.plain && layout.fields(node) == Element::fields && size == Element::dofs / 2;
             for (std::size_t b = 0; b < 2; ++b)
-                slots.base[a][b] = pattern_.stored(node, slots.node[b])
-                                       ? pattern_.base(node, slots.node[b])
-                                       : -1;
+                slots.base[a][b] =
+                    pattern_.stored(node, slots.node[b]) ? pattern_.base(node, slots.node[b]) : -1;
         }
         all.push_back(slots);
     }
@@ -507,25 +507,25 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
 
 template <class Scene>
 void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
-    for_each_load(at.q, at.v, at.instant.time, [&](const ScaledLoad& load,
-                                                   const std::vector<int>& coordinates,
-                                                   const LoadResult& result) {
-        const double scale = load.scale(at.instant);
-        const int size = static_cast<int>(coordinates.size());
-        load_potential_ += scale * result.potential;
-        for (int i = 0; i < size; ++i)
-            external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
-        if (request == Request::force) return;
-        for (int i = 0; i < size; ++i)
-            for (int j = 0; j < size; ++j) {
-                const int row = coordinates[static_cast<std::size_t>(i)];
-                const int column = coordinates[static_cast<std::size_t>(j)];
-                if (result.stiffness(i, j) != 0.0)
-                    add_value(row, column, -scale * result.stiffness(i, j), tangent_);
-                if (request == Request::tangent_and_damping && result.damping(i, j) != 0.0)
-                    add_value(row, column, -scale * result.damping(i, j), damping_);
-            }
-    });
+    for_each_load(
+        at.q, at.v, at.instant.time,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = load.scale(at.instant);
+            const int size = static_cast<int>(coordinates.size());
+            load_potential_ += scale * result.potential;
+            for (int i = 0; i < size; ++i)
+                external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
+            if (request == Request::force) return;
+            for (int i = 0; i < size; ++i)
+                for (int j = 0; j < size; ++j) {
+                    const int row = coordinates[static_cast<std::size_t>(i)];
+                    const int column = coordinates[static_cast<std::size_t>(j)];
+                    if (result.stiffness(i, j) != 0.0)
+                        add_value(row, column, -scale * result.stiffness(i, j), tangent_);
+                    if (request == Request::tangent_and_damping && result.damping(i, j) != 0.0)
+                        add_value(row, column, -scale * result.damping(i, j), damping_);
+                }
+        });
 }
 
 template <class Scene>
@@ -537,13 +537,13 @@ VectorX Assembly<Scene>::load_rate(const VectorX& q, double factor) const {
                (2.0 * step);
     };
     VectorX rate = slope([&](const Instant& at) { return model_.gravity_scale(at); }) * gravity_;
-    for_each_load(q, VectorX::Zero(q.size()), factor,
-                  [&](const ScaledLoad& load, const std::vector<int>& coordinates,
-                      const LoadResult& result) {
-                      const double scale = slope([&](const Instant& at) { return load.scale(at); });
-                      for (std::size_t i = 0; i < coordinates.size(); ++i)
-                          rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
-                  });
+    for_each_load(
+        q, VectorX::Zero(q.size()), factor,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = slope([&](const Instant& at) { return load.scale(at); });
+            for (std::size_t i = 0; i < coordinates.size(); ++i)
+                rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
+        });
     return rate;
 }
 
@@ -645,7 +645,8 @@ SparseMatrix Assembly<Scene>::mass() const {
         std::vector<Matrix<double, Element::dofs>> masses;
         for (const Element& prototype : group.prototypes) masses.push_back(prototype.mass());
         for (std::size_t k = 0; k < slots.size(); ++k)
-            scatter<Element>(slots[k], masses[static_cast<std::size_t>(group.connections[k].prototype)],
+            scatter<Element>(slots[k],
+                             masses[static_cast<std::size_t>(group.connections[k].prototype)],
                              result.valuePtr());
     });
     for (const PointMass& point : model_.masses())

@@ -27,7 +27,8 @@ public:
     BlockPattern() = default;
 
     /// @param sizes   number of rows of each block, zero allowed.
-    /// @param pairs   coupled blocks (a, b), in any order and repetition; a block couples to itself.
+    /// @param pairs   coupled blocks (a, b), in any order and repetition; a block couples to
+    ///                itself.
     /// @param storage `lower` keeps rows at or below the diagonal.
     BlockPattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs,
                  Storage storage);
@@ -123,7 +124,8 @@ inline SparseMatrix BlockPattern::matrix() const {
             outer[j] = at;
             for (std::size_t k = begin; k < end; ++k) {
                 const auto row = static_cast<std::size_t>(neighbours_[k]);
-                const int from = storage_ == Storage::lower ? std::max(first_[row], j) : first_[row];
+                const int from =
+                    storage_ == Storage::lower ? std::max(first_[row], j) : first_[row];
                 for (int i = from; i < first_[row + 1]; ++i) inner[at++] = i;
             }
         }
@@ -140,7 +142,8 @@ inline int BlockPattern::base(int row_block, int column_block) const {
     const auto found = std::lower_bound(begin, end, row_block);
     detail::require(found != end && *found == row_block, "BlockPattern: blocks ", row_block,
                     " and ", column_block, " are not coupled");
-    return start_[column] + neighbour_offset_[static_cast<std::size_t>(found - neighbours_.begin())];
+    return start_[column] +
+           neighbour_offset_[static_cast<std::size_t>(found - neighbours_.begin())];
 }
 
 }  // namespace ancf

@@ -65,7 +65,8 @@ public:
     /// Adds to the free entries of a vector of coordinates.
     void add_free(const VectorX& free, double scale, VectorX& coordinates) const {
         for (std::size_t k = 0; k < equation_.size(); ++k)
-            if (equation_[k] >= 0) coordinates[static_cast<Eigen::Index>(k)] += scale * free[equation_[k]];
+            if (equation_[k] >= 0)
+                coordinates[static_cast<Eigen::Index>(k)] += scale * free[equation_[k]];
     }
 
 private:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// All constraints of a scene evaluated without its elements: g, G, G v + g_t, c and products with G.
+/// All constraints of a scene evaluated without its elements: g, G, G v + g_t, c and products with
+/// G.
 ///
 /// Equations can be left out (redundant ones): their rows of G, of the rate and of c are then zero.
 
@@ -25,7 +26,8 @@ namespace ancf {
 template <class Scene>
 class ConstraintSet {
 public:
-    /// @pre every constraint acts on vectors that its nodes carry (an Assembly of the model exists).
+    /// @pre every constraint acts on vectors that its nodes carry (an Assembly of the model
+    ///      exists).
     ConstraintSet(const Scene& model, const Numbering& numbering);
 
     /// Leaves equations out of everything but violations and their largest values.
@@ -57,12 +59,14 @@ public:
     /// Adds scale G^T mu to a vector of free coordinates.
     void add_transpose_product(const VectorX& mu, double scale, VectorX& free) const;
 
-    /// Writes G and G^T into a matrix of the system's pattern (full storage); equations left out get
-    /// a 1 on the diagonal.
+    /// Writes G and G^T into a matrix of the system's pattern (full storage); equations left out
+    /// get a 1 on the diagonal.
     void write_jacobian(const BlockPattern& pattern, SparseMatrix& matrix) const;
 
-    /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's pattern.
-    void add_velocity_level(const BlockPattern& pattern, const VectorX& mu, SparseMatrix& matrix) const;
+    /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's
+    /// pattern.
+    void add_velocity_level(const BlockPattern& pattern, const VectorX& mu,
+                            SparseMatrix& matrix) const;
 
     /// Returns G of the free coordinates, all equations included, as m x n.
     [[nodiscard]] SparseMatrix free_jacobian() const;
@@ -197,30 +201,32 @@ void ConstraintSet<Scene>::add_transpose_product(const VectorX& mu, double scale
 template <class Scene>
 void ConstraintSet<Scene>::write_jacobian(const BlockPattern& pattern, SparseMatrix& matrix) const {
     double* values = matrix.valuePtr();
-    for_each([&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        const int own = numbering_.constraint_block(constraint);
-        const int equations = static_cast<int>(result.jacobian.rows());
-        for (std::size_t j = 0; j < at.size(); ++j) {
-            const int equation = numbering_.equation(at[j]);
-            if (equation < 0) continue;
-            const int node = numbering_.block(at[j]);
-            const int place = equation - pattern.first(node);
-            const int row = pattern.base(own, node) + pattern.column_offset(node, place);
-            const int column = pattern.base(node, own) + place;
-            for (int i = 0; i < equations; ++i) {
-                // assigned, not added: a vector listed twice in a coupling is summed here
-                double value = 0.0;
-                if (!left_out(first + i))
-                    for (std::size_t k = 0; k < at.size(); ++k)
-                        if (at[k] == at[j]) value += result.jacobian(i, static_cast<Eigen::Index>(k));
-                values[row + i] = value;
-                values[column + pattern.column_offset(own, i)] = value;
+    for_each(
+        [&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
+            const int own = numbering_.constraint_block(constraint);
+            const int equations = static_cast<int>(result.jacobian.rows());
+            for (std::size_t j = 0; j < at.size(); ++j) {
+                const int equation = numbering_.equation(at[j]);
+                if (equation < 0) continue;
+                const int node = numbering_.block(at[j]);
+                const int place = equation - pattern.first(node);
+                const int row = pattern.base(own, node) + pattern.column_offset(node, place);
+                const int column = pattern.base(node, own) + place;
+                for (int i = 0; i < equations; ++i) {
+                    // assigned, not added: a vector listed twice in a coupling is summed here
+                    double value = 0.0;
+                    if (!left_out(first + i))
+                        for (std::size_t k = 0; k < at.size(); ++k)
+                            if (at[k] == at[j])
+                                value += result.jacobian(i, static_cast<Eigen::Index>(k));
+                    values[row + i] = value;
+                    values[column + pattern.column_offset(own, i)] = value;
+                }
             }
-        }
-        for (int i = 0; i < equations; ++i)
-            values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
-                left_out(first + i) ? 1.0 : 0.0;
-    });
+            for (int i = 0; i < equations; ++i)
+                values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
+                    left_out(first + i) ? 1.0 : 0.0;
+        });
 }
 
 template <class Scene>
@@ -288,7 +294,8 @@ SparseMatrix ConstraintSet<Scene>::free_jacobian() const {
 template <class Scene>
 int ConstraintSet<Scene>::constraint_of(int equation) const {
     return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), equation) -
-                            first_.begin()) - 1;
+                            first_.begin()) -
+           1;
 }
 
 template <class Scene>

@@ -4,7 +4,8 @@
 /// @file
 /// Forces of a step that do exactly the work by which an energy changes, without moving momenta.
 ///
-/// With the middle e_m of a step, the change De and its part D that no rigid motion at e_m explains:
+/// With the middle e_m of a step, the change De and its part D that no rigid motion at e_m
+/// explains:
 ///
 ///     f = grad U(e_m) + s W D,    s = (U(e_1) - U(e_0) - grad U(e_m).De)/(D.W D).
 ///
@@ -18,8 +19,8 @@
 
 namespace ancf::detail {
 
-/// Below this size of D, relative to an element, s is set to zero: what U's third derivative makes of it
-/// is then below the round-off of U.
+/// Below this size of D, relative to an element, s is set to zero: what U's third derivative makes
+/// of it is then below the round-off of U.
 inline constexpr double smallest_change = 1e-8;
 
 /// What a step needs of one element.
@@ -79,12 +80,14 @@ template <class Element>
     return out;
 }
 
-/// Corrects the middle's gradient G_m of one function of a few nodal vectors to the discrete gradient.
+/// Corrects the middle's gradient G_m of one function of a few nodal vectors to the discrete
+/// gradient.
 /// @param difference  g(q_1) - g(q_0).
-/// @param invariant   whether rigid motions leave g as it is: then the correction moves no momentum.
+/// @param invariant   whether rigid motions leave g as it is: then the correction moves no
+///                    momentum.
 template <int Dimension, class Flags>
-void correct_gradient(double difference, const VectorX& middle, const VectorX& change, bool invariant,
-                      const Flags& is_position, double length, VectorX& gradient) {
+void correct_gradient(double difference, const VectorX& middle, const VectorX& change,
+                      bool invariant, const Flags& is_position, double length, VectorX& gradient) {
     const RigidModes<Dimension, Eigen::Dynamic> modes(middle, is_position, length * length);
     const VectorX rest = invariant ? modes.without(change) : change;
     const VectorX weighted = modes.weights().cwiseProduct(rest);

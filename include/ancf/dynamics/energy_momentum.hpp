@@ -7,7 +7,8 @@
 ///     (q_1 - q_0)/h = (v_0 + v_1)/2,   M (v_1 - v_0)/h + f + G_d^T lambda = Q,   g(q_1, t_1) = 0
 ///
 /// f and G_d are discrete gradients of the strain energies and of g (discrete_gradient.hpp). Second
-/// order, fixed steps, Newton's method to the floor of round-off. For conservative scenes and long times.
+/// order, fixed steps, Newton's method to the floor of round-off. For conservative scenes and long
+/// times.
 
 #pragma once
 
@@ -28,22 +29,23 @@
 namespace ancf {
 
 struct EnergyMomentumOptions {
-    double step = 1e-3;          ///< s; where Newton's method fails a step is taken in shorter parts
-    int max_iterations = 30;     ///< of Newton's method in a step
-    bool follow_energy = true;   ///< report the energy drift: one evaluation of the force a step
+    double step = 1e-3;         ///< s; where Newton's method fails a step is taken in shorter parts
+    int max_iterations = 30;    ///< of Newton's method in a step
+    bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const {
         detail::require_positive("EnergyMomentumOptions: step", step);
         detail::require(max_iterations >= 1,
-                        "EnergyMomentumOptions: max_iterations must be at least 1, got ", max_iterations);
+                        "EnergyMomentumOptions: max_iterations must be at least 1, got ",
+                        max_iterations);
     }
 };
 
 /// The integrator. An object can be used for many runs.
 ///
-/// The multipliers of a state are those of the step that led to it: they belong to its middle. Loads
-/// that have no potential, and elements that dissipate, enter at the middle of a step.
+/// The multipliers of a state are those of the step that led to it: they belong to its middle.
+/// Loads that have no potential, and elements that dissipate, enter at the middle of a step.
 class EnergyMomentum {
 public:
     /// @throws InvalidArgument naming the first option that cannot be meant.
@@ -53,18 +55,19 @@ public:
 
     [[nodiscard]] const EnergyMomentumOptions& options() const noexcept { return options_; }
 
-    /// Integrates from the model's state to the schedule's end; the model is then in the state reached,
-    /// on the constraints.
+    /// Integrates from the model's state to the schedule's end; the model is then in the state
+    /// reached, on the constraints.
     ///
     /// Steps stay on the grid start + k step; only a last, shorter step leaves it.
-    /// @param solver  any linear solver (linear_solver.hpp). One of full storage has the exact tangent;
-    ///                one of the lower half converges more slowly, to the same solution.
+    /// @param solver  any linear solver (linear_solver.hpp). One of full storage has the exact
+    ///                tangent; one of the lower half converges more slowly, to the same solution.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return as GeneralizedAlpha::integrate.
     /// @throws InvalidArgument as GeneralizedAlpha::integrate.
     template <class Scene, class LinearSolver>
     [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
-                                           const Schedule& schedule, const Memory& memory = {}) const;
+                                           const Schedule& schedule,
+                                           const Memory& memory = {}) const;
 
 private:
     EnergyMomentumOptions options_;
@@ -76,8 +79,9 @@ namespace detail {
 template <class Scene, class LinearSolver>
 class EnergyMomentumRun {
 public:
-    EnergyMomentumRun(DynamicProblem<Scene>& problem, LinearSolver& solver, const Schedule& schedule,
-                      const EnergyMomentumOptions& options, const Start& start, DynamicsReport& report)
+    EnergyMomentumRun(DynamicProblem<Scene>& problem, LinearSolver& solver,
+                      const Schedule& schedule, const EnergyMomentumOptions& options,
+                      const Start& start, DynamicsReport& report)
         : problem_(problem),
           solver_(solver),
           schedule_(schedule),
@@ -112,7 +116,7 @@ private:
     EnergyMomentumSystem<Scene> system_;
 
     MotionPoint now_, next_;
-    VectorX acceleration_;        // mean of the last step: the prediction of the next
+    VectorX acceleration_;         // mean of the last step: the prediction of the next
     double origin_, count_ = 0.0;  // of the grid of steps
     MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
     double linearised_width_ = 0.0;                // 0: there is no matrix
@@ -154,8 +158,8 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
             width *= 0.5;
             if (width > whole * 1e-3) continue;
             std::ostringstream message;
-            message << "Newton's method failed in the step from " << now_.time << " s: "
-                    << to_string(status);
+            message << "Newton's method failed in the step from " << now_.time
+                    << " s: " << to_string(status);
             report_.status = status;
             report_.message = message.str();
             return false;
@@ -240,8 +244,8 @@ void EnergyMomentumRun<Scene, LinearSolver>::remember() {
     memory.put("lambda", now_.lambda);
     memory.put("acceleration", acceleration_);
     VectorX scalars(7);
-    scalars << now_.time, origin_, count_, options_.step, linearised_from_.time, linearised_to_.time,
-        linearised_width_;
+    scalars << now_.time, origin_, count_, options_.step, linearised_from_.time,
+        linearised_to_.time, linearised_width_;
     memory.put("scalars", scalars);
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_from_q", linearised_from_.q);
@@ -258,12 +262,17 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
             memory.integrator);
     const VectorX& scalars = memory.get("scalars", 7);
     require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
-            "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
+            "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
+            " s");
     const double width = scalars[6];
     if (width > 0.0) {
         // evaluate the matrix again in the step that it comes from
-        now_ = {scalars[4], memory.get("linearised_from_q", n), memory.get("linearised_from_v", n), {}};
-        next_ = {scalars[5], memory.get("linearised_to_q", n), {}, memory.get("linearised_to_lambda", m)};
+        now_ = {
+            scalars[4], memory.get("linearised_from_q", n), memory.get("linearised_from_v", n), {}};
+        next_ = {scalars[5],
+                 memory.get("linearised_to_q", n),
+                 {},
+                 memory.get("linearised_to_lambda", m)};
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, width, full_now_.q, full_now_.v);
         if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
@@ -292,7 +301,8 @@ DynamicsReport EnergyMomentum::integrate(DynamicProblem<Scene>& problem, LinearS
         report.message = start.message;
         return report;
     }
-    detail::EnergyMomentumRun<Scene, LinearSolver>(problem, solver, schedule, options_, start, report)
+    detail::EnergyMomentumRun<Scene, LinearSolver>(problem, solver, schedule, options_, start,
+                                                   report)
         .run(memory);
     return report;
 }

@@ -40,8 +40,8 @@ public:
     /// [M + h^2/4 K + h/2 D, G_d^T; G, 0] for (dq_1, h^2/2 dlambda).
     ///
     /// Written to rhs: -h^2/2 of the forces' residual, and -g(q_1, t_1).
-    [[nodiscard]] bool evaluate(const VectorX& q1, const VectorX& v1, const VectorX& lambda, bool matrix,
-                                VectorX& rhs);
+    [[nodiscard]] bool evaluate(const VectorX& q1, const VectorX& v1, const VectorX& lambda,
+                                bool matrix, VectorX& rhs);
 
     [[nodiscard]] const SparseMatrix& matrix() const noexcept { return matrix_; }
 
@@ -61,8 +61,8 @@ private:
     void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
     void add_block(const std::vector<int>& at, const MatrixX& block, double scale);
     void add_inertia(const VectorX& v1);
-    void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end, const MatrixX& middle,
-                    int first);
+    void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,
+                    const MatrixX& middle, int first);
 
     DynamicProblem<Scene>& problem_;
     const Numbering& numbering_;
@@ -180,8 +180,8 @@ void EnergyMomentumSystem<Scene>::begin(double t0, double h, const VectorX& q0, 
 }
 
 template <class Scene>
-bool EnergyMomentumSystem<Scene>::evaluate(const VectorX& q1, const VectorX& v1, const VectorX& lambda,
-                                           bool matrix, VectorX& rhs) {
+bool EnergyMomentumSystem<Scene>::evaluate(const VectorX& q1, const VectorX& v1,
+                                           const VectorX& lambda, bool matrix, VectorX& rhs) {
     middle_ = 0.5 * (q0_ + q1);
     change_ = q1 - q0_;
     force_.setZero(q1.size());
@@ -222,8 +222,8 @@ void EnergyMomentumSystem<Scene>::add_elements(const VectorX& q1, bool matrix) {
             e0[i] = q0_[at[i]];
             e1[i] = q1[at[i]];
         }
-        auto step = step_force(element, e0, e1, before_[index],
-                               matrix ? tangent_ : StepTangent::none);
+        auto step =
+            step_force(element, e0, e1, before_[index], matrix ? tangent_ : StepTangent::none);
         after_[index++] = step.energy;
         for (int i = 0; i < e0.size(); ++i) force_[at[i]] += step.force[i];
         if (!matrix) return;
@@ -239,7 +239,8 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
     force_ -= model.gravity_scale(middle) * gravity_;
     const auto evaluate = [&](const ScaledLoad& load, const VectorX& q, const VectorX& v) {
         const Eigen::Index size = q.size();
-        LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size), 0.0};
+        LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size),
+                       0.0};
         load.load.evaluate({q, v, middle.time}, out);
         return out;
     };
@@ -257,8 +258,8 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
             if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                 correct_gradient<Scene::dimension>(
                     earlier - later, middle_(place.at), change, false,
-                    [&](int i) { return place.is_position[static_cast<std::size_t>(i)] != 0; }, length_,
-                    result.force);
+                    [&](int i) { return place.is_position[static_cast<std::size_t>(i)] != 0; },
+                    length_, result.force);
         }
         const double scale = load.scale(middle);
         for (std::size_t i = 0; i < place.at.size(); ++i)
@@ -270,7 +271,8 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
 }
 
 template <class Scene>
-void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix) {
+void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const VectorX& lambda,
+                                                  bool matrix) {
     const Scene& model = problem_.model();
     int first = 0;
     ConstraintState state;
@@ -309,8 +311,8 @@ void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const Vecto
             if (std::abs(rest) > 1e-15 * gradient.cwiseAbs().dot(middle_(place.at).cwiseAbs()))
                 correct_gradient<Scene::dimension>(
                     difference[i], middle_(place.at), change, invariant_[k] != 0,
-                    [&](int j) { return place.is_position[static_cast<std::size_t>(j)] != 0; }, length_,
-                    gradient);
+                    [&](int j) { return place.is_position[static_cast<std::size_t>(j)] != 0; },
+                    length_, gradient);
             middle.jacobian.row(i) = gradient.transpose();
         }
         for (Eigen::Index j = 0; j < size; ++j)
@@ -342,7 +344,8 @@ void EnergyMomentumSystem<Scene>::add_block(const std::vector<int>& at, const Ma
         for (std::size_t i = 0; i < at.size(); ++i) {
             const int row = numbering_.equation(at[i]);
             const double value = block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-            if (row < 0 || value == 0.0 || (pattern_.storage() == Storage::lower && row < column)) continue;
+            if (row < 0 || value == 0.0 || (pattern_.storage() == Storage::lower && row < column))
+                continue;
             const int a = numbering_.block(at[i]);
             values[pattern_.base(a, b) + offset + row - pattern_.first(a)] += scale * value;
         }
@@ -364,7 +367,8 @@ void EnergyMomentumSystem<Scene>::write_rows(int constraint, const std::vector<i
         const int column = pattern_.base(node, own) + place;
         for (int i = 0; i < end.rows(); ++i) {
             values[row + i] += end(i, static_cast<Eigen::Index>(j));
-            values[column + pattern_.column_offset(own, i)] += middle(i, static_cast<Eigen::Index>(j));
+            values[column + pattern_.column_offset(own, i)] +=
+                middle(i, static_cast<Eigen::Index>(j));
         }
     }
     for (int i = 0; i < end.rows(); ++i)

@@ -30,8 +30,9 @@ namespace ancf::detail {
 /// Returns the largest |omega^2| of M^-1 K by power iteration with the Rayleigh quotient.
 /// @param stiffness  x -> K x.  @param mass  x -> M x.  @param solve_mass  b -> M^-1 b.
 template <class Stiffness, class Mass, class SolveMass>
-[[nodiscard]] double largest_eigenvalue(Eigen::Index size, const Stiffness& stiffness, const Mass& mass,
-                                        const SolveMass& solve_mass, int iterations = 60) {
+[[nodiscard]] double largest_eigenvalue(Eigen::Index size, const Stiffness& stiffness,
+                                        const Mass& mass, const SolveMass& solve_mass,
+                                        int iterations = 60) {
     if (size == 0) return 0.0;
     VectorX x = scattered(size, 0);
     double estimate = 0.0;
@@ -47,8 +48,8 @@ template <class Stiffness, class Mass, class SolveMass>
     return estimate;
 }
 
-/// Returns the lowest eigenvalue above `threshold` of K x = omega^2 M x, 0 where there is none among
-/// those that the subspace finds.
+/// Returns the lowest eigenvalue above `threshold` of K x = omega^2 M x, 0 where there is none
+/// among those that the subspace finds.
 /// @param freedom        number of independent motions that the constraints leave.
 /// @param shifted_solve  b -> (K + shift M)^-1 b on the constraints, shift > 0.
 template <class Stiffness, class Mass, class Solve>

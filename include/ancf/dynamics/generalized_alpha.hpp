@@ -6,10 +6,12 @@
 ///
 ///     M v'_1 + r(t_1, q_1, v_1, lambda_1) = 0,   g(q_1, t_1) = 0,
 ///     (1 - am) a_1 + am a_0 = (1 - af) v'_1 + af v'_0,
-///     q_1 = q_0 + h v_0 + h^2 ((1/2 - beta) a_0 + beta a_1),   v_1 = v_0 + h ((1 - gamma) a_0 + gamma a_1)
+///     q_1 = q_0 + h v_0 + h^2 ((1/2 - beta) a_0 + beta a_1),
+///     v_1 = v_0 + h ((1 - gamma) a_0 + gamma a_1)
 ///
 /// Source: Arnold and Bruels, Multibody System Dynamics 18 (2007) 185-202. Second order; rho is the
-/// spectral radius at infinite frequency: 1 keeps all oscillations, 0 damps the fastest in one step.
+/// spectral radius at infinite frequency: 1 keeps all oscillations, 0 damps the fastest in one
+/// step.
 
 #pragma once
 
@@ -30,15 +32,16 @@
 namespace ancf {
 
 struct GeneralizedAlphaOptions {
-    double rho = 0.8;         ///< spectral radius at infinity, from 0 to 1
-    double step = 1e-3;       ///< s: the step, or the first one of an adaptive run
-    double tolerance = 0.0;   ///< 0: fixed steps; else the local error of a step in q, relative to the
-                              ///< scene's size (slopes absolutely)
-    double min_step = 1e-12;  ///< s, of an adaptive run
+    double rho = 0.8;    ///< spectral radius at infinity, from 0 to 1
+    double step = 1e-3;  ///< s: the step, or the first one of an adaptive run
+    /// 0: fixed steps; else the local error of a step in q, relative to the scene's size (slopes
+    /// absolutely).
+    double tolerance = 0.0;
+    double min_step = 1e-12;                                    ///< s, of an adaptive run
     double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
     double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
     int max_iterations = 12;          ///< of Newton's method in a step
-    bool follow_energy = true;        ///< report the energy drift: one evaluation of the force a step
+    bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const;
@@ -54,19 +57,20 @@ public:
 
     [[nodiscard]] const GeneralizedAlphaOptions& options() const noexcept { return options_; }
 
-    /// Integrates from the model's state to the schedule's end; the model is then in the state reached,
-    /// on the constraints.
+    /// Integrates from the model's state to the schedule's end; the model is then in the state
+    /// reached, on the constraints.
     ///
     /// Fixed steps stay on the grid start + k step; only a last, shorter step leaves it.
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
-    /// @return status converged at the end; inconsistent or redundant, with the constraint named, where
-    ///         it did not start; or why it ended before, with what was observed until then.
-    /// @throws InvalidArgument for a schedule that does not fit the model's time, a memory of another
-    ///         integrator or scene, or a solver whose storage is not the problem's.
+    /// @return status converged at the end; inconsistent or redundant, with the constraint named,
+    ///         where it did not start; or why it ended before, with what was observed until then.
+    /// @throws InvalidArgument for a schedule that does not fit the model's time, a memory of
+    ///         another integrator or scene, or a solver whose storage is not the problem's.
     template <class Scene, class LinearSolver>
     [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
-                                           const Schedule& schedule, const Memory& memory = {}) const;
+                                           const Schedule& schedule,
+                                           const Memory& memory = {}) const;
 
 private:
     GeneralizedAlphaOptions options_;
@@ -78,8 +82,9 @@ namespace detail {
 template <class Scene, class LinearSolver>
 class GeneralizedAlphaRun {
 public:
-    GeneralizedAlphaRun(DynamicProblem<Scene>& problem, LinearSolver& solver, const Schedule& schedule,
-                        const GeneralizedAlphaOptions& options, DynamicsReport& report);
+    GeneralizedAlphaRun(DynamicProblem<Scene>& problem, LinearSolver& solver,
+                        const Schedule& schedule, const GeneralizedAlphaOptions& options,
+                        DynamicsReport& report);
 
     void run(const Memory& memory);
 
@@ -138,11 +143,9 @@ private:
 };
 
 template <class Scene, class LinearSolver>
-GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(DynamicProblem<Scene>& problem,
-                                                              LinearSolver& solver,
-                                                              const Schedule& schedule,
-                                                              const GeneralizedAlphaOptions& options,
-                                                              DynamicsReport& report)
+GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
+    DynamicProblem<Scene>& problem, LinearSolver& solver, const Schedule& schedule,
+    const GeneralizedAlphaOptions& options, DynamicsReport& report)
     : problem_(problem),
       solver_(solver),
       schedule_(schedule),
@@ -245,8 +248,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         if (!adaptive) {
             std::ostringstream message;
-            message << "Newton's method failed in the step from " << now_.time << " s: "
-                    << to_string(status);
+            message << "Newton's method failed in the step from " << now_.time
+                    << " s: " << to_string(status);
             fail(status, message.str());
             return false;
         }
@@ -255,7 +258,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         count_ = 0.0;
         if (step_ >= options_.min_step) continue;
         std::ostringstream message;
-        message << "the step fell below " << options_.min_step << " s at " << now_.time << " s, last of "
+        message << "the step fell below " << options_.min_step << " s at " << now_.time
+                << " s, last of "
                 << (status == Status::converged ? "the local error" : to_string(status));
         fail(Status::step_too_small, message.str());
         return false;
@@ -268,7 +272,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
 template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
     if (width == width_) return;
-    now_.algorithmic = now_.acceleration + (width / width_) * (now_.algorithmic - now_.acceleration);
+    now_.algorithmic =
+        now_.acceleration + (width / width_) * (now_.algorithmic - now_.acceleration);
     width_ = width;
 }
 
@@ -284,7 +289,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
     bool renew = linearised_width_ != h;
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
-        if (const Status status = evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
+        if (const Status status =
+                evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
             status != Status::converged)
             return status;
         if (renew) {
@@ -307,7 +313,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
         if (left <= newton_tolerance_ || (ratio > 0.3 && change <= 1e3 * newton_tolerance_))
             return Status::converged;
         // so slow that a new matrix is cheaper
-        renew = k > 1 && (ratio > 0.9 || std::log(newton_tolerance_ / change) / std::log(ratio) > 6.0);
+        renew =
+            k > 1 && (ratio > 0.9 || std::log(newton_tolerance_ / change) / std::log(ratio) > 6.0);
         before = change;
     }
     return Status::max_iterations;
@@ -320,16 +327,18 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::evaluate(const MotionPoint& at,
     return report_.fault ? report_.fault->status : Status::converged;
 }
 
-/// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises it.
+/// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises
+/// it.
 template <class Scene, class LinearSolver>
 Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
     const auto values = [](const SparseMatrix& matrix) {
         return Eigen::Map<const Eigen::ArrayXd>(matrix.valuePtr(), matrix.nonZeros());
     };
     Eigen::Map<Eigen::ArrayXd> system(system_.valuePtr(), system_.nonZeros());
-    system = values(problem_.mass()) +
-             values(problem_.tangent()) * (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_.array()) +
-             h * gamma_hat_ * values(problem_.damping());
+    system =
+        values(problem_.mass()) +
+        values(problem_.tangent()) * (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_.array()) +
+        h * gamma_hat_ * values(problem_.damping());
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;
@@ -383,11 +392,12 @@ template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
-    require(memory.integrator == "generalized_alpha",
-            "GeneralizedAlpha: the memory is that of ", memory.integrator);
+    require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
+            memory.integrator);
     const VectorX& scalars = memory.get("scalars", 9);
     require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
-            "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
+            "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time,
+            " s");
     require(scalars[8] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[8],
             ", the options have ", options_.rho);
     static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
@@ -413,16 +423,19 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
 }  // namespace detail
 
 inline void GeneralizedAlphaOptions::check() const {
-    detail::require(rho >= 0.0 && rho <= 1.0, "GeneralizedAlphaOptions: rho must be from 0 to 1, got ",
-                    rho);
+    detail::require(rho >= 0.0 && rho <= 1.0,
+                    "GeneralizedAlphaOptions: rho must be from 0 to 1, got ", rho);
     detail::require_positive("GeneralizedAlphaOptions: step", step);
-    detail::require(std::isfinite(tolerance) && tolerance >= 0.0,
-                    "GeneralizedAlphaOptions: tolerance must be positive, or 0 for fixed steps, got ",
-                    tolerance);
+    detail::require(
+        std::isfinite(tolerance) && tolerance >= 0.0,
+        "GeneralizedAlphaOptions: tolerance must be positive, or 0 for fixed steps, got ",
+        tolerance);
     detail::require_positive("GeneralizedAlphaOptions: min_step", min_step);
-    detail::require(max_step > 0.0, "GeneralizedAlphaOptions: max_step must be positive, got ", max_step);
+    detail::require(max_step > 0.0, "GeneralizedAlphaOptions: max_step must be positive, got ",
+                    max_step);
     detail::require_positive("GeneralizedAlphaOptions: newton_tolerance", newton_tolerance);
-    detail::require(max_iterations >= 1, "GeneralizedAlphaOptions: max_iterations must be at least 1, got ",
+    detail::require(max_iterations >= 1,
+                    "GeneralizedAlphaOptions: max_iterations must be at least 1, got ",
                     max_iterations);
 }
 

@@ -80,8 +80,8 @@ private:
 ///
 /// Each row is measured with the columns scaled and against its own length: a row is dependent when
 /// what remains of it off the span of the earlier ones is shorter than the tolerance, relative.
-[[nodiscard]] inline std::vector<int> dependent_rows(const SparseMatrix& jacobian, const VectorX& scales,
-                                                     double tolerance) {
+[[nodiscard]] inline std::vector<int> dependent_rows(const SparseMatrix& jacobian,
+                                                     const VectorX& scales, double tolerance) {
     SparseMatrix columns = (jacobian * scales.asDiagonal()).transpose();
     std::vector<int> dependent;
     for (int j = 0; j < columns.cols(); ++j) {

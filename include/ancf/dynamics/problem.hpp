@@ -52,12 +52,13 @@ struct ProblemOptions {
 
 /// Where a motion starts.
 struct Start {
-    Status status = Status::converged;  ///< or inconsistent, redundant, degenerate, not_finite, singular
-    std::string message;                ///< which constraint, by how much
-    double time = 0.0;                  ///< s
-    VectorX q, v;                       ///< free coordinates and rates
-    VectorX acceleration;               ///< consistent v', free
-    VectorX multipliers;                ///< consistent lambda
+    /// Or inconsistent, redundant, degenerate, not_finite, singular.
+    Status status = Status::converged;
+    std::string message;   ///< which constraint, by how much
+    double time = 0.0;     ///< s
+    VectorX q, v;          ///< free coordinates and rates
+    VectorX acceleration;  ///< consistent v', free
+    VectorX multipliers;   ///< consistent lambda
 };
 
 /// A scene as the system above. n free coordinates, m multipliers; n + m unknowns in the order of
@@ -67,14 +68,15 @@ struct Start {
 template <class Scene>
 class DynamicProblem {
 public:
-    /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load or
-    ///         constraint on a vector that its node does not carry, or storage that does not suit.
+    /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load
+    ///         or constraint on a vector that its node does not carry, or storage that does not
+    ///         suit.
     explicit DynamicProblem(Scene& model, const ProblemOptions& options = {});
 
     DynamicProblem(const DynamicProblem&) = delete;
     DynamicProblem& operator=(const DynamicProblem&) = delete;
 
-    [[nodiscard]] int size() const noexcept { return numbering().free_coordinates(); }  ///< n
+    [[nodiscard]] int size() const noexcept { return numbering().free_coordinates(); }    ///< n
     [[nodiscard]] int multipliers() const noexcept { return numbering().multipliers(); }  ///< m
     [[nodiscard]] const Scene& model() const noexcept { return model_; }
     [[nodiscard]] const Numbering& numbering() const noexcept { return assembly_.numbering(); }
@@ -112,8 +114,11 @@ public:
     /// Returns r, n entries, N and N m.
     [[nodiscard]] const VectorX& force() const noexcept { return force_; }
 
-    /// Returns g as the integrator must bring it to zero, m entries; for equations left out, lambda.
-    [[nodiscard]] const VectorX& constraint_residual() const noexcept { return constraint_residual_; }
+    /// Returns g as the integrator must bring it to zero, m entries; for equations left out,
+    /// lambda.
+    [[nodiscard]] const VectorX& constraint_residual() const noexcept {
+        return constraint_residual_;
+    }
 
     /// Returns the largest |g| over all equations, those left out included.
     [[nodiscard]] double violation() const noexcept { return violation_; }
@@ -163,8 +168,8 @@ public:
     /// Adds scale G^T mu to n entries.
     void add_constraint_force(const VectorX& mu, double scale, VectorX& out) const;
 
-    /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms that
-    /// hold the constraint at velocity level (g_t as independent of q).
+    /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms
+    /// that hold the constraint at velocity level (g_t as independent of q).
     void velocity_level(const VectorX& mu, SparseMatrix& out) const;
 
     // Projection --------------------------------------------------------------------------------
@@ -193,7 +198,8 @@ public:
         model_.state() = state(t, q, v, lambda);
     }
 
-    /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the state.
+    /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the
+    /// state.
     [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
                                     State& into);
 

@@ -54,7 +54,8 @@ void DynamicProblem<Scene>::list_driven() {
                         "DynamicProblem: the support of ", to_string(support.field), ", component ",
                         support.component, ", of node ", support.node.index,
                         " has a value over time; dynamics needs its rate and acceleration too");
-        driven_.push_back({model_.coordinate(support.node, support.field) + support.component, &support});
+        driven_.push_back(
+            {model_.coordinate(support.node, support.field) + support.component, &support});
     }
 }
 
@@ -64,7 +65,8 @@ void DynamicProblem<Scene>::measure() {
     const Layout& layout = model_.layout();
     double longest = 0.0;
     model_.for_each_group([&](const auto& group) {
-        for (const auto& prototype : group.prototypes) longest = std::max(longest, prototype.length());
+        for (const auto& prototype : group.prototypes)
+            longest = std::max(longest, prototype.length());
     });
     using Point = typename Scene::Point;
     Point low = Point::Constant(std::numeric_limits<double>::infinity());
@@ -131,9 +133,8 @@ template <class Scene>
 std::string DynamicProblem<Scene>::check_constraints() {
     constraints_.evaluate(time_, full_q_, full_v_);
     const VectorX lengths = constraints_.magnitude(full_scales_);
-    const double fastest = full_v_.size() == 0
-                               ? 0.0
-                               : (full_v_.array().abs() / full_scales_.array()).maxCoeff();
+    const double fastest =
+        full_v_.size() == 0 ? 0.0 : (full_v_.array().abs() / full_scales_.array()).maxCoeff();
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
         std::ostringstream message;
@@ -158,9 +159,7 @@ std::string DynamicProblem<Scene>::check_constraints() {
     const VectorX slide = constraints_.product(full_v_);
     message = worst(
         constraints_.rate(),
-        [&](int i) {
-            return lengths[i] * fastest + std::abs(constraints_.rate()[i] - slide[i]);
-        },
+        [&](int i) { return lengths[i] * fastest + std::abs(constraints_.rate()[i] - slide[i]); },
         "G v + g_t");
     return message.empty() ? message : "the initial rates violate " + message;
 }
@@ -218,7 +217,8 @@ Start DynamicProblem<Scene>::start() {
     find_redundant(start);
     if (start.status != Status::converged) return start;
 
-    start.status = accelerations(state.time, start.q, start.v, start.acceleration, start.multipliers);
+    start.status =
+        accelerations(state.time, start.q, start.v, start.acceleration, start.multipliers);
     if (start.status != Status::converged)
         start.message = "the initial accelerations could not be solved for: " +
                         std::string(to_string(start.status));
@@ -251,7 +251,8 @@ Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const Ve
 
 template <class Scene>
 Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) {
-    if (const auto fault = evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
+    if (const auto fault =
+            evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
         return fault->status;
     VectorX b = VectorX::Zero(numbering().unknowns());
     const auto apply = [&](const SparseMatrix& matrix, const VectorX& x) {
@@ -272,7 +273,8 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
         b.head(size()) -= sign / (2.0 * step) * force_;
         if (multipliers() == 0) continue;
         const VectorX v = at.v + sign * step * at.acceleration;
-        evaluate_constraints(t, at.q + sign * step * (at.v + 0.5 * sign * step * at.acceleration), v);
+        evaluate_constraints(t, at.q + sign * step * (at.v + 0.5 * sign * step * at.acceleration),
+                             v);
         whole = full_a_;  // of driven coordinates at that time
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)
@@ -357,7 +359,8 @@ void DynamicProblem<Scene>::evaluate_constraints(double t, const VectorX& q, con
 }
 
 template <class Scene>
-void DynamicProblem<Scene>::add_constraint_force(const VectorX& mu, double scale, VectorX& out) const {
+void DynamicProblem<Scene>::add_constraint_force(const VectorX& mu, double scale,
+                                                 VectorX& out) const {
     constraints_.add_transpose_product(mu, scale, out);
 }
 
@@ -427,7 +430,8 @@ bool DynamicProblem<Scene>::project_rates(double t, const VectorX& q, VectorX& v
 // --- whole states ------------------------------------------------------------------------------
 
 template <class Scene>
-State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v,
+                                   const VectorX& lambda) {
     expand(t, q, v);
     State result;
     result.time = t;
@@ -464,13 +468,14 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     const auto largest = [&](const VectorX& forces) {
         double value = 0.0;
         for (Eigen::Index k = 0; k < forces.size(); ++k)
-            value = std::max(value, std::abs(forces[k]) / (full_scales_[k] == length_ ? 1.0 : length_));
+            value =
+                std::max(value, std::abs(forces[k]) / (full_scales_[k] == length_ ? 1.0 : length_));
         return value;
     };
     VectorX inertia = VectorX::Zero(full_q_.size());
     numbering().add_free(compact_mass_ * start.acceleration, 1.0, inertia);
-    double scale = std::max({largest(assembly_.external_force()), largest(assembly_.internal_force()),
-                             largest(inertia)});
+    double scale = std::max({largest(assembly_.external_force()),
+                             largest(assembly_.internal_force()), largest(inertia)});
     if (scale > 0.0) return scale;
     // a scene at rest without loads: its momentum or, at last, the mass over a second
     const double mass = compact_mass_.diagonal().maxCoeff();

@@ -4,8 +4,8 @@
 /// @file
 /// What the integrators of this folder share: output at the schedule's times, and statistics.
 ///
-/// Between two steps q is the cubic of q and v at both ends and v its derivative; the multipliers are
-/// linear. What is observed is projected on the constraints; the integration never sees that.
+/// Between two steps q is the cubic of q and v at both ends and v its derivative; the multipliers
+/// are linear. What is observed is projected on the constraints; the integration never sees that.
 
 #pragma once
 
@@ -24,7 +24,8 @@ namespace ancf::detail {
 template <class LinearSolver, class Scene>
 void require_same_storage(const DynamicProblem<Scene>& problem) {
     require(problem.assembly().pattern().storage() == LinearSolver::storage, LinearSolver::name(),
-            " works on ", LinearSolver::storage == Storage::lower ? "the lower half" : "full storage",
+            " works on ",
+            LinearSolver::storage == Storage::lower ? "the lower half" : "full storage",
             "; set ProblemOptions::storage to match it");
 }
 
@@ -39,7 +40,8 @@ template <class Scene>
 class Recorder {
 public:
     /// @param energies  whether to follow the energy of every step (one evaluation each).
-    Recorder(DynamicProblem<Scene>& problem, const Schedule& schedule, DynamicsReport& report, bool energies)
+    Recorder(DynamicProblem<Scene>& problem, const Schedule& schedule, DynamicsReport& report,
+             bool energies)
         : problem_(problem),
           schedule_(schedule),
           report_(report),
@@ -93,7 +95,8 @@ private:
     }
 
     void observe(const MotionPoint& from, const MotionPoint& to, double slack) {
-        for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack; ++next_) {
+        for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack;
+             ++next_) {
             if (!schedule_.observe) continue;
             const double time = schedule_.times[next_];
             State state;
@@ -104,7 +107,8 @@ private:
         }
     }
 
-    void observe_between(const MotionPoint& from, const MotionPoint& to, double time, State& state) {
+    void observe_between(const MotionPoint& from, const MotionPoint& to, double time,
+                         State& state) {
         const double h = to.time - from.time;
         const double s = (time - from.time) / h;
         const double later = s * s * (3.0 - 2.0 * s);

@@ -21,7 +21,8 @@ namespace ancf {
 
 /// Energies of a scene and the powers that change them.
 ///
-/// d(kinetic + strain)/dt = load_power + constraint_power, where nothing dissipates in the elements.
+/// d(kinetic + strain)/dt = load_power + constraint_power, where nothing dissipates in the
+/// elements.
 struct Energies {
     double kinetic = 0.0;           ///< v^T M v/2, J
     double strain = 0.0;            ///< of all elements, J
@@ -34,10 +35,10 @@ struct Energies {
 
 /// What an observer sees at a time that it asked for.
 struct Snapshot {
-    const State& state;      ///< all coordinates; on the constraints to round-off
-    Energies energies;       ///< of that state
-    double violation;        ///< largest |g| of that state
-    double violation_rate;   ///< largest |G v + g_t| of that state
+    const State& state;     ///< all coordinates; on the constraints to round-off
+    Energies energies;      ///< of that state
+    double violation;       ///< largest |g| of that state
+    double violation_rate;  ///< largest |G v + g_t| of that state
 };
 
 /// Where a run ends and what is reported on the way.
@@ -57,8 +58,8 @@ struct Schedule {
                         "the start at ", start, " s, got ", end);
         double before = start;
         for (const double time : times) {
-            detail::require(time >= before && time <= end, "Schedule: times must ascend from ", start,
-                            " to ", end, " s, got ", time, " after ", before);
+            detail::require(time >= before && time <= end, "Schedule: times must ascend from ",
+                            start, " to ", end, " s, got ", time, " after ", before);
             before = time;
         }
     }
@@ -85,7 +86,9 @@ struct Memory {
 
     [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }
 
-    void put(std::string name, VectorX value) { values.emplace_back(std::move(name), std::move(value)); }
+    void put(std::string name, VectorX value) {
+        values.emplace_back(std::move(name), std::move(value));
+    }
 
     /// @throws InvalidArgument where it holds no value of that name and size.
     [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const {
@@ -102,22 +105,22 @@ struct DynamicsReport {
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     double time = 0.0;           ///< s, reached
 
-    long steps = 0;                     ///< accepted
-    long rejected = 0;                  ///< by the error test
-    long convergence_failures = 0;      ///< steps whose Newton iteration failed
-    long iterations = 0;                ///< Newton iterations, one linear solve each
-    long evaluations = 0;               ///< of the residual force
-    long jacobians = 0;                 ///< of the tangent
+    long steps = 0;                 ///< accepted
+    long rejected = 0;              ///< by the error test
+    long convergence_failures = 0;  ///< steps whose Newton iteration failed
+    long iterations = 0;            ///< Newton iterations, one linear solve each
+    long evaluations = 0;           ///< of the residual force
+    long jacobians = 0;             ///< of the tangent
     long factorisations = 0;
-    double smallest_step = 0.0;         ///< s
-    double largest_step = 0.0;          ///< s
+    double smallest_step = 0.0;  ///< s
+    double largest_step = 0.0;   ///< s
 
-    double violation = 0.0;             ///< largest |g| after any step, before projection
-    double violation_rate = 0.0;        ///< largest |G v + g_t| after any step, before projection
-    double energy_start = 0.0;          ///< total energy at the start, J
-    double energy_drift = 0.0;          ///< largest |total - total at the start| after any step, J
-    double kinetic_largest = 0.0;       ///< J: the measure for energy_drift
-    double seconds = 0.0;               ///< wall time
+    double violation = 0.0;        ///< largest |g| after any step, before projection
+    double violation_rate = 0.0;   ///< largest |G v + g_t| after any step, before projection
+    double energy_start = 0.0;     ///< total energy at the start, J
+    double energy_drift = 0.0;     ///< largest |total - total at the start| after any step, J
+    double kinetic_largest = 0.0;  ///< J: the measure for energy_drift
+    double seconds = 0.0;          ///< wall time
 
     Memory memory;  ///< what the next run needs to continue this one; empty where none can
 };

@@ -4,8 +4,8 @@
 /// @file
 /// The rigid motions of a few nodal vectors, and what is left of a change without them.
 ///
-/// A rigid motion moves positions by c + y x (r - centroid) and slopes by y x s. Changes are measured by
-/// W: 1 for positions, a length squared for slopes.
+/// A rigid motion moves positions by c + y x (r - centroid) and slopes by y x s. Changes are
+/// measured by W: 1 for positions, a length squared for slopes.
 
 #pragma once
 
@@ -17,19 +17,24 @@
 
 namespace ancf::detail {
 
-/// Returns y x v: a vector in space, a number times the vector turned by a right angle in the plane.
-[[nodiscard]] inline Vector<double, 3> turned(const Vector<double, 3>& y, const Vector<double, 3>& v) {
+/// Returns y x v: a vector in space, a number times the vector turned by a right angle in the
+/// plane.
+[[nodiscard]] inline Vector<double, 3> turned(const Vector<double, 3>& y,
+                                              const Vector<double, 3>& v) {
     return cross(y, v);
 }
-[[nodiscard]] inline Vector<double, 2> turned(const Vector<double, 1>& y, const Vector<double, 2>& v) {
+[[nodiscard]] inline Vector<double, 2> turned(const Vector<double, 1>& y,
+                                              const Vector<double, 2>& v) {
     return {-y[0] * v[1], y[0] * v[0]};
 }
 
 /// Returns v x w with y.(v x w) = (y x v).w.
-[[nodiscard]] inline Vector<double, 3> moment_of(const Vector<double, 3>& v, const Vector<double, 3>& w) {
+[[nodiscard]] inline Vector<double, 3> moment_of(const Vector<double, 3>& v,
+                                                 const Vector<double, 3>& w) {
     return cross(v, w);
 }
-[[nodiscard]] inline Vector<double, 1> moment_of(const Vector<double, 2>& v, const Vector<double, 2>& w) {
+[[nodiscard]] inline Vector<double, 1> moment_of(const Vector<double, 2>& v,
+                                                 const Vector<double, 2>& w) {
     return Vector<double, 1>(v[0] * w[1] - v[1] * w[0]);
 }
 
@@ -65,7 +70,8 @@ public:
             if (at_position(k)) relative_.template segment<Dimension>(Dimension * k) -= centroid_;
             const Point x = vector(relative_, k);
             if constexpr (Dimension == 3)
-                inertia += weight(k) * (x.squaredNorm() * Matrix<double, 3>::Identity() - x * x.transpose());
+                inertia += weight(k) *
+                           (x.squaredNorm() * Matrix<double, 3>::Identity() - x * x.transpose());
             else
                 inertia(0, 0) += weight(k) * x.squaredNorm();
         }
@@ -101,12 +107,13 @@ public:
         return rest;
     }
 
-    /// Returns the derivative of without(change) with respect to the later end, where the configuration
-    /// is the middle of both ends.
+    /// Returns the derivative of without(change) with respect to the later end, where the
+    /// configuration is the middle of both ends.
     ///
     /// With y the turn of the change and D the rest: (I - P)(I - Y/2) - R J^-1 C/2, Y dx = y x dx,
     /// C dx = sum_k w_k dx_k x D_k.
-    [[nodiscard]] Square derivative_of_without(const Coordinates& change, const Coordinates& rest) const {
+    [[nodiscard]] Square derivative_of_without(const Coordinates& change,
+                                               const Coordinates& rest) const {
         const Turn y = turn_of(change);
         Square out(change.size(), change.size());
         Coordinates unit(change.size());
@@ -130,7 +137,9 @@ private:
         return x.template segment<Dimension>(Dimension * k);
     }
     [[nodiscard]] double weight(int k) const { return weight_[Dimension * k]; }
-    [[nodiscard]] bool at_position(int k) const { return (position_ >> static_cast<unsigned>(k) & 1U) != 0; }
+    [[nodiscard]] bool at_position(int k) const {
+        return (position_ >> static_cast<unsigned>(k) & 1U) != 0;
+    }
 
     int count_ = 0;
     int positions_ = 0;

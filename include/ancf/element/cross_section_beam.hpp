@@ -71,8 +71,8 @@ class CrossSectionBeam {
 public:
     static constexpr int dimension = Dimension;
     static constexpr int dofs = 24;
-    static constexpr bool evaluates_packs =
-        true;  ///< the assembler may hand it several sets of coordinates at once
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z;
 
     using Coordinates = Vector<double, dofs>;

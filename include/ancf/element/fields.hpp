@@ -26,7 +26,8 @@ struct Fields {
     unsigned bits = 0;
 
     constexpr Fields() = default;
-    constexpr Fields(Field field) : bits(1U << static_cast<unsigned>(field)) {}  // NOLINT: a field is a set of one
+    constexpr Fields(Field field)
+        : bits(1U << static_cast<unsigned>(field)) {}  // NOLINT: a field is a set of one
 
     [[nodiscard]] constexpr bool contains(Field field) const noexcept {
         return (bits & (1U << static_cast<unsigned>(field))) != 0;
@@ -48,7 +49,9 @@ struct Fields {
         return Fields(bits & ((1U << static_cast<unsigned>(field)) - 1U)).count();
     }
 
-    friend constexpr Fields operator|(Fields a, Fields b) noexcept { return Fields(a.bits | b.bits); }
+    friend constexpr Fields operator|(Fields a, Fields b) noexcept {
+        return Fields(a.bits | b.bits);
+    }
     friend constexpr bool operator==(Fields a, Fields b) noexcept { return a.bits == b.bits; }
     friend constexpr bool operator!=(Fields a, Fields b) noexcept { return a.bits != b.bits; }
 

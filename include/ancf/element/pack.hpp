@@ -37,8 +37,8 @@ inline constexpr int register_lanes = 1;
 /// How many stations of one element stand side by side: rules have few more than four.
 inline constexpr int native_lanes = register_lanes < 4 ? register_lanes : 4;
 
-/// How many equal elements are worth evaluating at once. Registers of two lanes gain nothing over the
-/// stations of one element side by side, and cost a second instantiation.
+/// How many equal elements are worth evaluating at once. Registers of two lanes gain nothing over
+/// the stations of one element side by side, and cost a second instantiation.
 inline constexpr int wide_lanes = register_lanes < 4 ? 1 : register_lanes;
 
 namespace detail {

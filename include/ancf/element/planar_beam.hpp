@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The cross-section beam in the plane: the two-dimensional element that [Dufva2006] extends (its Ref. 10).
+/// The cross-section beam in the plane: the two-dimensional element that [Dufva2006] extends (its
+/// Ref. 10).
 ///
-/// Nodal coordinates are r, r_x, r_y of both nodes, 12 in all. It is the spatial element with every z slope
-/// held at the plane's normal: no e_zz, no 2e_yz, no torsion; the section stays as wide as it is.
+/// Nodal coordinates are r, r_x, r_y of both nodes, 12 in all. It is the spatial element with every
+/// z slope held at the plane's normal: no e_zz, no 2e_yz, no torsion; the section stays as wide as
+/// it is.
 
 #pragma once
 
@@ -23,7 +25,8 @@ class CrossSectionBeam<2, Directors, LinearShear, Measure> {
 public:
     static constexpr int dimension = 2;
     static constexpr int dofs = 12;
-    static constexpr bool evaluates_packs = true;  ///< the assembler may hand it several sets of coordinates at once
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
 
     using Coordinates = Vector<double, dofs>;
@@ -31,15 +34,19 @@ public:
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
-    /// @throws InvalidArgument if a value is out of range, or the rule leaves the element a mechanism.
-    CrossSectionBeam(const Material& material, const Section& section, double length, const Options& options = {});
-
-    /// Makes an element whose stress-free state is given: its strains are subtracted, integrals run over its arc length.
-    /// @param reference  nodal coordinates, 12 x 1
-    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the arc length
-    /// @throws InvalidArgument as above, and for a reference that is not admissible.
-    CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference, double length,
+    /// @throws InvalidArgument if a value is out of range, or the rule leaves the element a
+    ///         mechanism.
+    CrossSectionBeam(const Material& material, const Section& section, double length,
                      const Options& options = {});
+
+    /// Makes an element whose stress-free state is given: its strains are subtracted, integrals run
+    /// over its arc length.
+    /// @param reference  nodal coordinates, 12 x 1
+    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
+    ///                   arc length
+    /// @throws InvalidArgument as above, and for a reference that is not admissible.
+    CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
+                     double length, const Options& options = {});
 
     /// Returns the strain energy U, J.
     template <class S>
@@ -75,43 +82,50 @@ public:
         return line_.template line_load<3>(force);
     }
 
-    /// Tells whether the strains are defined at e: everything finite, r_x and r_y of some length, and r_y to the left
-    /// of the tangent by more than an angle of 1e-6.
+    /// Tells whether the strains are defined at e: everything finite, r_x and r_y of some length,
+    /// and r_y to the left of the tangent by more than an angle of 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
-    // Results at a place: xi in [0, 1] along the element, y in the section, m. ---------------------
+    // Results at a place: xi in [0, 1] along the element, y in the section, m.
+    // ---------------------
 
-    /// Returns the generalised strains (eps, k_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3 and 2e_xy = e4 + y e5.
+    /// Returns the generalised strains (eps, k_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
+    /// and 2e_xy = e4 + y e5.
     [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the strains of a point [e_xx, e_yy, 2e_xy], 1.
-    [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi, double y = 0.0) const noexcept;
+    [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi,
+                                                 double y = 0.0) const noexcept;
 
     /// Returns the second Piola-Kirchhoff stress of a point in the order of green_strain(), Pa.
-    [[nodiscard]] Vector<double, 3> stress(const Coordinates& e, double xi, double y = 0.0) const noexcept {
+    [[nodiscard]] Vector<double, 3> stress(const Coordinates& e, double xi,
+                                           double y = 0.0) const noexcept {
         return moduli_.cwiseProduct(green_strain(e, xi, y));
     }
 
-    /// Returns what the section transmits along the tangent and its normal: axial, shear_y and moment_z.
+    /// Returns what the section transmits along the tangent and its normal: axial, shear_y and
+    /// moment_z.
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the director d_y, 1: the normal of the centre line plus the shear along the tangent.
     [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the position r0 + y d_y of a point of the body, m.
-    [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0) const noexcept;
+    [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi,
+                                             double y = 0.0) const noexcept;
 
     /// Returns the derivative of position() by e.
-    [[nodiscard]] Matrix<double, 2, dofs> position_jacobian(const Coordinates& e, double xi, double y = 0.0) const noexcept;
+    [[nodiscard]] Matrix<double, 2, dofs> position_jacobian(const Coordinates& e, double xi,
+                                                            double y = 0.0) const noexcept;
 
     /// Returns the velocity of a point of the body, m/s.
     /// @param rate  time derivative of e
-    [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate, double xi,
-                                             double y = 0.0) const noexcept {
+    [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate,
+                                             double xi, double y = 0.0) const noexcept {
         return position_jacobian(e, xi, y) * rate;
     }
 
@@ -127,7 +141,8 @@ private:
     [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
 
     ReferenceLine<2> line_;
-    Coordinates reference_;  // nodal coordinates of the stress-free state; used where the line is curved
+    Coordinates
+        reference_;  // nodal coordinates of the stress-free state; used where the line is curved
     Options options_;
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
@@ -138,7 +153,8 @@ private:
 namespace detail {
 
 /// Returns the part of a section matrix that the plane sees.
-[[nodiscard]] inline PlanarStiffness<double> planar_stiffness(const SectionMatrix<double>& C) noexcept {
+[[nodiscard]] inline PlanarStiffness<double> planar_stiffness(
+    const SectionMatrix<double>& C) noexcept {
     constexpr int axial[3] = {0, 1, 3}, shear[2] = {0, 1};
     PlanarStiffness<double> result;
     for (int i = 0; i < 3; ++i) {
@@ -154,7 +170,8 @@ namespace detail {
 
 template <class Directors, class Measure>
 CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
-                                                                       const Section& section, double length,
+                                                                       const Section& section,
+                                                                       double length,
                                                                        const Options& options)
     : line_((detail::require_positive("length", length), length)), options_(options) {
     set_up(material, section);
@@ -163,23 +180,28 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
 template <class Directors, class Measure>
 CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
                                                                        const Section& section,
-                                                                       const Coordinates& reference, double length,
+                                                                       const Coordinates& reference,
+                                                                       double length,
                                                                        const Options& options)
     : line_((detail::require_positive("length", length), length),
             reference.template segment<2>(6) - reference.template segment<2>(0),
             reference.template segment<2>(2), reference.template segment<2>(8)),
-      reference_(reference), options_(options) {
-    detail::require(reference.allFinite(), "the reference coordinates of an element must be finite, got ",
+      reference_(reference),
+      options_(options) {
+    detail::require(reference.allFinite(),
+                    "the reference coordinates of an element must be finite, got ",
                     reference.transpose());
     set_up(material, section);
     detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y to the left of r_x, got ",
+                    "the reference coordinates of an element need slopes of some length, r_y to "
+                    "the left of r_x, got ",
                     reference.transpose());
     kernel_.set_reference(reference);
 }
 
 template <class Directors, class Measure>
-void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material& material, const Section& section) {
+void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material& material,
+                                                                  const Section& section) {
     detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
     detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
     detail::require_points(options_.rule, StrainGroup::shear, "shear", 2);
@@ -187,7 +209,8 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
     const StationTable<double> table = line_.stations(options_.rule, section_);
     for (const StationData<double>& station : table.full)
-        kernel_.stations.push_back({station.shape, {}, detail::planar_stiffness(station.stiffness)});
+        kernel_.stations.push_back(
+            {station.shape, {}, detail::planar_stiffness(station.stiffness)});
     kernel_.axial = table.axial;
     kernel_.transverse_stiffness = section_.transverse_yy * line_.length();
     kernel_.transverse_reference[0] = kernel_.transverse_reference[1] = 0.0;
@@ -196,7 +219,8 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
 }
 
 template <class Directors, class Measure>
-auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinates& e, double xi) const noexcept
+auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinates& e,
+                                                                 double xi) const noexcept
     -> Place {
     using namespace detail;
     Place at;
@@ -216,53 +240,57 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinat
 }
 
 template <class Directors, class Measure>
-bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(const Coordinates& e) const noexcept {
+bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
+    const Coordinates& e) const noexcept {
     if (!e.allFinite()) return false;
     constexpr double smallest = 1e-6;  // sine of the angle between slope and tangent
     for (int node = 0; node < 2; ++node) {
-        const Vector<double, 2> g = e.template segment<2>(6 * node + 2), a = e.template segment<2>(6 * node + 4);
+        const Vector<double, 2> g = e.template segment<2>(6 * node + 2),
+                                a = e.template segment<2>(6 * node + 4);
         if (!(g[0] * a[1] - g[1] * a[0] > smallest * g.norm() * a.norm())) return false;
     }
     for (const detail::PlanarStation<double>& station : kernel_.stations) {
         Vector<double, 2> p = Vector<double, 2>::Zero();
         p += station.shape.p[0] * (e.template segment<2>(6) - e.template segment<2>(0));
-        p += station.shape.p[1] * e.template segment<2>(2) + station.shape.p[2] * e.template segment<2>(8);
+        p += station.shape.p[1] * e.template segment<2>(2) +
+             station.shape.p[2] * e.template segment<2>(8);
         if (!(p.norm() > 0.0)) return false;
     }
     return true;
 }
 
 template <class Directors, class Measure>
-Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::strains(const Coordinates& e,
-                                                                                double xi) const noexcept {
+Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::strains(
+    const Coordinates& e, double xi) const noexcept {
     Vector<double, 5> result = raw_strains(e, xi);
     if (line_.curved()) result -= raw_strains(reference_, xi);
     return result;
 }
 
 template <class Directors, class Measure>
-Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_strains(const Coordinates& e,
-                                                                                    double xi) const noexcept {
+Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_strains(
+    const Coordinates& e, double xi) const noexcept {
     detail::PlanarStrains<double> result;
     Measure::Planar::evaluate(place(e, xi).frame.w, result);
     return Eigen::Map<const Vector<double, 5>>(result.e);
 }
 
 template <class Directors, class Measure>
-double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_strain(const Coordinates& e,
-                                                                                   double xi) const noexcept {
+double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_strain(
+    const Coordinates& e, double xi) const noexcept {
     double strain = 0.0;
     for (int node = 0; node < 2; ++node) {
         const Vector<double, 2> a = e.template segment<2>(6 * node + 4);
         const bool green = options_.transverse == TransverseStrain::green;
-        strain += (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (a.squaredNorm() - 1.0) : a.norm() - 1.0);
+        strain +=
+            (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (a.squaredNorm() - 1.0) : a.norm() - 1.0);
     }
     return strain;
 }
 
 template <class Directors, class Measure>
-Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_strain(const Coordinates& e, double xi,
-                                                                                     double y) const noexcept {
+Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_strain(
+    const Coordinates& e, double xi, double y) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
     double transverse = raw_transverse_strain(e, xi);
     if (line_.curved()) transverse -= raw_transverse_strain(reference_, xi);
@@ -270,8 +298,8 @@ Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_st
 }
 
 template <class Directors, class Measure>
-SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forces(const Coordinates& e,
-                                                                                   double xi) const noexcept {
+SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forces(
+    const Coordinates& e, double xi) const noexcept {
     const detail::PlanarFrame<double> f = place(e, xi).frame;
     const Vector<double, 5> s = strains(e, xi);
     const SectionMatrix<double> C = station_stiffness(section_, {xi, {1.0, 1.0, 1.0, 1.0}}, 1.0);
@@ -288,26 +316,26 @@ SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forc
 }
 
 template <class Directors, class Measure>
-Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::directors(const Coordinates& e,
-                                                                                  double xi) const noexcept {
+Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::directors(
+    const Coordinates& e, double xi) const noexcept {
     const detail::PlanarFrame<double> f = place(e, xi).frame;
     return {f.n[0] + f.w.s * f.t[0], f.n[1] + f.w.s * f.t[1]};
 }
 
 template <class Directors, class Measure>
-Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(const Coordinates& e, double xi,
-                                                                                 double y) const noexcept {
+Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(
+    const Coordinates& e, double xi, double y) const noexcept {
     const auto weights = hermite(xi, line_.parameter_length());
-    Vector<double, 2> r = weights[0] * e.template segment<2>(0) + weights[1] * e.template segment<2>(2) +
-                          weights[2] * e.template segment<2>(6) + weights[3] * e.template segment<2>(8);
+    Vector<double, 2> r =
+        weights[0] * e.template segment<2>(0) + weights[1] * e.template segment<2>(2) +
+        weights[2] * e.template segment<2>(6) + weights[3] * e.template segment<2>(8);
     if (y != 0.0) r += y * directors(e, xi);
     return r;
 }
 
 template <class Directors, class Measure>
-auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(const Coordinates& e, double xi,
-                                                                             double y) const noexcept
-    -> Matrix<double, 2, dofs> {
+auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
+    const Coordinates& e, double xi, double y) const noexcept -> Matrix<double, 2, dofs> {
     Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
     const auto weights = hermite(xi, line_.parameter_length());
     for (int k = 0; k < 2; ++k) {

@@ -4,8 +4,8 @@
 /// @file
 /// The evaluation of the cross-section beam in the plane.
 ///
-/// Stations depend on p = r0', p1 = r0'' and the shear sines of the two nodes; slopes enter by these sines
-/// and by the transverse strain alone. Vectors are (x, y) pairs of plain scalars.
+/// Stations depend on p = r0', p1 = r0'' and the shear sines of the two nodes; slopes enter by
+/// these sines and by the transverse strain alone. Vectors are (x, y) pairs of plain scalars.
 
 #pragma once
 
@@ -72,8 +72,8 @@ struct PlanarFrame {
 };
 
 template <class T, class S>
-inline void planar_frame(const StationShape<T>& shape, const S (&v)[planar_nodal_count][2], const S (&sines)[2],
-                         PlanarFrame<S>& f) noexcept {
+inline void planar_frame(const StationShape<T>& shape, const S (&v)[planar_nodal_count][2],
+                         const S (&sines)[2], PlanarFrame<S>& f) noexcept {
     using std::sqrt;
     for (int k = 0; k < 2; ++k) {
         f.p[k] = shape.p[0] * v[pn_D][k] + shape.p[1] * v[pn_g1][k] + shape.p[2] * v[pn_g2][k];
@@ -106,9 +106,10 @@ struct PlanarSums {
 /// @param b_p,b_p1  rows of d lam and d kap by p, and of d kap by p1
 template <class Measure, class T, class S>
 inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S>& f,
-                               const PlanarStrains<S>& strains, const S (&stress)[planar_strain_count],
-                               const S (&U)[planar_invariant_count], const S (&b_p)[2][2], const S (&b_p1)[2],
-                               PlanarSums<S>& sums) noexcept {
+                               const PlanarStrains<S>& strains,
+                               const S (&stress)[planar_strain_count],
+                               const S (&U)[planar_invariant_count], const S (&b_p)[2][2],
+                               const S (&b_p1)[2], PlanarSums<S>& sums) noexcept {
     S D[planar_invariant_count][planar_invariant_count];
     for (int j = 0; j < planar_invariant_count; ++j) {
         S column[planar_strain_count];
@@ -126,16 +127,22 @@ inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S
     const StationShape<T>& shape = data.shape;
     for (int i = 0; i < 2; ++i) {
         for (int j = 0; j < 2; ++j) {
-            const S pp = D[pw_lam][pw_lam] * b_p[0][i] * b_p[0][j] + D[pw_kap][pw_kap] * b_p[1][i] * b_p[1][j] +
+            const S pp = D[pw_lam][pw_lam] * b_p[0][i] * b_p[0][j] +
+                         D[pw_kap][pw_kap] * b_p[1][i] * b_p[1][j] +
                          D[pw_lam][pw_kap] * (b_p[0][i] * b_p[1][j] + b_p[1][i] * b_p[0][j]) +
-                         tt * f.t[i] * f.t[j] + nn * f.n[i] * f.n[j] + tn * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);
+                         tt * f.t[i] * f.t[j] + nn * f.n[i] * f.n[j] +
+                         tn * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);
             const S bend = scale * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);  // symmetric in p and p1
-            const S pv = (D[pw_lam][pw_kap] * b_p[0][i] + D[pw_kap][pw_kap] * b_p[1][i]) * b_p1[j] - bend;
-            const S vp = b_p1[i] * (D[pw_lam][pw_kap] * b_p[0][j] + D[pw_kap][pw_kap] * b_p[1][j]) - bend;
+            const S pv =
+                (D[pw_lam][pw_kap] * b_p[0][i] + D[pw_kap][pw_kap] * b_p[1][i]) * b_p1[j] - bend;
+            const S vp =
+                b_p1[i] * (D[pw_lam][pw_kap] * b_p[0][j] + D[pw_kap][pw_kap] * b_p[1][j]) - bend;
             const S vv = D[pw_kap][pw_kap] * b_p1[i] * b_p1[j];
             for (int y = 0; y < 3; ++y) {
-                const S p = shape.p[y] * pp + shape.p1[y] * pv, w = shape.p[y] * vp + shape.p1[y] * vv;
-                for (int x = 0; x <= y; ++x) sums.line_line[x][y][i][j] += shape.p[x] * p + shape.p1[x] * w;
+                const S p = shape.p[y] * pp + shape.p1[y] * pv,
+                        w = shape.p[y] * vp + shape.p1[y] * vv;
+                for (int x = 0; x <= y; ++x)
+                    sums.line_line[x][y][i][j] += shape.p[x] * p + shape.p1[x] * w;
             }
         }
         for (int m = 0; m < 2; ++m) {
@@ -144,13 +151,15 @@ inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S
             const S lam = n * D[pw_lam][pw_s] + n_x * D[pw_lam][pw_s1];
             const S kap = n * D[pw_kap][pw_s] + n_x * D[pw_kap][pw_s1];
             const S p = lam * b_p[0][i] + kap * b_p[1][i], v1 = kap * b_p1[i];
-            for (int x = 0; x < 3; ++x) sums.line_sine[x][i][m] += shape.p[x] * p + shape.p1[x] * v1;
+            for (int x = 0; x < 3; ++x)
+                sums.line_sine[x][i][m] += shape.p[x] * p + shape.p1[x] * v1;
         }
     }
     const T n[2] = {T(1.0 - shape.n2), shape.n2}, n_x[2] = {T(-shape.n2_x), shape.n2_x};
     for (int m = 0; m < 2; ++m) {
         for (int k = 0; k < 2; ++k) {
-            sums.sine_sine[m][k] += n[m] * n[k] * D[pw_s][pw_s] + n_x[m] * n_x[k] * D[pw_s1][pw_s1] +
+            sums.sine_sine[m][k] += n[m] * n[k] * D[pw_s][pw_s] +
+                                    n_x[m] * n_x[k] * D[pw_s1][pw_s1] +
                                     (n[m] * n_x[k] + n_x[m] * n[k]) * D[pw_s][pw_s1];
         }
     }
@@ -183,7 +192,8 @@ inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar
     }
     const StationShape<T>& shape = data.shape;
     for (int k = 0; k < 2; ++k) {
-        const S p = U[pw_lam] * b_p[pw_lam][k] + U[pw_kap] * b_p[pw_kap][k], v1 = U[pw_kap] * b_p1[k];
+        const S p = U[pw_lam] * b_p[pw_lam][k] + U[pw_kap] * b_p[pw_kap][k],
+                v1 = U[pw_kap] * b_p1[k];
         for (int x = 0; x < 3; ++x) sums.line[x][k] += shape.p[x] * p + shape.p1[x] * v1;
     }
     const S to_second = shape.n2 * U[pw_s] + shape.n2_x * U[pw_s1];
@@ -214,7 +224,8 @@ struct PlanarKernel {
             for (int k = 0; k < planar_strain_count; ++k) station.reference[k] = strains.e[k];
         }
         for (AxialStationData<T>& station : axial) {
-            const double p[2] = {axial_slope(station, nodes.v, 0), axial_slope(station, nodes.v, 1)};
+            const double p[2] = {axial_slope(station, nodes.v, 0),
+                                 axial_slope(station, nodes.v, 1)};
             station.reference = 0.5 * (p[0] * p[0] + p[1] * p[1] - 1.0);
         }
         TransverseTerm<double> terms[2];
@@ -289,7 +300,8 @@ private:
     }
 
     template <class S>
-    static S axial_slope(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2], int k) noexcept {
+    static S axial_slope(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2],
+                         int k) noexcept {
         return data.p[0] * v[pn_D][k] + data.p[1] * v[pn_g1][k] + data.p[2] * v[pn_g2][k];
     }
 
@@ -309,7 +321,8 @@ private:
                     S entry = data.stiffness * p[i] * p[j];
                     if (i == j) entry += stress;
                     for (int y = 0; y < 3; ++y) {
-                        for (int x = 0; x <= y; ++x) sums.line_line[x][y][i][j] += data.p[x] * data.p[y] * entry;
+                        for (int x = 0; x <= y; ++x)
+                            sums.line_line[x][y][i][j] += data.p[x] * data.p[y] * entry;
                     }
                 }
             }
@@ -317,7 +330,8 @@ private:
     }
 
     template <class S>
-    void transverse_strains(const Nodes<S>& nodes, TransverseTerm<S> (&terms)[2], S (&strain)[2]) const noexcept {
+    void transverse_strains(const Nodes<S>& nodes, TransverseTerm<S> (&terms)[2],
+                            S (&strain)[2]) const noexcept {
         using std::sqrt;
         for (int node = 0; node < 2; ++node) {
             const S* a = nodes.v[pn_a1 + node];
@@ -325,7 +339,8 @@ private:
             const bool green = transverse_measure == TransverseStrain::green;
             terms[node].inverse = green ? S(1.0) : nodes.sine[node].inv_a;
             for (int k = 0; k < 2; ++k) terms[node].gradient[k] = terms[node].inverse * a[k];
-            strain[node] = (green ? S(0.5 * (square - 1.0)) : S(sqrt(square) - 1.0)) - transverse_reference[node];
+            strain[node] = (green ? S(0.5 * (square - 1.0)) : S(sqrt(square) - 1.0)) -
+                           transverse_reference[node];
         }
     }
 
@@ -349,8 +364,9 @@ private:
             for (int node = 0; node < 2; ++node) {
                 force[planar_start[pn_g1 + node] + k] =
                     sums.line[1 + node][k] + sums.sine[node] * nodes.sine[node].g[k];
-                force[planar_start[pn_a1 + node] + k] = sums.sine[node] * nodes.sine[node].a[k] +
-                                                        transverse[node].stress * transverse[node].gradient[k];
+                force[planar_start[pn_a1 + node] + k] =
+                    sums.sine[node] * nodes.sine[node].a[k] +
+                    transverse[node].stress * transverse[node].gradient[k];
             }
         }
         return force;
@@ -358,7 +374,8 @@ private:
 
     // The upper triangle in the order D, g1, g2, a1, a2, then the rows and columns of r_i.
     template <class S>
-    void write_tangent(const Nodes<S>& nodes, const PlanarSums<S>& sums, const TransverseTerm<S> (&transverse)[2],
+    void write_tangent(const Nodes<S>& nodes, const PlanarSums<S>& sums,
+                       const TransverseTerm<S> (&transverse)[2],
                        Matrix<S, dofs>& tangent) const noexcept {
         constexpr int size = 2 * planar_nodal_count;
         S L[2][size];  // gradients of the sines
@@ -379,20 +396,23 @@ private:
         S K[size][size];
         for (int j = 0; j < size; ++j) {
             for (int i = 0; i <= j; ++i) {
-                K[i][j] = Z[0][i] * L[0][j] + L[0][i] * Z[0][j] + Z[1][i] * L[1][j] + L[1][i] * Z[1][j];
+                K[i][j] =
+                    Z[0][i] * L[0][j] + L[0][i] * Z[0][j] + Z[1][i] * L[1][j] + L[1][i] * Z[1][j];
                 if (j < 6) K[i][j] += sums.line_line[i / 2][j / 2][i % 2][j % 2];
             }
         }
         const S W = transverse_stiffness * S(1.0 / 6.0);
         for (int node = 0; node < 2; ++node) {
-            add_sine_second(nodes.sine[node], sums.sine[node], 2 * (pn_g1 + node), 2 * (pn_a1 + node), K);
+            add_sine_second(nodes.sine[node], sums.sine[node], 2 * (pn_g1 + node),
+                            2 * (pn_a1 + node), K);
             for (int other = node; other < 2; ++other) {
                 const S weight = node == other ? S(2.0 * W) : W;
                 for (int i = 0; i < 2; ++i) {
                     for (int j = 0; j < 2; ++j) {
                         const int row = 2 * (pn_a1 + node) + i, column = 2 * (pn_a1 + other) + j;
                         if (row <= column) {
-                            K[row][column] += weight * transverse[node].gradient[i] * transverse[other].gradient[j];
+                            K[row][column] += weight * transverse[node].gradient[i] *
+                                              transverse[other].gradient[j];
                         }
                     }
                 }
@@ -427,7 +447,8 @@ private:
                     K[g + i][g + j] -= gg * (s.t[i] * s.g[j] + s.g[i] * s.t[j] +
                                              s.value * s.inv_g * (delta - s.t[i] * s.t[j]));
                 }
-                K[g + i][a + j] += ga * (delta - s.u[i] * s.u[j] - s.t[i] * s.t[j] + s.value * s.t[i] * s.u[j]);
+                K[g + i][a + j] +=
+                    ga * (delta - s.u[i] * s.u[j] - s.t[i] * s.t[j] + s.value * s.t[i] * s.u[j]);
             }
         }
     }
@@ -439,7 +460,8 @@ private:
         const bool green = transverse_measure == TransverseStrain::green;
         for (int j = 0; j < 2; ++j) {
             K[a + j][a + j] += share;
-            for (int i = 0; i <= j && !green; ++i) K[a + i][a + j] -= share * term.gradient[i] * term.gradient[j];
+            for (int i = 0; i <= j && !green; ++i)
+                K[a + i][a + j] -= share * term.gradient[i] * term.gradient[j];
         }
     }
 };

@@ -4,8 +4,9 @@
 /// @file
 /// Invariants and strains of a section that stays in the plane.
 ///
-/// The director is the normal of the centre line turned by the shear, so only stretch lam, curvature kap,
-/// shear s and its rate s' are left of the ten invariants, and five generalised strains of the twelve:
+/// The director is the normal of the centre line turned by the shear, so only stretch lam,
+/// curvature kap, shear s and its rate s' are left of the ten invariants, and five generalised
+/// strains of the twelve:
 ///
 ///     e_xx = e1 + y e2 + y^2 e3,    2 e_xy = e4 + y e5.
 
@@ -84,8 +85,10 @@ struct PlanarStiffness {
 
 /// Writes f = C e.
 template <class T, class S>
-inline void planar_stress(const PlanarStiffness<T>& C, const S* e, S (&f)[planar_strain_count]) noexcept {
-    for (int i = 0; i < 3; ++i) f[i] = C.axial[i][0] * e[0] + C.axial[i][1] * e[1] + C.axial[i][2] * e[2];
+inline void planar_stress(const PlanarStiffness<T>& C, const S* e,
+                          S (&f)[planar_strain_count]) noexcept {
+    for (int i = 0; i < 3; ++i)
+        f[i] = C.axial[i][0] * e[0] + C.axial[i][1] * e[1] + C.axial[i][2] * e[2];
     for (int i = 0; i < 2; ++i) f[3 + i] = C.shear[i][0] * e[3] + C.shear[i][1] * e[4];
 }
 

@@ -4,8 +4,8 @@
 /// @file
 /// The centre line of the stress-free state: a straight segment, or any Hermite curve.
 ///
-/// An element's parameter x runs from 0 to its parameter length l; strains and integrals use the arc length s
-/// of this line, ds = |r0'| dx. Derivatives by s follow from those by x:
+/// An element's parameter x runs from 0 to its parameter length l; strains and integrals use the
+/// arc length s of this line, ds = |r0'| dx. Derivatives by s follow from those by x:
 ///
 ///     dr/ds = r'/J,    d2r/ds2 = r''/J^2 - (J'/J^3) r',    J = |r0'|,  J' = r0'.r0''/J.
 ///
@@ -24,7 +24,8 @@
 
 namespace ancf {
 
-/// The line through two nodes with given positions and slopes r_x; straight unless they say otherwise.
+/// The line through two nodes with given positions and slopes r_x; straight unless they say
+/// otherwise.
 template <int Dimension>
 class ReferenceLine {
 public:
@@ -75,7 +76,8 @@ public:
     }
 
     /// Returns the stations of a rule along the line; reference strains are zero.
-    [[nodiscard]] StationTable<double> stations(const Rule& rule, const SectionStiffness& section) const {
+    [[nodiscard]] StationTable<double> stations(const Rule& rule,
+                                                const SectionStiffness& section) const {
         StationTable<double> table;
         for (const RuleStation& station : rule.stations()) {
             const StationShape<double> at = shape(station.xi);
@@ -92,7 +94,8 @@ public:
 
     /// Returns the mass weights of an element on this line, see mass_weights().
     template <int FieldsPerNode>
-    [[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass(double density, const Moments& moments) const {
+    [[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass(double density,
+                                                         const Moments& moments) const {
         if (!curved_) return mass_weights<FieldsPerNode>(density, moments, parameter_length_);
         return mass_weights<FieldsPerNode>(density, moments, parameter_length_, integration_points,
                                            [this](double xi) { return metric(xi); });
@@ -100,7 +103,8 @@ public:
 
     /// Returns the nodal force of a dead force per arc length, N/m.
     template <int FieldsPerNode>
-    [[nodiscard]] Vector<double, 2 * Dimension * FieldsPerNode> line_load(const Point& force) const {
+    [[nodiscard]] Vector<double, 2 * Dimension * FieldsPerNode> line_load(
+        const Point& force) const {
         Moments line;  // a section of unit area on the axis alone
         line.area = 1.0;
         return gravity_force<Dimension>(mass<FieldsPerNode>(1.0, line), force);

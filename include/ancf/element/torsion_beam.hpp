@@ -38,9 +38,9 @@ struct TorsionBeamOptions {
 ///
 ///     U = int 1/2 EA eps^2 + 1/2 k^T EI k + 1/2 GJ om^2 ds,    eps = (r'.r' - 1)/2,
 ///
-/// with k and om the section's turn per reference length, less that of the stress-free state. At the
-/// nodes the section's own stiffness holds r_y at unit length and normal to r_x. Wagner's coupling of
-/// twist and stretch is left out.
+/// with k and om the section's turn per reference length, less that of the stress-free state. At
+/// the nodes the section's own stiffness holds r_y at unit length and normal to r_x. Wagner's
+/// coupling of twist and stretch is left out.
 class TorsionBeam {
 public:
     static constexpr int dimension = 3;
@@ -53,7 +53,8 @@ public:
     /// @param section  centred on the axis, with a torsion constant
     /// @param length   l, m, > 0
     /// @throws InvalidArgument for bad values; for a section whose centroid is off the axis; for a
-    ///         rule that leaves the element a mechanism (three axial, two bending points are needed).
+    ///         rule that leaves the element a mechanism (three axial, two bending points are
+    ///         needed).
     TorsionBeam(const Material& material, const Section& section, double length,
                 const Options& options = {});
 
@@ -87,8 +88,8 @@ public:
     /// Returns the constant mass matrix, 18 x 18; kg, kg m and kg m^2 by block.
     ///
     /// r_y carries the polar moment of the section, which is exact for spin about the axis. For the
-    /// rotary inertia of bending, int y^2 dA + int z^2 dA stands for int y^2 dA about the z axis and
-    /// nothing for int z^2 dA about the y axis.
+    /// rotary inertia of bending, int y^2 dA + int z^2 dA stands for int y^2 dA about the z axis
+    /// and nothing for int z^2 dA about the y axis.
     [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<3>(mass_weights_); }
 
     /// Returns the nodal force of gravity.

@@ -33,8 +33,8 @@ struct Beam {
 
     /// Returns a node by its place along the chain, 0 at the start.
     [[nodiscard]] NodeId node(int place) const {
-        detail::require(place >= 0 && place < static_cast<int>(nodes.size()),
-                        "Beam: there are ", nodes.size(), " nodes, got place ", place);
+        detail::require(place >= 0 && place < static_cast<int>(nodes.size()), "Beam: there are ",
+                        nodes.size(), " nodes, got place ", place);
         return nodes[static_cast<std::size_t>(place)];
     }
 };
@@ -97,7 +97,8 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
                                const typename Model<Elements...>::Slopes& slopes, int elements,
                                Options&&... options) {
     using Scene = Model<Elements...>;
-    using Chosen = std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
+    using Chosen =
+        std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
     const double length = (to - from).norm();
     detail::require(std::isfinite(length) && length > 0.0,

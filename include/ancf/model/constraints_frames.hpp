@@ -6,7 +6,8 @@
 ///
 /// A frame R = [t n c] of two slopes p, a turns by the spin w = O (dp, da):
 ///
-///     t = p/|p|,  n = unit(a - (a.t) t),  c = t x n,    O = [ [t]x/lam - (al/lam) t c^T,  t c^T/nu ],
+///     t = p/|p|,  n = unit(a - (a.t) t),  c = t x n,
+///     O = [ [t]x/lam - (al/lam) t c^T,  t c^T/nu ],
 ///
 /// lam = |p|, nu = |a - (a.t) t|, al = a.t/nu. Only directions count, never the slopes' lengths.
 /// A cable's node has p alone: R = [t 0 0], O = [t]x/lam. docs/theory-dynamics.md derives the rest.
@@ -38,8 +39,8 @@ struct FrameAt {
     /// @throws InvalidArgument unless both are slopes and differ.
     FrameAt(NodeId at, Field along, Field across) : node(at), first(along), second(across) {
         detail::require(along != Field::r && across != Field::r && along != across,
-                        "FrameAt: a frame needs two different slopes, got ", to_string(along), " and ",
-                        to_string(across));
+                        "FrameAt: a frame needs two different slopes, got ", to_string(along),
+                        " and ", to_string(across));
     }
 };
 
@@ -47,9 +48,9 @@ namespace detail {
 
 /// What a joint holds on one side.
 enum class SideKind {
-    space,    ///< a frame that rests
-    frame,    ///< two slopes of a node
-    tangent   ///< one slope of a node
+    space,   ///< a frame that rests
+    frame,   ///< two slopes of a node
+    tangent  ///< one slope of a node
 };
 
 /// The spin map of a side: 3 x (0, 6 or 3).
@@ -132,8 +133,7 @@ struct Triad {
     d_along += f.nu * u_n;
     const Eigen::RowVectorXd d_al = (d_along - f.al * d_nu) / f.nu;
     const double bent = f.al * twist / f.lam;
-    const Eigen::RowVectorXd d_bent =
-        (f.al * d_twist + twist * d_al - bent * d_lam) / f.lam;
+    const Eigen::RowVectorXd d_bent = (f.al * d_twist + twist * d_al - bent * d_lam) / f.lam;
     out.topRows<3>() -= c * d_bent + bent * dc;
     out.bottomRows<3>() = (c * (d_twist - twist / f.nu * d_nu) + twist * dc) / f.nu;
     return out;
@@ -141,13 +141,15 @@ struct Triad {
 
 /// The bilinear form g = sum_ij C_ij A_i.B_j of the axes of two frames.
 ///
-/// With X = B C^T (columns x_i = sum_j C_ij B_j) and the moment m = sum_i A_i x x_i, dg = m.(w_A - w_B).
+/// With X = B C^T (columns x_i = sum_j C_ij B_j) and the moment m = sum_i A_i x x_i, dg = m.(w_A -
+/// w_B).
 template <class Scalar>
 struct FrameForm {
     Scalar value;
     Vector<Scalar, 3> moment;
 
-    FrameForm(const Matrix<Scalar, 3>& coefficients, const Triad<Scalar>& a, const Triad<Scalar>& b) {
+    FrameForm(const Matrix<Scalar, 3>& coefficients, const Triad<Scalar>& a,
+              const Triad<Scalar>& b) {
         const Matrix<Scalar, 3> x = b.axes * coefficients.transpose();
         value = Scalar(0.0);
         moment.setZero();
@@ -174,8 +176,7 @@ struct FrameForm {
                                                 const Triad<double>& a, const Triad<double>& b) {
     const Matrix<double, 3> x = b.axes * coefficients.transpose();
     const FrameForm<double> form(coefficients, a, b);
-    const Matrix<double, 3> s =
-        a.axes * x.transpose() - form.value * Matrix<double, 3>::Identity();
+    const Matrix<double, 3> s = a.axes * x.transpose() - form.value * Matrix<double, 3>::Identity();
     const Eigen::Index na = a.spin.cols();
     const Eigen::Index nb = b.spin.cols();
     MatrixX h(na + nb, na + nb);

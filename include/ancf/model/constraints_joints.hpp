@@ -4,9 +4,10 @@
 /// @file
 /// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents.
 ///
-/// Each holds the nodes' positions together and some angles between their frames (constraints_frames.hpp)
-/// by bilinear forms of the frames' axes. Axes are given in global components as they stand when the joint
-/// is made; the joint keeps them fixed in the frames. Equations in m come first, then those of angles.
+/// Each holds the nodes' positions together and some angles between their frames
+/// (constraints_frames.hpp) by bilinear forms of the frames' axes. Axes are given in global
+/// components as they stand when the joint is made; the joint keeps them fixed in the frames.
+/// Equations in m come first, then those of angles.
 
 #pragma once
 
@@ -118,23 +119,31 @@ template <class Scalar>
 class FrameJoint {
 public:
     [[nodiscard]] Coupling coupling() const;
-    [[nodiscard]] int equations() const { return positions() + static_cast<int>(constants_.size()); }
-    [[nodiscard]] std::string name() const { return what_ + " of " + a_.name() + " and " + b_.name(); }
+    [[nodiscard]] int equations() const {
+        return positions() + static_cast<int>(constants_.size());
+    }
+    [[nodiscard]] std::string name() const {
+        return what_ + " of " + a_.name() + " and " + b_.name();
+    }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const;
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const;
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q, const Scalar& time) const;
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
 
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 protected:
     FrameJoint(std::string what, JointSide a, JointSide b, bool positions)
         : what_(std::move(what)), a_(std::move(a)), b_(std::move(b)), pinned_(positions) {
-        require(a_.kind == SideKind::space || b_.kind == SideKind::space || a_.at.node != b_.at.node,
-                "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
+        require(
+            a_.kind == SideKind::space || b_.kind == SideKind::space || a_.at.node != b_.at.node,
+            "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
     }
 
     /// Adds the equation sum C_ij A_i.B_j = constant.
@@ -175,7 +184,8 @@ private:
     [[nodiscard]] std::vector<Matrix<Scalar, 3>> forms(const Scalar& time) const {
         if (angle_) {
             const Scalar angle = continued(angle_->value, angle_->rate, time);
-            return turn_forms<Scalar>(rotation_about(turn_, angle) * relative_.template cast<Scalar>());
+            return turn_forms<Scalar>(rotation_about(turn_, angle) *
+                                      relative_.template cast<Scalar>());
         }
         std::vector<Matrix<Scalar, 3>> out;
         for (const Matrix<double, 3>& form : forms_) out.push_back(form.template cast<Scalar>());
@@ -187,8 +197,8 @@ private:
     [[nodiscard]] std::vector<Matrix<Scalar, 3>> form_rates(const Scalar& time) const {
         const Scalar angle = continued(angle_->value, angle_->rate, time);
         const Scalar speed = continued(angle_->rate, angle_->acceleration, time);
-        return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() * rotation_about(turn_, angle) *
-                                  relative_.template cast<Scalar>());
+        return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() *
+                                  rotation_about(turn_, angle) * relative_.template cast<Scalar>());
     }
 
     std::string what_;
@@ -260,11 +270,11 @@ public:
 /// 6 equations. The multiplier of the axis is the motor's moment.
 class DrivenRevolute : public detail::FrameJoint {
 public:
-    /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes or
-    ///         a node without a frame.
+    /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes
+    ///         or a node without a frame.
     template <class Scene>
-    DrivenRevolute(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis,
-                   Motion angle)
+    DrivenRevolute(const Scene& model, const FrameAt& a, const FrameAt& b,
+                   const Vector<double, 3>& axis, Motion angle)
         : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::frame(model, b), true) {
         hold(axis, std::move(angle));
@@ -272,7 +282,8 @@ public:
 
     /// A driven hinge to space: the node turns by -angle(t) against space.
     template <class Scene>
-    DrivenRevolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis, Motion angle)
+    DrivenRevolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis,
+                   Motion angle)
         : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::space(model, a.node), true) {
         hold(axis, std::move(angle));
@@ -281,18 +292,20 @@ public:
 private:
     void hold(const Vector<double, 3>& axis, Motion angle) {
         angle.check("DrivenRevolute");
-        hold_turn(a().axes.transpose() * detail::unit_axis("DrivenRevolute", axis), std::move(angle));
+        hold_turn(a().axes.transpose() * detail::unit_axis("DrivenRevolute", axis),
+                  std::move(angle));
     }
 };
 
-/// A universal (Cardan) joint: positions held together, and the angle between an axis of A and one of B
-/// kept; 4 equations.
+/// A universal (Cardan) joint: positions held together, and the angle between an axis of A and one
+/// of B kept; 4 equations.
 class Universal : public detail::FrameJoint {
 public:
-    /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a frame.
+    /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a
+    ///         frame.
     template <class Scene>
-    Universal(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis_of_a,
-              const Vector<double, 3>& axis_of_b)
+    Universal(const Scene& model, const FrameAt& a, const FrameAt& b,
+              const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b)
         : FrameJoint("universal joint", detail::JointSide::frame(model, a),
                      detail::JointSide::frame(model, b), true) {
         hold(axis_of_a, axis_of_b);
@@ -317,8 +330,8 @@ private:
     }
 };
 
-/// The tangent r_x of a node kept in the direction that it has in another node's frame, or in space;
-/// 2 equations. With a Pin it welds a cable, whose node has no frame, to a beam or to space.
+/// The tangent r_x of a node kept in the direction that it has in another node's frame, or in
+/// space; 2 equations. With a Pin it welds a cable, whose node has no frame, to a beam or to space.
 class AlignedTangent : public detail::FrameJoint {
 public:
     /// @throws InvalidArgument for equal nodes, a node without a frame or a tangent of no length.
@@ -359,7 +372,8 @@ inline Coupling FrameJoint::coupling() const {
 }
 
 template <class Scalar>
-DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q,
+                                            const Scalar& time) const {
     DynamicVector<Scalar> g(equations());
     if (pinned_) {
         Vector<Scalar, 3> other = b_.place.template cast<Scalar>();
@@ -377,7 +391,8 @@ DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q, cons
 }
 
 template <class Scalar>
-DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const {
+DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
+                                           const Scalar& time) const {
     DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(equations(), q.size());
     if (pinned_) {
         g.template topLeftCorner<3, 3>().diagonal().setConstant(Scalar(1.0));
@@ -424,7 +439,8 @@ inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& ou
     const double angle = angle_->value(at.time);
     const double speed = angle_->rate(at.time);
     const Matrix<double, 3> turned = rotation_about(turn_, angle) * relative_;
-    const Matrix<double, 3> bend = angle_->acceleration(at.time) * turn_ + speed * speed * turn_ * turn_;
+    const Matrix<double, 3> bend =
+        angle_->acceleration(at.time) * turn_ + speed * speed * turn_ * turn_;
     const auto first_rate = turn_forms<double>(speed * turn_ * turned);
     const auto second_rate = turn_forms<double>(bend * turned);
     row = positions();

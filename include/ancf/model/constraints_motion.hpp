@@ -42,11 +42,11 @@ struct PointMotion {
     Function rate;          ///< m/s
     Function acceleration;  ///< m/s^2
 
-    template <class Value, class Rate, class Acceleration,
-              std::enable_if_t<std::is_invocable_v<Value, double> &&
-                                   std::is_invocable_v<Rate, double> &&
-                                   std::is_invocable_v<Acceleration, double>,
-                               int> = 0>
+    template <
+        class Value, class Rate, class Acceleration,
+        std::enable_if_t<std::is_invocable_v<Value, double> && std::is_invocable_v<Rate, double> &&
+                             std::is_invocable_v<Acceleration, double>,
+                         int> = 0>
     PointMotion(Value position, Rate velocity, Acceleration change)
         : value(std::move(position)), rate(std::move(velocity)), acceleration(std::move(change)) {}
 
@@ -83,7 +83,8 @@ template <int Dimension>
     const std::function<Vector<double, Dimension>(double)>& f,
     const std::function<Vector<double, Dimension>(double)>& derivative,
     const std::complex<double>& t) {
-    Vector<std::complex<double>, Dimension> value = f(t.real()).template cast<std::complex<double>>();
+    Vector<std::complex<double>, Dimension> value =
+        f(t.real()).template cast<std::complex<double>>();
     value += std::complex<double>(0.0, t.imag()) * derivative(t.real());
     return value;
 }

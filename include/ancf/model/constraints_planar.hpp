@@ -4,7 +4,8 @@
 /// @file
 /// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
 ///
-/// The angle th of a slope p has dth = (p x dp)/|p|^2; the joint holds sin(th_b - th_a - phi(t)) = 0.
+/// The angle th of a slope p has dth = (p x dp)/|p|^2; the joint holds sin(th_b - th_a - phi(t)) =
+/// 0.
 
 #pragma once
 
@@ -26,8 +27,8 @@ class PlanarWeld {
 public:
     /// @param slope  whose direction counts: r_x, or r_y for the section.
     /// @param angle  added to the angle of the start, rad; without it the angle stays.
-    /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that is not
-    ///         complete.
+    /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
+    ///         is not complete.
     template <class Scene>
     PlanarWeld(const Scene& model, NodeId a, NodeId b, Field slope = Field::r_x)
         : PlanarWeld(model, a, b, resting(), slope) {}
@@ -69,7 +70,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
         DynamicVector<Scalar> g(3);
         g[0] = q[0];
         g[1] = q[1];
@@ -79,7 +81,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const {
         DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(3, q.size());
         for (int k = 0; k < 2; ++k) {
             g(k, k) = Scalar(1.0);
@@ -90,7 +93,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const {
         DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(3);
         g[2] = -turn(q, time).cosine * detail::continued(angle_.rate, angle_.acceleration, time);
         return g;
@@ -106,8 +110,9 @@ public:
         out.stiffness = at.multipliers[2] *
                         (now.cosine * curvature - now.sine * gradient * gradient.transpose());
         const double speed = gradient.dot(at.v) - angle_.rate(at.time);
-        out.convection[2] = now.cosine * (at.v.dot(curvature * at.v) - angle_.acceleration(at.time)) -
-                            now.sine * speed * speed;
+        out.convection[2] =
+            now.cosine * (at.v.dot(curvature * at.v) - angle_.acceleration(at.time)) -
+            now.sine * speed * speed;
     }
 
 private:
@@ -143,7 +148,8 @@ private:
         const Scalar sine = (a[0] * b[1] - a[1] * b[0]) / lengths;
         const Scalar cosine = Scalar(a.transpose() * b) / lengths;
         const Scalar target = start_ + detail::continued(angle_.value, angle_.rate, time);
-        return {sine * cos(target) - cosine * sin(target), cosine * cos(target) + sine * sin(target)};
+        return {sine * cos(target) - cosine * sin(target),
+                cosine * cos(target) + sine * sin(target)};
     }
 
     /// d(th_b - th_a)/dq.

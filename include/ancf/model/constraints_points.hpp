@@ -4,8 +4,8 @@
 /// @file
 /// Constraints on coordinates and points: fixed coordinates, pins, distances.
 ///
-/// violation, jacobian and rate are templates on the scalar so that the tests differentiate them by a
-/// complex step; evaluate is what a model calls. docs/theory-dynamics.md derives each term.
+/// violation, jacobian and rate are templates on the scalar so that the tests differentiate them by
+/// a complex step; evaluate is what a model calls. docs/theory-dynamics.md derives each term.
 
 #pragma once
 
@@ -60,7 +60,10 @@ template <class Element, class Scene>
     detail::require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
     const Connection& at = group.connections[static_cast<std::size_t>(element)];
     const auto shape = hermite(xi, group.element(element).length());
-    return {{{at.first, Field::r}, {at.first, Field::r_x}, {at.second, Field::r}, {at.second, Field::r_x}},
+    return {{{at.first, Field::r},
+             {at.first, Field::r_x},
+             {at.second, Field::r},
+             {at.second, Field::r_x}},
             {shape[0], shape[1], shape[2], shape[3]},
             "the point at " + std::to_string(xi) + " of element " + std::to_string(element)};
 }
@@ -79,7 +82,8 @@ public:
                 "a constraint joins two points, got ", a_.name, " twice");
     }
 
-    PointPair(MaterialPoint a, PointMotion<Dimension> path) : a_(std::move(a)), path_(std::move(path)) {
+    PointPair(MaterialPoint a, PointMotion<Dimension> path)
+        : a_(std::move(a)), path_(std::move(path)) {
         check(a_);
         path_->check("a point on a path");
     }
@@ -150,7 +154,8 @@ private:
 
 /// One coordinate held by a multiplier or driven: g = e - f(t), m or 1.
 ///
-/// Its multiplier is the support's reaction. Model::fix removes the coordinate instead and is cheaper.
+/// Its multiplier is the support's reaction. Model::fix removes the coordinate instead and is
+/// cheaper.
 template <int Dimension = 3>
 class FixedCoordinate {
 public:
@@ -177,20 +182,23 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
         return DynamicVector<Scalar>::Constant(
             1, q[component_] - detail::continued(motion_.value, motion_.rate, time));
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>&, const Scalar&) const {
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>&,
+                                                 const Scalar&) const {
         DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, Dimension);
         g(0, component_) = Scalar(1.0);
         return g;
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&,
+                                             const Scalar& time) const {
         return DynamicVector<Scalar>::Constant(
             1, -detail::continued(motion_.rate, motion_.acceleration, time));
     }
@@ -217,7 +225,8 @@ public:
     /// @throws InvalidArgument unless the place is finite.
     Pin(MaterialPoint a, const Vector<double, Dimension>& place)
         : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
-        detail::require(place.allFinite(), "Pin: the place must be finite, got ", place.transpose());
+        detail::require(place.allFinite(), "Pin: the place must be finite, got ",
+                        place.transpose());
     }
 
     /// @throws InvalidArgument if both are the same node.
@@ -231,12 +240,14 @@ public:
     [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
         return points_.difference(q, time);
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar&) const {
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar&) const {
         DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(Dimension, q.size());
         points_.for_each_weight([&](int k, double weight) {
             g.template middleCols<Dimension>(Dimension * k).diagonal().setConstant(Scalar(weight));
@@ -245,7 +256,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&,
+                                             const Scalar& time) const {
         return points_.drift(time);
     }
 
@@ -269,8 +281,9 @@ class Distance {
 public:
     /// @throws InvalidArgument unless the length is positive and the place finite.
     Distance(MaterialPoint a, const Vector<double, Dimension>& place, double length)
-        : Distance(detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
-                   length) {
+        : Distance(
+              detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
+              length) {
         detail::require(place.allFinite(), "Distance: the place must be finite, got ",
                         place.transpose());
     }
@@ -290,7 +303,8 @@ public:
     }
 
     Distance(MaterialPoint a, const Vector<double, Dimension>& place, Motion length)
-        : points_(std::move(a), PointMotion<Dimension>::at_rest(place)), length_(std::move(length)) {
+        : points_(std::move(a), PointMotion<Dimension>::at_rest(place)),
+          length_(std::move(length)) {
         length_.check("Distance");
     }
 
@@ -299,7 +313,8 @@ public:
     [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
         using std::sqrt;
         const Vector<Scalar, Dimension> d = points_.difference(q, time);
         const Scalar square = d.transpose() * d;
@@ -308,7 +323,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const {
         const Vector<Scalar, Dimension> n = direction(q, time);
         DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, q.size());
         points_.for_each_weight([&](int k, double weight) {
@@ -318,7 +334,8 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const {
         const Scalar along = direction(q, time).transpose() * points_.drift(time);
         return DynamicVector<Scalar>::Constant(
             1, along - detail::continued(length_.rate, length_.acceleration, time));
@@ -375,12 +392,13 @@ template <class Constraint>
 class Driven {
 public:
     /// @param motions  (equation, motion) pairs; m for an equation in m.
-    /// @throws InvalidArgument for an equation that does not exist or a motion that is not complete.
+    /// @throws InvalidArgument for an equation that does not exist or a motion that is not
+    ///         complete.
     Driven(Constraint constraint, std::vector<std::pair<int, Motion>> motions)
         : constraint_(std::move(constraint)), motions_(std::move(motions)) {
         for (const auto& [equation, motion] : motions_) {
-            detail::require(equation >= 0 && equation < constraint_.equations(), "Driven: ",
-                            constraint_.name(), " has ", constraint_.equations(),
+            detail::require(equation >= 0 && equation < constraint_.equations(),
+                            "Driven: ", constraint_.name(), " has ", constraint_.equations(),
                             " equations, got equation ", equation);
             motion.check("Driven");
         }
@@ -391,7 +409,8 @@ public:
     [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
         DynamicVector<Scalar> g = constraint_.violation(q, time);
         for (const auto& [equation, motion] : motions_)
             g[equation] -= detail::continued(motion.value, motion.rate, time);
@@ -399,12 +418,14 @@ public:
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const {
         return constraint_.jacobian(q, time);
     }
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const {
         DynamicVector<Scalar> g = constraint_.rate(q, time);
         for (const auto& [equation, motion] : motions_)
             g[equation] -= detail::continued(motion.rate, motion.acceleration, time);

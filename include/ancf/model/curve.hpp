@@ -53,15 +53,16 @@ template <class Element>
 
 /// Adds a beam through given points, one element between each two.
 ///
-/// @param lengths  parameter range of each element, m: with unit slopes r_x the arc length. One entry:
-///                 all elements are equal up to a rigid motion and share one prototype.
+/// @param lengths  parameter range of each element, m: with unit slopes r_x the arc length. One
+///                 entry: all elements are equal up to a rigid motion and share one prototype.
 /// @throws InvalidArgument for fewer than two points or a number of lengths that does not fit.
 template <class Element = void, class... Elements, class... Options>
 auto beam_through(Model<Elements...>& model, const Material& material, const Section& section,
                   const std::vector<CurvePoint<Model<Elements...>::dimension>>& points,
                   const std::vector<double>& lengths, Options&&... options) {
     using Scene = Model<Elements...>;
-    using Chosen = std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
+    using Chosen =
+        std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
     detail::require(points.size() >= 2, "beam_through: at least two points are needed, got ",
                     points.size());
     detail::require(lengths.size() == 1 || lengths.size() + 1 == points.size(),
@@ -72,12 +73,11 @@ auto beam_through(Model<Elements...>& model, const Material& material, const Sec
         beam.nodes.push_back(model.add_node(point.position, point.slopes));
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         if (k < lengths.size())
-            beam.prototypes.push_back(model.add_prototype(
-                Chosen(material, section,
-                       detail::reference_coordinates<Chosen>(points[k], points[k + 1]), lengths[k],
-                       options...)));
-        beam.elements.push_back(model.template connect<Chosen>(beam.prototypes.back(), beam.nodes[k],
-                                                               beam.nodes[k + 1]));
+            beam.prototypes.push_back(model.add_prototype(Chosen(
+                material, section, detail::reference_coordinates<Chosen>(points[k], points[k + 1]),
+                lengths[k], options...)));
+        beam.elements.push_back(model.template connect<Chosen>(beam.prototypes.back(),
+                                                               beam.nodes[k], beam.nodes[k + 1]));
     }
     return beam;
 }
@@ -85,7 +85,8 @@ auto beam_through(Model<Elements...>& model, const Material& material, const Sec
 /// Adds an arc of a circle in space.
 ///
 /// It starts at `from` along `tangent` and turns towards `normal` (made normal to the tangent) by
-/// `angle`, rad, on the given radius, m. The section's y axis points along the normal, to the centre.
+/// `angle`, rad, on the given radius, m. The section's y axis points along the normal, to the
+/// centre.
 /// @throws InvalidArgument for a radius or an angle that is not positive, or parallel directions.
 template <class Element = void, class... Elements, class... Options>
 auto arc(Model<Elements...>& model, const Material& material, const Section& section,
@@ -207,7 +208,8 @@ auto spline(Model<Elements...>& model, const Material& material, const Section& 
         if (k > 0) {
             const Vector<double, 3> before = points.back().slopes.col(0);
             const Vector<double, 3> carried = points.back().slopes.col(1);
-            across = carried - carried.dot(tangent) / (1.0 + before.dot(tangent)) * (before + tangent);
+            across =
+                carried - carried.dot(tangent) / (1.0 + before.dot(tangent)) * (before + tangent);
         }
         points.push_back({through[k], reference_slopes(tangent, across)});
     }

@@ -10,7 +10,9 @@
 ///     struct Weight {
 ///         ancf::NodeId node;
 ///         ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
-///         void evaluate(const ancf::LoadState&, ancf::LoadResult& out) const { out.force[1] = -1.0; }
+///         void evaluate(const ancf::LoadState&, ancf::LoadResult& out) const {
+///             out.force[1] = -1.0;
+///         }
 ///     };
 
 #pragma once

@@ -4,8 +4,9 @@
 /// @file
 /// Nodal loads with their exact stiffness: dead and following forces and moments.
 ///
-/// A moment acts on slopes, so its generalised force depends on them. docs/theory-statics.md derives each;
-/// the frame (t, n, c) of a node is t along r_x, n the part of r_y normal to t, c = t x n.
+/// A moment acts on slopes, so its generalised force depends on them. docs/theory-statics.md
+/// derives each; the frame (t, n, c) of a node is t along r_x, n the part of r_y normal to t, c = t
+/// x n.
 
 #pragma once
 
@@ -71,7 +72,8 @@ class SlopeMoment {
 public:
     static constexpr bool symmetric_stiffness = true;
 
-    /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not finite.
+    /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not
+    ///         finite.
     SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis, double moment);
 
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }

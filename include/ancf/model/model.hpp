@@ -308,8 +308,8 @@ void Model<Elements...>::prescribe(NodeId node, Field field, int component, Ampl
         return s.node == node && s.field == field && s.component == component;
     };
     supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
-    supports_.push_back({node, field, component, std::move(value), std::move(rate),
-                         std::move(acceleration)});
+    supports_.push_back(
+        {node, field, component, std::move(value), std::move(rate), std::move(acceleration)});
 }
 
 template <class... Elements>
@@ -366,9 +366,8 @@ template <class Element>
 typename Element::Coordinates Model<Elements...>::element_coordinates(int index,
                                                                       const VectorX& q) const {
     const auto& connections = group<Element>().connections;
-    detail::require(index >= 0 && index < static_cast<int>(connections.size()),
-                    "Model: there are ", connections.size(), " elements of this type, got index ",
-                    index);
+    detail::require(index >= 0 && index < static_cast<int>(connections.size()), "Model: there are ",
+                    connections.size(), " elements of this type, got index ", index);
     const Connection& connection = connections[static_cast<std::size_t>(index)];
     typename Element::Coordinates e;
     int at = 0;
@@ -410,10 +409,8 @@ void Model<Elements...>::refresh() const {
             if (to < 0) continue;
             const int from = node < before.nodes() ? before.index(at) : -1;
             if (from >= 0) {
-                state_.q.template segment<dimension>(to) =
-                    old.q.template segment<dimension>(from);
-                state_.v.template segment<dimension>(to) =
-                    old.v.template segment<dimension>(from);
+                state_.q.template segment<dimension>(to) = old.q.template segment<dimension>(from);
+                state_.v.template segment<dimension>(to) = old.v.template segment<dimension>(from);
             } else {
                 state_.q.template segment<dimension>(to) =
                     initial_[static_cast<std::size_t>(node)].vectors.col(k);

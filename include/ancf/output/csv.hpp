@@ -4,8 +4,8 @@
 /// @file
 /// Comma-separated values: one header line, then rows of numbers and words.
 ///
-/// Numbers carry 17 significant digits, so that reading them back gives the same bits, and a decimal
-/// point whatever the locale. Not-a-number and infinities print as nan, inf and -inf.
+/// Numbers carry 17 significant digits, so that reading them back gives the same bits, and a
+/// decimal point whatever the locale. Not-a-number and infinities print as nan, inf and -inf.
 
 #pragma once
 

@@ -5,7 +5,8 @@
 /// The outer surface of deformed beams: polygons, with section results at their corners.
 ///
 /// Each element is sampled at its own stations, so that results may jump from one element to the
-/// next; a beam's two ends are closed by its outline. Polygons are counter-clockwise seen from outside.
+/// next; a beam's two ends are closed by its outline. Polygons are counter-clockwise seen from
+/// outside.
 
 #pragma once
 

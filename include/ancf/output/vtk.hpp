@@ -43,7 +43,8 @@ void write_vtk(const std::filesystem::path& file, const Surface& surface, double
 
 /// Surfaces in time: FOLDER/NAME_000000.vtp and so on, with their times in FOLDER/NAME.pvd.
 ///
-/// The index is complete after every call of add, so that a run that stops leaves a readable series.
+/// The index is complete after every call of add, so that a run that stops leaves a readable
+/// series.
 class VtkSeries {
 public:
     /// Makes the folder where it does not exist.

@@ -78,8 +78,8 @@ ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numb
     if (count == 0) return;
     element_size_ = length / count;
     const VectorX& q = model.state().q;
-    Vector<double, dimension> low = Vector<double, dimension>::Constant(
-        std::numeric_limits<double>::infinity());
+    Vector<double, dimension> low =
+        Vector<double, dimension>::Constant(std::numeric_limits<double>::infinity());
     Vector<double, dimension> high = -low;
     for (int node = 0; node < layout.nodes(); ++node) {
         if (!layout.fields(node).contains(Field::r)) continue;
@@ -115,8 +115,9 @@ double ConvergenceMonitor::residual(const Assembly& assembly) const {
     const double moment = loads.moment + joints.moment + reactions.moment;
     const double force = loads.force + joints.force + reactions.force;
     const double smallest = std::numeric_limits<double>::min();
-    const double relative = std::max(rest.force / std::max(force + moment / size_, smallest),
-                                     rest.moment / std::max(moment + force * element_size_, smallest));
+    const double relative =
+        std::max(rest.force / std::max(force + moment / size_, smallest),
+                 rest.moment / std::max(moment + force * element_size_, smallest));
     return std::max(relative, assembly.violation().norm() / size_);
 }
 

@@ -52,21 +52,22 @@ struct CriticalPoint {
     double factor;
     std::size_t after;  ///< index of the path point before it
     State state;
-    VectorX mode;  ///< null vector of the tangent, all coordinates, of unit length in the path's measure
+    /// Null vector of the tangent, all coordinates, of unit length in the path's measure.
+    VectorX mode;
 };
 
 /// How a path is followed.
 struct PathOptions {
     PathControl control = PathControl::cylindrical;
-    NodeField at{};         ///< displacement control: the vector,
-    int component = 0;      ///< and its component
+    NodeField at{};     ///< displacement control: the vector,
+    int component = 0;  ///< and its component
 
-    double first_factor = 0.0;   ///< load factor of the state that the model is in
-    double first_step = 0.1;     ///< change of the load factor that the first step aims at
-    double largest_step = 10.0;  ///< largest step relative to the first
-    double smallest_step = 1e-6; ///< smallest step relative to the first
-    int wanted_iterations = 5;   ///< steps grow and shrink towards this number
-    int max_iterations = 15;     ///< of a step, before it is halved
+    double first_factor = 0.0;    ///< load factor of the state that the model is in
+    double first_step = 0.1;      ///< change of the load factor that the first step aims at
+    double largest_step = 10.0;   ///< largest step relative to the first
+    double smallest_step = 1e-6;  ///< smallest step relative to the first
+    int wanted_iterations = 5;    ///< steps grow and shrink towards this number
+    int max_iterations = 15;      ///< of a step, before it is halved
     int max_points = 1000;
     double residual_tolerance = 1e-9;    ///< as in StaticsOptions
     double correction_tolerance = 1e-6;  ///< as in StaticsOptions
@@ -87,7 +88,8 @@ struct PathOptions {
 
 /// What a followed path reports.
 struct PathReport {
-    Status status = Status::converged;  ///< diverged: the smallest step failed; max_iterations: points
+    /// Or diverged: the smallest step failed; max_iterations: points.
+    Status status = Status::converged;
     std::vector<PathPoint> points;
     std::vector<CriticalPoint> critical;
 };

@@ -25,7 +25,8 @@ inline void PathOptions::check() const {
     detail::require(wanted_iterations >= 1 && max_iterations >= wanted_iterations,
                     "PathOptions: 1 <= wanted_iterations <= max_iterations is needed, got ",
                     wanted_iterations, " and ", max_iterations);
-    detail::require(max_points >= 1, "PathOptions: max_points must be at least 1, got ", max_points);
+    detail::require(max_points >= 1, "PathOptions: max_points must be at least 1, got ",
+                    max_points);
     detail::require_positive("PathOptions: residual_tolerance", residual_tolerance);
     detail::require_positive("PathOptions: correction_tolerance", correction_tolerance);
     detail::require(std::isfinite(branch_step) && branch_step != 0.0,
@@ -47,8 +48,9 @@ public:
           monitor_(model, numbering_),
           rest_(VectorX::Zero(numbering_.coordinates())) {
         for (const Support& support : model.supports())
-            require(!support.value, "follow_path: supports driven by an amplitude have no place on "
-                                    "a path; control a displacement instead");
+            require(!support.value,
+                    "follow_path: supports driven by an amplitude have no place on "
+                    "a path; control a displacement instead");
         weigh();
         if (options.control == PathControl::displacement) {
             const int coordinate = model.coordinate(options.at.node, options.at.field);
@@ -56,7 +58,8 @@ public:
                     "PathOptions: component must be one of ", Scene::dimension, ", got ",
                     options.component);
             controlled_ = numbering_.equation(coordinate + options.component);
-            require(controlled_ >= 0, "PathOptions: the controlled coordinate is held by a support");
+            require(controlled_ >= 0,
+                    "PathOptions: the controlled coordinate is held by a support");
         }
         require(options.direction.size() == 0 || options.direction.size() == rest_.size(),
                 "PathOptions: direction needs ", rest_.size(), " coordinates, got ",
@@ -105,9 +108,11 @@ public:
             if (options_.progress && !options_.progress(report_.points.back(), here.state))
                 return finish(Status::converged, here);
             const double growth =
-                std::clamp(std::sqrt(static_cast<double>(options_.wanted_iterations) / std::max(iterations, 1)),
+                std::clamp(std::sqrt(static_cast<double>(options_.wanted_iterations) /
+                                     std::max(iterations, 1)),
                            0.5, 2.0);
-            step = std::copysign(std::min(std::abs(step) * growth, options_.largest_step * first), step);
+            step = std::copysign(std::min(std::abs(step) * growth, options_.largest_step * first),
+                                 step);
             branching = false;
         }
         return finish(Status::max_iterations, here);
@@ -208,7 +213,8 @@ private:
     }
 
     [[nodiscard]] Control along_path(const Point& from, double step) const {
-        Control control{controlled_ >= 0, {}, 0.0, step, step * from.tangent_u, step * from.tangent_f};
+        Control control{controlled_ >= 0,     {}, 0.0, step, step * from.tangent_u,
+                        step * from.tangent_f};
         if (control.linear) {
             control.row.setZero(numbering_.unknowns());
             control.row[controlled_] = 1.0;
@@ -222,13 +228,17 @@ private:
         VectorX mode = VectorX::Zero(numbering_.unknowns());
         mode.head(free.size()) = free;
         mode /= std::sqrt(product(mode, mode));
-        return {true, weights_.cwiseProduct(mode), 0.0, options_.branch_step,
-                options_.branch_step * mode, 0.0};
+        return {true,
+                weights_.cwiseProduct(mode),
+                0.0,
+                options_.branch_step,
+                options_.branch_step * mode,
+                0.0};
     }
 
     [[nodiscard]] Control to_factor(double change) const {
-        return {true, VectorX::Zero(numbering_.unknowns()), 1.0, change,
-                VectorX::Zero(numbering_.unknowns()), change};
+        return {true,   VectorX::Zero(numbering_.unknowns()), 1.0,
+                change, VectorX::Zero(numbering_.unknowns()), change};
     }
 
     // Newton's method on the bordered system from `point`, the last one; -1 where it fails.
@@ -253,12 +263,13 @@ private:
             assembly_.residual(residual);
             solver_.solve(residual, by_residual);
             solve_load(point, by_load);
-            const VectorX row = control.linear ? control.row : VectorX(2.0 * weights_.cwiseProduct(du));
+            const VectorX row =
+                control.linear ? control.row : VectorX(2.0 * weights_.cwiseProduct(du));
             const double slope = control.linear ? control.slope : 2.0 * psi_ * psi_ * df;
-            const double violated = control.linear
-                                        ? control.row.dot(du) + control.slope * df - control.length
-                                        : product(du, du) + psi_ * psi_ * df * df -
-                                              control.length * control.length;
+            const double violated =
+                control.linear
+                    ? control.row.dot(du) + control.slope * df - control.length
+                    : product(du, du) + psi_ * psi_ * df * df - control.length * control.length;
             const double change = (row.dot(by_residual) - violated) / (row.dot(by_load) + slope);
             const VectorX step = change * by_load - by_residual;
             if (!step.allFinite() || !std::isfinite(change)) return -1;
@@ -336,7 +347,8 @@ private:
 
     void record(const Point& point, int iterations, double step) {
         const double before = report_.points.empty() ? 0.0 : report_.points.back().arc;
-        report_.points.push_back({point.factor, before + std::abs(step), iterations, point.negative_pivots});
+        report_.points.push_back(
+            {point.factor, before + std::abs(step), iterations, point.negative_pivots});
     }
 
     [[nodiscard]] PathReport finish(Status status, const Point& last) {
@@ -352,9 +364,9 @@ private:
     const Numbering& numbering_;
     ConvergenceMonitor monitor_;
     VectorX rest_;
-    VectorX weights_;       // of the free coordinates in the path's measure
-    double psi_ = 0.0;      // weight of the load factor in it
-    int controlled_ = -1;   // equation of the controlled coordinate
+    VectorX weights_;      // of the free coordinates in the path's measure
+    double psi_ = 0.0;     // weight of the load factor in it
+    int controlled_ = -1;  // equation of the controlled coordinate
     PathReport report_;
 };
 

@@ -5,8 +5,8 @@
 /// Static equilibrium by Newton's method in load steps.
 ///
 /// At each load factor the residual R(q, lambda) of the assembly is brought to zero. The stopping
-/// test is described in docs/theory-statics.md: the residual against loads and reactions, the correction
-/// against the scene's size, with the round-off of the residual as a floor.
+/// test is described in docs/theory-statics.md: the residual against loads and reactions, the
+/// correction against the scene's size, with the round-off of the residual as a floor.
 
 #pragma once
 
@@ -49,8 +49,8 @@ struct StaticsOptions {
 
 /// One load step.
 struct LoadStep {
-    double factor = 0.0;   ///< load factor at its end
-    int iterations = 0;    ///< linear solves
+    double factor = 0.0;  ///< load factor at its end
+    int iterations = 0;   ///< linear solves
     Status status = Status::converged;
     bool at_round_off = false;        ///< converged by the floor of the residual's round-off
     std::vector<double> residuals;    ///< relative residual before each solve, and the last
@@ -118,11 +118,13 @@ public:
             if (result.status == Status::converged) {
                 done = report_.factor = next;
                 if (options_.progress && !options_.progress(done, model_.state())) break;
-                if (result.iterations <= 6) step = std::min(2.0 * std::abs(step), std::abs(equal)) *
-                                                   (whole < 0.0 ? -1.0 : 1.0);
+                if (result.iterations <= 6)
+                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
+                           (whole < 0.0 ? -1.0 : 1.0);
             } else {
                 step *= 0.5;
-                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole)) break;
+                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
+                    break;
             }
         }
         finish();
@@ -192,8 +194,7 @@ private:
             state.multipliers += length * correction_.tail(assembly_.numbering().multipliers());
             const bool evaluated = evaluate(state, nullptr);
             if (!options_.line_search || halving == 8) return evaluated;
-            if (evaluated && monitor_.residual(assembly_) < 2.0 * before)
-                return true;
+            if (evaluated && monitor_.residual(assembly_) < 2.0 * before) return true;
             length *= 0.5;
         }
     }

@@ -38,7 +38,8 @@ Schedule until(double end) {
     return schedule;
 }
 
-DynamicsReport run(BarModel& model, double step, const Schedule& schedule, const ancf::Memory& memory = {}) {
+DynamicsReport run(BarModel& model, double step, const Schedule& schedule,
+                   const ancf::Memory& memory = {}) {
     BarProblem problem(model);
     ancf::EigenLu solver;
     return EnergyMomentum(steps(step)).integrate(problem, solver, schedule, memory);
@@ -121,7 +122,8 @@ TEST_CASE("discrete gradient: its work is the change of the energy, and its tang
     using E = Bar<3>::Coordinates;
     E e0 = random.vector<6>(), e1 = e0 + 0.3 * random.vector<6>();
     const double before = bar.energy(e0);
-    const auto step = ancf::detail::step_force(bar, e0, e1, before, ancf::detail::StepTangent::exact);
+    const auto step =
+        ancf::detail::step_force(bar, e0, e1, before, ancf::detail::StepTangent::exact);
     CHECK(step.force.dot(e1 - e0) == Approx(bar.energy(e1) - before).margin(1e-14));
     CHECK(step.energy == bar.energy(e1));
     const double h = 1e-6;
@@ -269,7 +271,8 @@ TEST_CASE("energy-momentum: a symmetric solver finds the same motion", "[dynamic
     CHECK(distance(ends[0], ends[1]) <= 1e-11);
 }
 
-TEST_CASE("energy-momentum: repeated constraints change nothing but their multipliers", "[dynamics]") {
+TEST_CASE("energy-momentum: repeated constraints change nothing but their multipliers",
+          "[dynamics]") {
     Chain once = swing(), twice = swing();
     twice.model.add(ancf::Distance<3>(twice.first(), Vector3(0.0, 0.0, 0.0), 0.5));
     REQUIRE(run(once.model, 2e-3, until(0.2)).status == Status::converged);
@@ -277,7 +280,8 @@ TEST_CASE("energy-momentum: repeated constraints change nothing but their multip
     options.redundancy = ancf::Redundancy::minimum_norm;
     BarProblem problem(twice.model, options);
     ancf::EigenLu solver;
-    const DynamicsReport report = EnergyMomentum(steps(2e-3)).integrate(problem, solver, until(0.2));
+    const DynamicsReport report =
+        EnergyMomentum(steps(2e-3)).integrate(problem, solver, until(0.2));
     REQUIRE(report.status == Status::converged);
     CHECK(distance(twice.model.state().q, once.model.state().q) <= 1e-11);
     const VectorX& shared = twice.model.state().multipliers;

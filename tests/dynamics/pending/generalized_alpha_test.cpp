@@ -49,7 +49,8 @@ Chain swing() {
     Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});
     scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), 0.5));
     scene.model.set_gravity({0.0, -9.81, 0.0});
-    for (const ancf::NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
+    for (const ancf::NodeId node : scene.nodes)
+        scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
     return scene;
 }
 
@@ -101,7 +102,8 @@ TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers
         Chain scene = swing();
         REQUIRE(run(scene.model, fixed(step, rho), until(0.5)).status == Status::converged);
         const ancf::State& state = scene.model.state();
-        const double error[3] = {distance(state.q, exact_swing().q), distance(state.v, exact_swing().v),
+        const double error[3] = {distance(state.q, exact_swing().q),
+                                 distance(state.v, exact_swing().v),
                                  distance(state.multipliers, exact_swing().multipliers)};
         for (int k = 0; k < 3; ++k) {
             if (before[k] > 0.0) CHECK(std::log2(before[k] / error[k]) == Approx(2.0).margin(0.15));
@@ -118,7 +120,8 @@ TEST_CASE("generalized-alpha: adaptive steps meet their tolerance with fewer ste
     REQUIRE(tight.status == Status::converged);
     const double loose_error = distance(coarse.model.state().q, exact_swing().q);
     const double tight_error = distance(fine.model.state().q, exact_swing().q);
-    // a local error of third order: 100 times the tolerance is 4.6 times the steps, 21 times the error
+    // a local error of third order: 100 times the tolerance is 4.6 times the steps, 21 times the
+    // error
     CHECK(tight.steps > 3 * loose.steps);
     CHECK(tight_error < 0.1 * loose_error);
     CHECK(tight_error <= 2e-4);
@@ -141,14 +144,16 @@ TEST_CASE("generalized-alpha: rho is the factor of fast oscillations per step", 
     const DynamicsReport report = run(model, options, until(0.03));
     REQUIRE(report.status == Status::converged);
     const double factor = std::abs(model.value(scene.last(), Field::r)[0] - 1.0) / 1e-9;
-    // at rho 0 two steps end it; else the slow decay of a double root is of the same order as rho^30
+    // at rho 0 two steps end it; else the slow decay of a double root is of the same order as
+    // rho^30
     if (rho == 0.0) CHECK(factor <= 1e-6);
     if (rho == 0.5) CHECK(factor <= 1e-6);
     if (rho == 0.9) CHECK((factor > 1e-3 && factor < 1.0));
     if (rho == 1.0) CHECK(factor == Approx(1.0).epsilon(1e-3));
 }
 
-TEST_CASE("generalized-alpha: constraints hold in every step, their rates at output", "[dynamics]") {
+TEST_CASE("generalized-alpha: constraints hold in every step, their rates at output",
+          "[dynamics]") {
     Chain scene = swing();
     Schedule schedule = ancf::equal_intervals(0.0, 0.5, 0.0123);
     std::size_t seen = 0;
@@ -267,7 +272,9 @@ TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dy
                                             : method.integrate(problem, lu, until(0.3));
         REQUIRE(report.status == Status::converged);
         ends[lower ? 1 : 0] = scene.model.state().q;
-        if (lower) CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)), ContainsSubstring("storage"));
+        if (lower)
+            CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)),
+                              ContainsSubstring("storage"));
     }
     CHECK(distance(ends[0], ends[1]) <= 1e-10);
 }
@@ -293,7 +300,8 @@ TEST_CASE("generalized-alpha: a driven support and a driven constraint move alik
     CHECK(distance(ends[0], ends[1]) <= 1e-4);
 }
 
-TEST_CASE("generalized-alpha: repeated constraints change nothing but their multipliers", "[dynamics]") {
+TEST_CASE("generalized-alpha: repeated constraints change nothing but their multipliers",
+          "[dynamics]") {
     Chain once = swing(), twice = swing();
     twice.model.add(ancf::Distance<3>(twice.first(), Vector3(0.0, 0.0, 0.0), 0.5));
     REQUIRE(run(once.model, fixed(1e-3), until(0.2)).status == Status::converged);
@@ -306,7 +314,8 @@ TEST_CASE("generalized-alpha: repeated constraints change nothing but their mult
     options.redundancy = ancf::Redundancy::minimum_norm;
     BarProblem problem(twice.model, options);
     ancf::EigenLu solver;
-    const DynamicsReport report = GeneralizedAlpha(fixed(1e-3)).integrate(problem, solver, until(0.2));
+    const DynamicsReport report =
+        GeneralizedAlpha(fixed(1e-3)).integrate(problem, solver, until(0.2));
     REQUIRE(report.status == Status::converged);
     CHECK(distance(twice.model.state().q, once.model.state().q) <= 1e-11);
     const VectorX& shared = twice.model.state().multipliers;
@@ -330,7 +339,8 @@ TEST_CASE("generalized-alpha: stops on request and keeps what it reached", "[dyn
     CHECK(seen == 3);
 }
 
-TEST_CASE("generalized-alpha: a step that cannot be solved ends the run with a status", "[dynamics]") {
+TEST_CASE("generalized-alpha: a step that cannot be solved ends the run with a status",
+          "[dynamics]") {
     Chain scene = swing();
     scene.model.state().v *= 400.0;  // turns by several radians in one step
     auto options = fixed(0.05, 1.0);
@@ -394,5 +404,6 @@ TEST_CASE("generalized-alpha: options that cannot be meant are refused", "[dynam
     scene.model.set_value(scene.first(), Field::r, {0.0, -0.51, 0.0});
     const DynamicsReport report = run(scene.model, fixed(1e-3), until(1.0));
     CHECK(report.status == Status::inconsistent);
-    CHECK_THAT(report.message, ContainsSubstring("distance between node 0") && ContainsSubstring("0.01"));
+    CHECK_THAT(report.message,
+               ContainsSubstring("distance between node 0") && ContainsSubstring("0.01"));
 }

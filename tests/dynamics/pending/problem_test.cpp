@@ -42,10 +42,11 @@ struct Rich {
     Rich() {
         auto& model = scene.model;
         model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.4, 0.1), std::sqrt(0.17)));
-        model.add(ancf::Distance<3>(scene.nodes[1], scene.nodes[3],
-                                    {[](double t) { return 2.0 / 3.0 * std::sqrt(2.34) + 0.1 * std::sin(2.0 * t); },
-                                     [](double t) { return 0.2 * std::cos(2.0 * t); },
-                                     [](double t) { return -0.4 * std::sin(2.0 * t); }}));
+        model.add(ancf::Distance<3>(
+            scene.nodes[1], scene.nodes[3],
+            {[](double t) { return 2.0 / 3.0 * std::sqrt(2.34) + 0.1 * std::sin(2.0 * t); },
+             [](double t) { return 0.2 * std::cos(2.0 * t); },
+             [](double t) { return -0.4 * std::sin(2.0 * t); }}));
         model.prescribe(scene.nodes[2], Field::r, 2, sine(0.2, 1.5).value, sine(0.2, 1.5).rate,
                         sine(0.2, 1.5).acceleration);
         model.set_gravity({0.0, -9.81, 0.0});
@@ -74,7 +75,8 @@ TEST_CASE("problem: a free scene under gravity accelerates with g", "[dynamics]"
         CHECK((start.acceleration.segment<3>(3 * node) - Vector3(1.0, -9.0, 2.0)).norm() <= 1e-12);
 }
 
-TEST_CASE("problem: an inconsistent start is refused with the constraint and its size", "[dynamics]") {
+TEST_CASE("problem: an inconsistent start is refused with the constraint and its size",
+          "[dynamics]") {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     auto& model = scene.model;
     model.add(ancf::Pin<3>(scene.last(), Vector3(1.0, 0.0, 0.0)));
@@ -99,15 +101,17 @@ TEST_CASE("problem: an inconsistent start is refused with the constraint and its
         CHECK(start().status == Status::converged);
     }
     SECTION("a link whose length changes at once") {
-        model.add(ancf::Distance<3>(scene.nodes[0], scene.nodes[1],
-                                    ancf::Motion{[](double t) { return 0.5 + t; }, [](double) { return 1.0; },
-                                                 [](double) { return 0.0; }}));
+        model.add(ancf::Distance<3>(
+            scene.nodes[0], scene.nodes[1],
+            ancf::Motion{[](double t) { return 0.5 + t; }, [](double) { return 1.0; },
+                         [](double) { return 0.0; }}));
         CHECK(start().status == Status::inconsistent);
         CHECK_THAT(start().message, ContainsSubstring("distance between node 0 and node 1"));
     }
     SECTION("a support that prescribes another place") {
-        model.prescribe(scene.nodes[1], Field::r, 2, [](double) { return 0.1; }, [](double) { return 0.0; },
-                        [](double) { return 0.0; });
+        model.prescribe(
+            scene.nodes[1], Field::r, 2, [](double) { return 0.1; }, [](double) { return 0.0; },
+            [](double) { return 0.0; });
         CHECK(start().status == Status::inconsistent);
         CHECK_THAT(start().message, ContainsSubstring("component 2, of node 1") &&
                                         ContainsSubstring("prescribes 0.1"));
@@ -124,7 +128,8 @@ TEST_CASE("problem: an inconsistent start is refused with the constraint and its
     }
 }
 
-TEST_CASE("problem: redundant constraints are named, or solved with the least multipliers", "[dynamics]") {
+TEST_CASE("problem: redundant constraints are named, or solved with the least multipliers",
+          "[dynamics]") {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     auto& model = scene.model;
     model.set_gravity({0.0, -10.0, 0.0});
@@ -158,7 +163,8 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
     lean.model.add(ancf::Distance<3>(lean.last(), Vector3(1.0, 2.0, 0.0), 2.0));
     const ancf::Start expected = BarProblem(lean.model).start();
     CHECK(distance(start.acceleration, expected.acceleration) <= 1e-12);
-    CHECK(state.multipliers[1] + state.multipliers[4] == Approx(expected.multipliers[1]).epsilon(1e-12));
+    CHECK(state.multipliers[1] + state.multipliers[4] ==
+          Approx(expected.multipliers[1]).epsilon(1e-12));
 
     // equations left out are 1 on the diagonal and ask their multiplier to vanish
     VectorX lambda = start.multipliers;
@@ -177,7 +183,8 @@ TEST_CASE("problem: a constraint on held coordinates alone is redundant", "[dyna
     CHECK(BarProblem(scene.model).start().status == Status::redundant);
 }
 
-TEST_CASE("problem: projection reaches round-off by the least change in the mass norm", "[dynamics]") {
+TEST_CASE("problem: projection reaches round-off by the least change in the mass norm",
+          "[dynamics]") {
     const auto seed = GENERATE(range(0U, 10U));
     INFO("seed " << seed);
     Random random(seed);
@@ -224,7 +231,8 @@ TEST_CASE("problem: accelerations and jerk keep a moving scene on its constraint
     VectorX jerk;
     REQUIRE(problem.jerk(start, 1e-4, jerk) == Status::converged);
     const auto violation = [&](double s) {
-        const VectorX q = start.q + s * start.v + 0.5 * s * s * start.acceleration + s * s * s / 6.0 * jerk;
+        const VectorX q =
+            start.q + s * start.v + 0.5 * s * s * start.acceleration + s * s * s / 6.0 * jerk;
         problem.evaluate_constraints(s, q, start.v);
         return problem.constraint_violation();
     };
@@ -238,12 +246,14 @@ TEST_CASE("problem: accelerations and jerk keep a moving scene on its constraint
         const double h = sign * s;
         const VectorX q = start.q + h * start.v + 0.5 * h * h * start.acceleration;
         const VectorX v = start.v + h * start.acceleration + 0.5 * h * h * jerk;
-        REQUIRE(problem.accelerations(h, q, v, sign > 0.0 ? after : before, lambda) == Status::converged);
+        REQUIRE(problem.accelerations(h, q, v, sign > 0.0 ? after : before, lambda) ==
+                Status::converged);
     }
     CHECK(distance((after - before) / (2.0 * s), jerk) <= 1e-5 * jerk.cwiseAbs().maxCoeff());
 }
 
-TEST_CASE("problem: force and constraints have the tangent and damping as derivatives", "[dynamics]") {
+TEST_CASE("problem: force and constraints have the tangent and damping as derivatives",
+          "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
     BarProblem problem(model);
@@ -269,10 +279,12 @@ TEST_CASE("problem: force and constraints have the tangent and damping as deriva
         VectorX step = VectorX::Zero(n), change = VectorX::Zero(m);
         (j < n ? step[j] : change[j - n]) = h;
         const VectorX slope =
-            (residual(q + step, v, lambda + change) - residual(q - step, v, lambda - change)) / (2.0 * h);
+            (residual(q + step, v, lambda + change) - residual(q - step, v, lambda - change)) /
+            (2.0 * h);
         CHECK(distance(slope, tangent.col(j)) <= 1e-5);  // differences; entries up to 2e3
         if (j >= n) continue;
-        const VectorX rate = (residual(q, v + step, lambda) - residual(q, v - step, lambda)) / (2.0 * h);
+        const VectorX rate =
+            (residual(q, v + step, lambda) - residual(q, v - step, lambda)) / (2.0 * h);
         CHECK(distance(rate, damping.col(j)) <= 1e-7);
     }
     CHECK(damping.norm() > 0.1);

@@ -33,8 +33,8 @@ struct Chain {
 };
 
 /// Returns a chain of equal bars, EA in N, mass per length in kg/m.
-[[nodiscard]] inline Chain chain(int bars, const Vector3& from, const Vector3& to, double stiffness = 500.0,
-                                 double line_density = 1.0) {
+[[nodiscard]] inline Chain chain(int bars, const Vector3& from, const Vector3& to,
+                                 double stiffness = 500.0, double line_density = 1.0) {
     Chain result;
     const double length = (to - from).norm() / bars;
     const int prototype = result.model.add_prototype(Bar<3>(stiffness, line_density, length));
