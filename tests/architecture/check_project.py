@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that one version stands everywhere and that no file carries open ends.
+"""Checks that one version stands everywhere, that no file carries open ends and that code keeps to 100 columns.
 
     check_project.py ROOT         exits 1 with one line per finding
     check_project.py --self-test  exits 1 unless every rule refuses a tree that breaks it
@@ -19,6 +19,8 @@ VERSIONS = {  # file: where its version stands; the first is the one the others 
 }
 FOLDERS = ["include", "tests", "examples", "bench", "docs", "cmake", "scripts"]
 SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".txt", ".cmake", ".in", ".gp", ".sh", ""}
+CODE = {".hpp", ".cpp"}
+COLUMNS = 100
 OPEN_ENDS = re.compile(r"\b(TO" + "DO|FIX" + "ME|XX" + "X)\\b")
 
 
@@ -43,6 +45,8 @@ def text_findings(root):
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
                 if OPEN_ENDS.search(line):
                     yield f"{path.relative_to(root)}:{number}: an open end: {line.strip()}"
+                if path.suffix in CODE and len(line) > COLUMNS:
+                    yield f"{path.relative_to(root)}:{number}: {len(line)} columns"
 
 
 def findings(root):
@@ -62,6 +66,7 @@ def self_test():
         ({"CITATION.cff": "version: 2.0.0\n"}, "CITATION.cff: version 2.0.0"),
         ({"CHANGELOG.md": "## 1.2.2\n"}, "CHANGELOG.md: version 1.2.2"),
         ({"CMakeLists.txt": "project(other)\n"}, "CMakeLists.txt: no version"),
+        ({"tests/wide.cpp": "//" + 99 * "x"}, "tests/wide.cpp:1: 101 columns"),
         ({"docs/page.md": "first\nTO" + "DO: second\n"}, "docs/page.md:2: an open end"),
     ]
     failures = [f"refused: {line}" for line in findings_of(right)]
