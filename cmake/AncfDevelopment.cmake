@@ -3,25 +3,28 @@
 #
 # What ancf's own programs are compiled with. Nothing here reaches a consumer of the library.
 #
-# ancf_add_program(NAME SOURCE...): a test, example or bench program with the warnings, the sanitizers and all
-# components that are there; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0 in its sources.
+# ancf_core_development: the core with the warnings and the sanitizers.
+# ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
+# ancf_add_program(NAME SOURCE...): an example or bench program with ancf_development.
 
-add_library(ancf_development INTERFACE)
-target_compile_options(ancf_development INTERFACE
+add_library(ancf_core_development INTERFACE)
+target_compile_options(ancf_core_development INTERFACE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wconversion -Wshadow>
     $<$<CXX_COMPILER_ID:MSVC>:/W4>)
 if(ANCF_WARNINGS_AS_ERRORS)
-    target_compile_options(ancf_development INTERFACE
+    target_compile_options(ancf_core_development INTERFACE
         $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Werror> $<$<CXX_COMPILER_ID:MSVC>:/WX>)
 endif()
 if(ANCF_SANITIZE)
     list(JOIN ANCF_SANITIZE "," sanitizers)
-    target_compile_options(ancf_development INTERFACE
+    target_compile_options(ancf_core_development INTERFACE
         -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    target_link_options(ancf_development INTERFACE -fsanitize=${sanitizers})
+    target_link_options(ancf_core_development INTERFACE -fsanitize=${sanitizers})
 endif()
+target_link_libraries(ancf_core_development INTERFACE ancf::ancf)
 
-target_link_libraries(ancf_development INTERFACE ancf::ancf)
+add_library(ancf_development INTERFACE)
+target_link_libraries(ancf_development INTERFACE ancf_core_development)
 foreach(component suitesparse sundials)
     string(TOUPPER ANCF_WITH_${component} definition)
     if(TARGET ancf::${component})
