@@ -5,7 +5,7 @@
 /// One Newton iteration of a cantilever of many elements: assembly, factorisation, solution.
 ///
 /// Times are the least of several runs; "pattern" is what is done once per topology (numbering,
-/// pattern, analysis). The bytes are what a solution holds per element: assembly, its matrix and the
+/// pattern, analysis). The bytes are what a solution holds per element: assembly, matrix and
 /// factorisation, by the growth of the resident memory.
 ///
 ///     assembly_solve --csv > assembly_solve.csv
@@ -157,11 +157,12 @@ void set_threads(int threads) {
 }
 
 void report(const Settings& settings) {
-    std::puts(settings.csv
-                  ? "elements,rule,lanes,threads,solver,pattern_ms,assembly_ms,factor_ms,solve_ms,"
-                    "bytes_per_element"
-                  : "elements  rule   lanes threads  solver              pattern    assembly     factor"
-                    "      solve (ms)   iteration us/element   bytes/element");
+    std::puts(
+        settings.csv
+            ? "elements,rule,lanes,threads,solver,pattern_ms,assembly_ms,factor_ms,solve_ms,"
+              "bytes_per_element"
+            : "elements  rule   lanes threads  solver              pattern    assembly     factor"
+              "      solve (ms)   iteration us/element   bytes/element");
     constexpr int lanes = detail::pack_lanes<CrossSectionBeam<3>>;
     for (const std::string& name : settings.rules) {
         const Rule rule = name == "mixed" ? Rule::mixed() : Rule::paper();
@@ -175,10 +176,11 @@ void report(const Settings& settings) {
                                     name.c_str(), lanes, threads, solver.c_str(), t.pattern,
                                     t.assembly, t.factor, t.solve, t.bytes);
                     else
-                        std::printf("%8d  %-6s %5d %7d  %-17s %9.2f %11.3f %10.3f %10.3f %27.3f %15.0f\n",
-                                    elements, name.c_str(), lanes, threads, solver.c_str(),
-                                    t.pattern, t.assembly, t.factor, t.solve,
-                                    (t.assembly + t.factor + t.solve) * 1e3 / elements, t.bytes);
+                        std::printf(
+                            "%8d  %-6s %5d %7d  %-17s %9.2f %11.3f %10.3f %10.3f %27.3f %15.0f\n",
+                            elements, name.c_str(), lanes, threads, solver.c_str(), t.pattern,
+                            t.assembly, t.factor, t.solve,
+                            (t.assembly + t.factor + t.solve) * 1e3 / elements, t.bytes);
                     std::fflush(stdout);
                 }
     }
@@ -198,11 +200,13 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"paper", "mixed"}));
     app.add_option("--solvers", settings.solvers, "block-tridiagonal, cholmod, eigen-ldlt")
         ->delimiter(',')
-        ->check(CLI::IsMember({"block-tridiagonal",
+        ->check(CLI::IsMember({
+            "block-tridiagonal",
 #if ANCF_WITH_SUITESPARSE
-                               "cholmod",
+                "cholmod",
 #endif
-                               "eigen-ldlt"}));
+                "eigen-ldlt"
+        }));
     app.add_option("--threads", settings.threads, "numbers of threads of the assembly")
         ->delimiter(',')
         ->check(CLI::Range(1, 256));

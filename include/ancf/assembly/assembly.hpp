@@ -153,10 +153,18 @@ private:
         bool plain;  // both nodes carry just the element's vectors and all of them are free
     };
 
+    // values of the matrix from first to before last
+    struct ValueRange {
+        int first;
+        int last;
+    };
+
     void list_coordinates();
     void build_pattern(Storage storage);
     template <class Element>
     void build_slots(const ElementGroup<Element>& group);
+    void build_clearing();
+    void clear_values(const std::vector<ValueRange>& ranges);
     void build_gravity();
     [[nodiscard]] std::vector<int> coordinates_of(const Coupling& coupling, const char* what) const;
 
@@ -194,8 +202,10 @@ private:
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<std::vector<Slots>> slots_;   // per group
-    std::vector<ElementSchedule> schedules_;  // per group
+    std::vector<std::vector<Slots>> slots_;                      // per group
+    std::vector<ElementSchedule> schedules_;                     // per group
+    std::vector<std::vector<std::vector<ValueRange>>> cleared_;  // per group and run
+    std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
     std::vector<std::vector<int>> load_coordinates_;
     std::vector<std::vector<int>> constraint_coordinates_;
     VectorX gravity_;  // force of gravity at unit scale
@@ -222,6 +232,7 @@ Assembly<Scene>::Assembly(const Scene& model, Storage storage) : model_(model), 
     }
     build_pattern(storage);
     model.for_each_group([&](const auto& group) { build_slots(group); });
+    build_clearing();
     build_gravity();
     tangent_ = pattern_.matrix();
 }
@@ -295,10 +306,58 @@ void Assembly<Scene>::build_slots(const ElementGroup<Element>& group) {
     schedules_.emplace_back(group.connections, layout.nodes());
 }
 
+// Each run clears the columns of the nodes that no run before it touched, just before it adds to
+// them: they come from memory once, and threads share that work too.
+template <class Scene>
+void Assembly<Scene>::build_clearing() {
+    const int nodes = model_.layout().nodes();
+    std::vector<char> seen(static_cast<std::size_t>(nodes), 0);
+    const auto append = [&](int block, std::vector<ValueRange>& ranges) {
+        const ValueRange next{pattern_.first_value(block), pattern_.first_value(block + 1)};
+        if (!ranges.empty() && ranges.back().last == next.first)
+            ranges.back().last = next.last;
+        else
+            ranges.push_back(next);
+    };
+    std::size_t index = 0;
+    model_.for_each_group([&](const auto& group) {
+        cleared_.emplace_back();
+        schedules_[index++].for_each_colour([&](const std::vector<ElementRun>& runs) {
+            for (const ElementRun& run : runs) {
+                std::vector<int> fresh;
+                ElementSchedule::visit_nodes(group.connections, run, [&](std::size_t node) {
+                    if (seen[node] == 0) fresh.push_back(static_cast<int>(node));
+                    seen[node] = 1;
+                });
+                std::sort(fresh.begin(), fresh.end());
+                cleared_.back().emplace_back();
+                for (const int node : fresh) append(node, cleared_.back().back());
+            }
+        });
+    });
+    const int blocks = static_cast<int>(numbering_.block_sizes().size());
+    for (int block = 0; block < blocks; ++block)
+        if (block >= nodes || seen[static_cast<std::size_t>(block)] == 0)
+            append(block, cleared_first_);
+}
+
+template <class Scene>
+void Assembly<Scene>::clear_values(const std::vector<ValueRange>& ranges) {
+    for (const ValueRange& range : ranges)
+        std::fill(tangent_.valuePtr() + range.first, tangent_.valuePtr() + range.last, 0.0);
+}
+
 template <class Scene>
 template <class Element>
 void Assembly<Scene>::element_coordinates(const Slots& slots, int (&out)[Element::dofs]) const {
     const Layout& layout = model_.layout();
+    if (slots.plain) {
+        constexpr int half = Element::dofs / 2;
+        for (int a = 0; a < 2; ++a)
+            for (int i = 0; i < half; ++i)
+                out[a * half + i] = layout.first(slots.node[static_cast<std::size_t>(a)]) + i;
+        return;
+    }
     int at = 0;
     for (const int node : slots.node)
         for (int k = 0; k < field_count; ++k) {
@@ -340,7 +399,7 @@ std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request 
     internal_.setZero(numbering_.coordinates());
     constraint_.setZero(numbering_.coordinates());
     strain_energy_ = 0.0;
-    if (request != Request::force) std::fill_n(tangent_.valuePtr(), tangent_.nonZeros(), 0.0);
+    if (request != Request::force) clear_values(cleared_first_);
     if (request == Request::tangent_and_damping) {
         if (damping_.nonZeros() != tangent_.nonZeros()) damping_ = pattern_.matrix();
         std::fill_n(damping_.valuePtr(), damping_.nonZeros(), 0.0);
@@ -366,7 +425,8 @@ double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::si
                                      const Configuration& at, Request request,
                                      const VectorX* increment) {
     const std::vector<Slots>& slots = slots_[index];
-    return schedules_[index].sum([&](const ElementRun& run) {
+    return schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
+        if (request != Request::force) clear_values(cleared_[index][place]);
         double energy = 0.0;
         int k = run.first;
         constexpr int lanes = detail::pack_lanes<Element>;
@@ -448,15 +508,25 @@ template <class Scene>
 template <class Element, class Block>
 void Assembly<Scene>::scatter(const Slots& slots, const Block& block, double* values) const {
     constexpr int half = Element::dofs / 2;
-    int row_of[Element::dofs];  // row within the node's block, -1 where held
     if (slots.plain) {
-        for (int i = 0; i < Element::dofs; ++i) row_of[i] = i % half;
-    } else {
-        element_coordinates<Element>(slots, row_of);
-        for (int i = 0; i < Element::dofs; ++i) {
-            const int equation = numbering_.equation(row_of[i]);
-            row_of[i] = equation < 0 ? -1 : equation - pattern_.first(slots.node[i >= half]);
-        }
+        for (int b = 0; b < 2; ++b)
+            for (int j = 0; j < half; ++j) {
+                const int offset = pattern_.column_offset(slots.node[b], j);
+                for (int a = 0; a < 2; ++a) {
+                    if (slots.base[a][b] < 0) continue;
+                    double* column = values + slots.base[a][b] + offset;
+                    const int from = a == b && pattern_.storage() == Storage::lower ? j : 0;
+                    for (int i = from; i < half; ++i)
+                        column[i] += block(a * half + i, b * half + j);
+                }
+            }
+        return;
+    }
+    int row_of[Element::dofs];  // row within the node's block, -1 where held
+    element_coordinates<Element>(slots, row_of);
+    for (int i = 0; i < Element::dofs; ++i) {
+        const int equation = numbering_.equation(row_of[i]);
+        row_of[i] = equation < 0 ? -1 : equation - pattern_.first(slots.node[i >= half]);
     }
     for (int b = 0; b < 2; ++b)
         for (int j = b * half; j < (b + 1) * half; ++j) {

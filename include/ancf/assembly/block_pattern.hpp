@@ -41,6 +41,11 @@ public:
     /// Returns the first row of a block.
     [[nodiscard]] int first(int block) const { return first_[static_cast<std::size_t>(block)]; }
 
+    /// Returns the index of the first value of a block column; the number of blocks gives the end.
+    [[nodiscard]] int first_value(int block) const {
+        return start_[static_cast<std::size_t>(block)];
+    }
+
     /// Returns a matrix of this pattern with zero values.
     [[nodiscard]] SparseMatrix matrix() const;
 
@@ -64,7 +69,7 @@ private:
     Storage storage_ = Storage::full;
     std::vector<int> first_ = {0};       // first row of each block
     std::vector<int> height_;            // stored rows in a block's first column
-    std::vector<int> start_;             // value index of each block column's first value
+    std::vector<int> start_ = {0};       // value index of each block column's first value
     std::vector<int> neighbour_first_;   // into neighbours_, per block
     std::vector<int> neighbours_;        // row blocks stored in each block column, ascending
     std::vector<int> neighbour_offset_;  // rows before that row block in the first column
@@ -113,7 +118,7 @@ inline BlockPattern::BlockPattern(const std::vector<int>& sizes,
 
 inline SparseMatrix BlockPattern::matrix() const {
     SparseMatrix result(size(), size());
-    result.resizeNonZeros(start_.empty() ? 0 : start_.back());
+    result.resizeNonZeros(start_.back());
     int* outer = result.outerIndexPtr();
     int* inner = result.innerIndexPtr();
     int at = 0;

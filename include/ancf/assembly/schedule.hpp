@@ -57,11 +57,13 @@ public:
         }
     }
 
-    /// Calls visit(run) for every run, on several threads where the compiler has OpenMP.
+    /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
+    /// `place` counts the runs in the order in which they are added.
     /// @return the sum of what the calls return, added in a fixed order.
     template <class Visitor>
     double sum(const Visitor& visit) const {
         double total = 0.0;
+        std::size_t done = 0;
         for (const std::vector<ElementRun>& runs : colours_) {
             std::vector<double> parts(runs.size(), 0.0);
             const auto size = static_cast<std::ptrdiff_t>(runs.size());
@@ -69,8 +71,10 @@ public:
 #pragma omp parallel for schedule(static) if (!sequential_ && size > 1)
 #endif
             for (std::ptrdiff_t k = 0; k < size; ++k)
-                parts[static_cast<std::size_t>(k)] = visit(runs[static_cast<std::size_t>(k)]);
+                parts[static_cast<std::size_t>(k)] =
+                    visit(runs[static_cast<std::size_t>(k)], done + static_cast<std::size_t>(k));
             for (const double part : parts) total += part;
+            done += runs.size();
         }
         return total;
     }
@@ -81,9 +85,7 @@ public:
         for (const std::vector<ElementRun>& runs : colours_) visit(runs);
     }
 
-    [[nodiscard]] std::size_t colours() const noexcept { return colours_.size(); }
-
-private:
+    /// Calls visit(node) for both nodes of every element of a run.
     template <class Visitor>
     static void visit_nodes(const std::vector<Connection>& connections, const ElementRun& run,
                             const Visitor& visit) {
@@ -94,6 +96,9 @@ private:
         }
     }
 
+    [[nodiscard]] std::size_t colours() const noexcept { return colours_.size(); }
+
+private:
     std::vector<std::vector<ElementRun>> colours_;
     bool sequential_ = false;
 };

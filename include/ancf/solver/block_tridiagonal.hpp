@@ -108,13 +108,18 @@ inline void BlockTridiagonal::analyze(const SparseMatrix& lower) {
 inline FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) {
     stage_.begin_factorisation(name(), lower);
     detail::require(detail::stays_within(lower, layout_), name(), " analysed another pattern");
-    detail::symmetric_roots(lower, roots_);
-    const double weights = detail::probe_load(roots_, probe_);
+    roots_.resize(lower.cols());
+    probe_.resize(lower.cols());
     detail::PivotSummary summary;
     with_width(
         [&](auto width) {
-            summary = detail::BlockKernel<width()>::factorize(layout_, lower, panels_.data(),
-                                                              probe_.data());
+            using Kernel = detail::BlockKernel<width()>;
+            summary =
+                Kernel::factorize(layout_, lower, panels_.data(), roots_.data(), probe_.data());
+            if (summary.complete || summary.failed_column >= 0) return;
+            detail::symmetric_roots(lower, roots_);
+            summary.weights = detail::probe_load(roots_, probe_);
+            summary.energy = Kernel::probe_energy(layout_, panels_.data(), probe_.data());
         },
         Widths());
     FactorReport report;
@@ -122,7 +127,7 @@ inline FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) {
         detail::report_failure(lower, summary.failed_column, report);
     } else {
         report.negative_pivots = summary.negative;
-        report.rcond = detail::rcond_by_energy(weights, summary.energy);
+        report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
         if (!(report.rcond > singular_rcond_)) {
             detail::probe_load(roots_, probe_);
             solve_in_place(probe_);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/solver/conditioning.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -24,7 +25,9 @@ namespace ancf::detail {
 struct PivotSummary {
     int failed_column = -1;  ///< first column whose pivot is zero or not finite; -1 = none
     int negative = 0;
-    double energy = 0.0;  ///< sum z_j^2 / |d_j| with z = L^-1 of the probe
+    double energy = 0.0;   ///< sum z_j^2 / |d_j| with z = L^-1 of the probe
+    double weights = 0.0;  ///< w^T w of the probe
+    bool complete = true;  ///< no entry of the diagonal was zero: the probe is probe_load's
 };
 
 /// Block LDL^T of a symmetric block-tridiagonal matrix with blocks of at most N unknowns.
@@ -40,17 +43,19 @@ public:
     ///
     /// The first square then holds L below its diagonal, L^T above it and 1/d on it; the second one
     /// holds L of the next block's rows. Stops at a pivot that is zero or not finite. Along the way
-    /// the probe, as long as the matrix, is replaced by L^-1 of it.
+    /// `roots` and `probe`, as long as the matrix, receive the roots of the diagonal and L^-1 of
+    /// the load that conditioning.hpp makes of them: one pass over the matrix, not three.
     static PivotSummary factorize(const BlockLayout& layout, const SparseMatrix& matrix,
-                                  double* panels, double* probe) noexcept {
+                                  double* panels, double* roots, double* probe) noexcept {
         Work work;
         work.carry.setZero();
         Column rest = Column::Zero();
         PivotSummary summary;
         for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
             load(layout, matrix, block, panels);
-            eliminate(panels, work);
             double* z = probe + layout.start(block);
+            load_probe(layout, block, panels, roots + layout.start(block), z, summary);
+            eliminate(panels, work);
             forward(panels, layout.size(block), rest, z);
             const int failed = audit(panels, layout.size(block), z, summary);
             if (failed >= 0) {
@@ -60,6 +65,19 @@ public:
             update(panels, work);
         }
         return summary;
+    }
+
+    /// Replaces a probe by L^-1 of it and returns its energy.
+    static double probe_energy(const BlockLayout& layout, const double* panels,
+                               double* probe) noexcept {
+        Column rest = Column::Zero();
+        PivotSummary summary;
+        for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
+            double* z = probe + layout.start(block);
+            forward(panels, layout.size(block), rest, z);
+            audit(panels, layout.size(block), z, summary);
+        }
+        return summary.energy;
     }
 
     /// Solves L D L^T x = x in place.
@@ -110,6 +128,17 @@ private:
                 (row < size ? panel[j * N + row] : below[j * N + row - size]) = values[slot];
             }
         for (int j = size; j < N; ++j) panel[j * N + j] = 1.0;
+    }
+
+    static void load_probe(const BlockLayout& layout, int block, const double* panel, double* roots,
+                           double* probe, PivotSummary& summary) noexcept {
+        for (int j = 0; j < layout.size(block); ++j) {
+            const double weight = probe_weight(layout.start(block) + j);
+            roots[j] = std::sqrt(std::abs(panel[j * N + j]));
+            probe[j] = roots[j] * weight;
+            summary.weights += weight * weight;
+            summary.complete = summary.complete && roots[j] > 0.0;
+        }
     }
 
     // Column by column: what the columns before it leave of this one, divided by its pivot.
