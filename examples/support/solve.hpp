@@ -97,9 +97,12 @@ decltype(auto) with_solver(const std::string& name, Visit&& visit) {
 /// Brings a model to equilibrium.
 template <class Scene>
 [[nodiscard]] ancf::StaticsReport solve_scene(Scene& model, const SolverOptions& options) {
-    return with_solver(options.solver, [&](auto& solver) {
-        return ancf::solve_statics(model, solver, options.statics);
-    });
+    ancf::StaticsOptions statics = options.statics;
+    statics.newton = options.newton == "plain"   ? ancf::NewtonKind::plain
+                     : options.newton == "mixed" ? ancf::NewtonKind::mixed
+                                                 : ancf::NewtonKind::turned;
+    return with_solver(options.solver,
+                       [&](auto& solver) { return ancf::solve_statics(model, solver, statics); });
 }
 
 }  // namespace examples

@@ -13,6 +13,8 @@ void SolverOptions::add_to(CommandLine& line) {
     constexpr int most = 1'000'000;
     line.set_group("Solution");
     line.add_choice("--solver", solver, {"cholmod", "umfpack", "eigen"}, "linear solver");
+    line.add_choice("--newton", newton, {"plain", "mixed", "turned"},
+                    "Newton's method: plain, of mixed integration points, turning as well");
     line.add_count("--steps", statics.steps, 1, most, "equal load steps");
     line.add_count("--max-iterations", statics.max_iterations, 1, most,
                    "linear solves per load step");

@@ -47,6 +47,12 @@ enum class Request {
     tangent_and_damping  ///< and the derivative with respect to the rates
 };
 
+/// The last step of Newton's method, all coordinates.
+struct Correction {
+    VectorX before;  ///< where its tangent was taken
+    VectorX change;  ///< what the linear system gave
+};
+
 /// An element whose energy, force or tangent is not a number.
 struct Fault {
     Status status;  ///< degenerate or not_finite
@@ -55,6 +61,16 @@ struct Fault {
 };
 
 namespace detail {
+
+/// Whether an element has the tangent of mixed integration points.
+template <class Element, class = void>
+struct EvaluatesMixed : std::false_type {};
+template <class Element>
+struct EvaluatesMixed<Element, std::void_t<decltype(std::declval<const Element&>().evaluate(
+                                   std::declval<const typename Element::Coordinates&>(),
+                                   std::declval<const typename Element::Coordinates&>(),
+                                   std::declval<const typename Element::Coordinates&>()))>>
+    : std::true_type {};
 
 template <class Element, class = void>
 struct EvaluatesPacks : std::false_type {};
@@ -85,9 +101,12 @@ public:
     ///
     /// @param increment  where given, a change of all coordinates whose linear effect K increment
     ///                   is added to the internal force (prescribed motion enters this way).
+    /// @param last       where given, the correction that led to q: elements that can then take the
+    ///                   tangent of mixed integration points.
     /// @return the first element that failed, if one did; the results are then of no use.
     [[nodiscard]] std::optional<Fault> evaluate(const Configuration& at, Request request,
-                                                const VectorX* increment = nullptr);
+                                                const VectorX* increment = nullptr,
+                                                const Correction* last = nullptr);
 
     // Results of the last evaluation; forces are of all coordinates, N and N m ----------------
 
@@ -178,10 +197,11 @@ private:
     // lanes, equal but for their coordinates.
     template <class Element>
     double add_elements(const ElementGroup<Element>& group, std::size_t index,
-                        const Configuration& at, Request request, const VectorX* increment);
+                        const Configuration& at, Request request, const VectorX* increment,
+                        const Correction* last);
     template <class Element>
     double add_element(const Element& element, const Slots& slots, const Configuration& at,
-                       Request request, const VectorX* increment);
+                       Request request, const VectorX* increment, const Correction* last);
     template <int Lanes, class Element>
     double add_pack(const Element& element, const Slots* slots, const Configuration& at,
                     Request request);
@@ -390,7 +410,7 @@ void Assembly<Scene>::build_gravity() {
 
 template <class Scene>
 std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request request,
-                                               const VectorX* increment) {
+                                               const VectorX* increment, const Correction* last) {
     detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
                         at.multipliers.size() == numbering_.multipliers(),
                     "Assembly::evaluate: expected ", numbering_.coordinates(),
@@ -406,7 +426,7 @@ std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request 
     }
     std::size_t index = 0;
     model_.for_each_group([&](const auto& group) {
-        strain_energy_ += add_elements(group, index++, at, request, increment);
+        strain_energy_ += add_elements(group, index++, at, request, increment, last);
     });
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_scale * gravity_;
@@ -423,7 +443,7 @@ template <class Scene>
 template <class Element>
 double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::size_t index,
                                      const Configuration& at, Request request,
-                                     const VectorX* increment) {
+                                     const VectorX* increment, const Correction* last) {
     const std::vector<Slots>& slots = slots_[index];
     return schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
         if (request != Request::force) clear_values(cleared_[index][place]);
@@ -434,7 +454,8 @@ double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::si
             const auto prototype = [&](int element) {
                 return group.connections[static_cast<std::size_t>(element)].prototype;
             };
-            for (; increment == nullptr && k + lanes <= run.last; k += lanes) {
+            const bool plain = increment == nullptr && last == nullptr;
+            for (; plain && k + lanes <= run.last; k += lanes) {
                 bool equal = true;
                 for (int lane = 1; lane < lanes; ++lane)
                     equal = equal && prototype(k + lane) == prototype(k);
@@ -445,7 +466,7 @@ double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::si
         }
         for (; k < run.last; ++k)
             energy += add_element(group.element(k), slots[static_cast<std::size_t>(k)], at, request,
-                                  increment);
+                                  increment, last);
         return energy;
     });
 }
@@ -454,22 +475,27 @@ template <class Scene>
 template <class Element>
 double Assembly<Scene>::add_element(const Element& element, const Slots& slots,
                                     const Configuration& at, Request request,
-                                    const VectorX* increment) {
+                                    const VectorX* increment, const Correction* last) {
     int coordinate[Element::dofs];
     element_coordinates<Element>(slots, coordinate);
-    typename Element::Coordinates e;
-    for (int i = 0; i < Element::dofs; ++i) e[i] = at.q[coordinate[i]];
+    const auto gathered = [&](const VectorX& all) {
+        typename Element::Coordinates own;
+        for (int i = 0; i < Element::dofs; ++i) own[i] = all[coordinate[i]];
+        return own;
+    };
+    const typename Element::Coordinates e = gathered(at.q);
     if (request == Request::force && increment == nullptr) {
         const typename Element::Coordinates force = element.force(e);
         for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += force[i];
         return element.energy(e);
     }
-    auto result = element.evaluate(e);
-    if (increment != nullptr) {
-        typename Element::Coordinates change;
-        for (int i = 0; i < Element::dofs; ++i) change[i] = (*increment)[coordinate[i]];
-        result.force.noalias() += result.tangent * change;
-    }
+    auto result = [&] {
+        if constexpr (detail::EvaluatesMixed<Element>::value)
+            if (last != nullptr)
+                return element.evaluate(e, gathered(last->before), gathered(last->change));
+        return element.evaluate(e);
+    }();
+    if (increment != nullptr) result.force.noalias() += result.tangent * gathered(*increment);
     for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += result.force[i];
     if (request != Request::force) scatter<Element>(slots, result.tangent, tangent_.valuePtr());
     return result.energy;

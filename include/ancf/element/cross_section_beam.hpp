@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/cross_section_kernel.hpp>
+#include <ancf/element/engineering_measure.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/geodesic_formulation.hpp>
@@ -62,7 +63,8 @@ struct FormulationOf<Geodesic, LinearShear, Measure> {
 /// @tparam Dimension  3
 /// @tparam Directors  how the directors follow from the slopes: Projected (the paper) or Geodesic
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
-/// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure
+/// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
+///                    paper) or EngineeringMeasure (Reissner's beam)
 template <int Dimension = 3, class Directors = Projected, class Shear = LinearShear,
           class Measure = GreenMeasure>
 class CrossSectionBeam {
@@ -112,6 +114,20 @@ public:
     /// @note     noexcept, no heap allocation
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
+
+    /// Returns the same with the tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state.
+    ///
+    /// Energy and force are those of e. Source: Magisano, Leonetti, Garcea 2017;
+    /// docs/theory-statics.md, "Stresses as unknowns".
+    /// @param before  where the last tangent was taken, 24 x 1
+    /// @param change  the correction that it gave, 24 x 1
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
 
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
     /// Vector<Pack<Lanes>, 24>.
@@ -297,7 +313,7 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure>::set_up(const Materi
     const double shear_z = section.shear_correction_z() * material.shear;
     moduli_ << material.young, material.young, material.young, 0.5 * (shear_y + shear_z), shear_z,
         shear_y;
-    kernel_.stations = line_.stations(options_.rule, section_);
+    kernel_.stations = line_.stations(options_.rule, section_, !Measure::engineering);
     kernel_.packs = packed<native_lanes>(kernel_.stations);
     const double length = line_.length();
     kernel_.transverse = {{section_.transverse_yy * length, section_.transverse_zz * length,

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_tangent.hpp>
@@ -42,7 +43,18 @@ struct CrossSectionKernel {
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        return pass<S, false>(e, nullptr, nullptr);
+    }
+
+    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
+    /// state before.
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return pass<S, true>(e, &before, &change);
+    }
 
 private:
     /// The scalar that stations are evaluated with.
@@ -78,15 +90,42 @@ private:
         }
     }
 
+    /// Writes what is evaluated at the nodes, from their vectors, and what stations need of it.
     template <class P, class S>
-    void prepare(const Vector<S, dofs>& e, Nodes<S>& nodes, Lanes<P>& lanes) const noexcept;
+    void prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept;
+
+    template <class P, class S>
+    void prepare(const Vector<S, dofs>& e, Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
+        nodal_vectors(e, nodes.vectors);
+        prepare(nodes, lanes);
+    }
+
+    /// The state before a change of coordinates, linearised along it.
+    template <class S, class P>
+    struct Linearised {
+        Nodes<Dual<S>> nodes;
+        Lanes<Dual<P>> lanes;
+    };
+
+    template <class S, class P>
+    void linearise(const Vector<S, dofs>& e, const Vector<S, dofs>& change,
+                   Linearised<S, P>& at) const noexcept;
+
+    /// Writes the linearised stresses of a station.
+    template <class Station, class S, class P>
+    ANCF_NOINLINE static void predict(const Station& station, const Linearised<S, P>& before,
+                                      P (&stresses)[strain_count]) noexcept;
+    template <class Station, class S, class P>
+    static void predict(const Station& station, const Linearised<S, P>& before, P& stress) noexcept;
+
+    template <class S, bool Mixed>
+    [[nodiscard]] Evaluation<S, dofs> pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
+                                           const Vector<S, dofs>* change) const noexcept;
 };
 
 template <class T, class Formulation>
 template <class P, class S>
-void CrossSectionKernel<T, Formulation>::prepare(const Vector<S, dofs>& e, Nodes<S>& nodes,
-                                                 Lanes<P>& lanes) const noexcept {
-    nodal_vectors(e, nodes.vectors);
+void CrossSectionKernel<T, Formulation>::prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
     for (int x = 0; x < nodal_count; ++x) {
         for (int k = 0; k < 3; ++k) lanes.vectors[x][k] = P(nodes.vectors[x][k]);
     }
@@ -166,36 +205,82 @@ auto CrossSectionKernel<T, Formulation>::force(const Vector<S, dofs>& e) const n
 }
 
 template <class T, class Formulation>
-template <class S>
-auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e) const noexcept
+template <class S, class P>
+void CrossSectionKernel<T, Formulation>::linearise(const Vector<S, dofs>& e,
+                                                   const Vector<S, dofs>& change,
+                                                   Linearised<S, P>& at) const noexcept {
+    NodalVectors<S> values, rates;
+    nodal_vectors(e, values);
+    nodal_vectors(change, rates);
+    for (int x = 0; x < nodal_count; ++x) {
+        for (int k = 0; k < 3; ++k) at.nodes.vectors[x][k] = Dual<S>(values[x][k], rates[x][k]);
+    }
+    prepare(at.nodes, at.lanes);
+}
+
+template <class T, class Formulation>
+template <class Station, class S, class P>
+void CrossSectionKernel<T, Formulation>::predict(const Station& station,
+                                                 const Linearised<S, P>& before,
+                                                 P (&stresses)[strain_count]) noexcept {
+    At<Dual<P>> at;
+    (void)Formulation::state(station, before.lanes.vectors, before.lanes.scalars, at);
+    for (int k = 0; k < strain_count; ++k) stresses[k] = at.stress[k].value + at.stress[k].rate;
+}
+
+template <class T, class Formulation>
+template <class Station, class S, class P>
+void CrossSectionKernel<T, Formulation>::predict(const Station& station,
+                                                 const Linearised<S, P>& before,
+                                                 P& stress) noexcept {
+    AxialState<Dual<P>> at;
+    (void)axial_state(station, before.lanes.vectors, at);
+    stress = at.stress.value + at.stress.rate;
+}
+
+template <class T, class Formulation>
+template <class S, bool Mixed>
+auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
+                                              const Vector<S, dofs>* change) const noexcept
     -> Evaluation<S, dofs> {
     using P = Lane<S>;
     Nodes<S> nodes;
     Lanes<P> lanes;
     prepare(e, nodes, lanes);
+    [[maybe_unused]] std::conditional_t<Mixed, Linearised<S, P>, char> before;
+    if constexpr (Mixed) linearise(*from, *change, before);
     typename Formulation::template Gradient<P> sums{};
+    [[maybe_unused]] typename Formulation::template Gradient<P> predicted{};
     typename Formulation::template Hessian<P> blocks{};
     P sum(0.0);
     for (const auto& station : table<P, S>().full) {
         At<P> at;
         sum += Formulation::state(station, lanes.vectors, lanes.scalars, at);
         Formulation::gradient(station, at, sums);
+        if constexpr (Mixed) {
+            predict(station, before, at.stress);
+            Formulation::gradient(station, at, predicted);
+        }
         Formulation::hessian(station, at, blocks);
     }
     for (const auto& station : table<P, S>().axial) {
         AxialState<P> at;
         sum += axial_state(station, lanes.vectors, at);
         axial_gradient(station, at, sums);
+        if constexpr (Mixed) predict(station, before, at.stress);
         axial_hessian(station, at, blocks);
     }
     typename Formulation::template Gradient<S> gradient;
+    [[maybe_unused]] typename Formulation::template Gradient<S> weights;
     sum_lanes(sums, gradient);
+    if constexpr (Mixed) sum_lanes(predicted, weights);
     Evaluation<S, dofs> result;
     result.energy = nodes.transverse.energy + collapsed<S>(sum);
     const HalfTangent<S> half(result.tangent);
-    Formulation::assign(nodes.scalars, gradient, blocks, half);
+    Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
     Formulation::finish(nodes.scalars, gradient);
     add_transverse(nodes.transverse, nodes.vectors, gradient);
+    if constexpr (Mixed) detail::predict(before.nodes.transverse, nodes.transverse);
     add_transverse(transverse, transverse_measure, nodes.transverse, nodes.vectors, half);
     half.finish(blocks);
     expand(gradient, result.force);

@@ -35,9 +35,15 @@ struct CrossSectionBeam<Dimension, Directors, Shear, Measure>::Place {
         return director == 0 ? state.w.s : state.w.q;
     }
 
-    /// Returns d = n + s t.
+    /// Returns the factor of the normal: 1, or what makes the director a unit vector.
+    [[nodiscard]] S cosine(int director) const noexcept {
+        using std::sqrt;
+        return Measure::engineering ? S(sqrt(S(1.0 - shear(director) * shear(director)))) : S(1.0);
+    }
+
+    /// Returns d = n + s t, or D = cos n + s t of the engineering measure.
     [[nodiscard]] detail::Vec3<S> director(int director) const noexcept {
-        return normal(director) + shear(director) * t;
+        return cosine(director) * normal(director) + shear(director) * t;
     }
 
     /// Returns d' = (s' - kap) t + s kap n + (om + s chi) c.
@@ -155,9 +161,11 @@ SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure>::section_fo
     f << section_.axial * s.head<6>(), section_.shear_y * s.segment<3>(6),
         section_.shear_z * s.tail<3>();
 
-    const Vec3<double>& p = at.local[l_p];
-    const Vec3<double> d = at.director(0), h = at.director(1), d1 = at.director_rate(0),
-                       h1 = at.director_rate(1);
+    const Vec3<double> d = at.director(0), h = at.director(1);
+    // the engineering measure has the section's normal for r0', and no terms of second order
+    const Vec3<double> p = Measure::engineering ? cross(d, h) : at.local[l_p];
+    const Vec3<double> d1 = Measure::engineering ? Vec3<double>{} : at.director_rate(0),
+                       h1 = Measure::engineering ? Vec3<double>{} : at.director_rate(1);
     const Vec3<double> force = f[0] * p + f[1] * d1 + f[2] * h1 + f[6] * d + f[9] * h;
     const Vec3<double> moment = cross(d, f[1] * p + f[3] * d1 + f[4] * h1 + f[10] * h) +
                                 cross(h, f[2] * p + f[4] * d1 + f[5] * h1 + f[8] * d);
@@ -245,11 +253,15 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::director_jacobian(
     const Place<double>& at, int director) const noexcept -> Matrix<double, 3, dofs> {
     using namespace detail;
     // dt = (n u_n + c u_c), dn = th c - u_n t with u = R^T dp/lam and the spin th
-    const double s = at.shear(director), inv_lam = 1.0 / at.state.w.lam;
+    const double s = at.shear(director), cosine = at.cosine(director);
+    const double inv_lam = 1.0 / at.state.w.lam;
     const Vector<double, 3> t = to_vector(at.t), n = to_vector(at.normal(director)),
                             c = to_vector(at.binormal(director));
-    const Matrix<double, 3> by_p = inv_lam * ((s * n - t) * n.transpose() + s * c * c.transpose());
-    Matrix<double, 3, dofs> jacobian = c * spin_row(at, director) + t * shear_row(at, director);
+    const Matrix<double, 3> by_p =
+        inv_lam * ((s * n - cosine * t) * n.transpose() + s * c * c.transpose());
+    const Vector<double, 3> by_shear = Measure::engineering ? t - s / cosine * n : t;
+    Matrix<double, 3, dofs> jacobian =
+        cosine * c * spin_row(at, director) + by_shear * shear_row(at, director);
     for (int x = 0; x < 3; ++x) {
         jacobian.template middleCols<3>(coordinate_start[n_D + x]) += at.shape.p[x] * by_p;
     }

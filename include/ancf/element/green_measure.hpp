@@ -26,6 +26,8 @@ namespace ancf {
 struct GreenMeasure {
     using Planar = detail::PlanarGreen;
 
+    static constexpr bool engineering = false;  ///< strains are products of F_x with itself
+
     /// Which strains depend on each invariant, one bit per strain.
     static constexpr unsigned pattern[detail::invariant_count] = {0b0010'0100'0111,   // lam
                                                                   0b0101'0011'1110,   // kap

@@ -15,6 +15,8 @@
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar_kernel.hpp>
 
+#include <cmath>
+
 namespace ancf {
 
 /// The cross-section beam in the plane. Directors of every kind coincide there.
@@ -136,6 +138,10 @@ private:
         detail::PlanarFrame<double> frame;
     };
     [[nodiscard]] Place place(const Coordinates& e, double xi) const noexcept;
+    /// Returns the factor of the normal in the director: 1, or what makes it a unit vector.
+    [[nodiscard]] static double director_cosine(const detail::PlanarFrame<double>& f) noexcept {
+        return Measure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
+    }
     void set_up(const Material& material, const Section& section);
     [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
@@ -207,7 +213,8 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
     detail::require_points(options_.rule, StrainGroup::shear, "shear", 2);
     section_ = section_stiffness(material, section, options_.section_model);
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
-    const StationTable<double> table = line_.stations(options_.rule, section_);
+    const StationTable<double> table =
+        line_.stations(options_.rule, section_, !Measure::engineering);
     for (const StationData<double>& station : table.full)
         kernel_.stations.push_back(
             {station.shape, {}, detail::planar_stiffness(station.stiffness)});
@@ -308,6 +315,14 @@ SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forc
     // r0' = (lam, 0), d = (s, 1), d' = (s' - kap, s kap) in (t, n)
     const double rate_t = f.w.s1 - f.w.kap, rate_n = f.w.s * f.w.kap;
     SectionForces forces{};
+    if constexpr (Measure::engineering) {
+        // along the unit director (s, cosine) and the section's normal (cosine, -s)
+        const double cosine = director_cosine(f);
+        forces.axial = stress[0] * cosine + stress[3] * f.w.s;
+        forces.shear_y = stress[3] * cosine - stress[0] * f.w.s;
+        forces.moment_z = -stress[1];
+        return forces;
+    }
     forces.axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
     forces.shear_y = stress[1] * rate_n + stress[3];
     const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
@@ -319,7 +334,8 @@ template <class Directors, class Measure>
 Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::directors(
     const Coordinates& e, double xi) const noexcept {
     const detail::PlanarFrame<double> f = place(e, xi).frame;
-    return {f.n[0] + f.w.s * f.t[0], f.n[1] + f.w.s * f.t[1]};
+    const double cosine = director_cosine(f);
+    return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
 }
 
 template <class Directors, class Measure>
@@ -347,7 +363,9 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
     const detail::PlanarFrame<double>& f = at.frame;
     const Vector<double, 2> t(f.t[0], f.t[1]), n(f.n[0], f.n[1]);
     // d n = -u_n t, d t = u_n n with u_n = n.dp/lam
-    const Matrix<double, 2> by_p = y * f.inv_lam * (f.w.s * n - t) * n.transpose();
+    const double cosine = director_cosine(f);
+    const Vector<double, 2> by_shear = Measure::engineering ? t - f.w.s / cosine * n : t;
+    const Matrix<double, 2> by_p = y * f.inv_lam * (f.w.s * n - cosine * t) * n.transpose();
     jacobian.template middleCols<2>(0) -= at.shape.p[0] * by_p;
     jacobian.template middleCols<2>(6) += at.shape.p[0] * by_p;
     jacobian.template middleCols<2>(2) += at.shape.p[1] * by_p;
@@ -356,8 +374,8 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
         const double weight = y * (node == 0 ? 1.0 - at.shape.n2 : at.shape.n2);
         const detail::PlanarSine<double>& sine = at.sine[node];
         const Eigen::Map<const Vector<double, 2>> by_g(sine.g), by_a(sine.a);
-        jacobian.template middleCols<2>(6 * node + 2) += weight * t * by_g.transpose();
-        jacobian.template middleCols<2>(6 * node + 4) += weight * t * by_a.transpose();
+        jacobian.template middleCols<2>(6 * node + 2) += weight * by_shear * by_g.transpose();
+        jacobian.template middleCols<2>(6 * node + 4) += weight * by_shear * by_a.transpose();
     }
     return jacobian;
 }

@@ -76,6 +76,42 @@ struct PlanarGreen {
     }
 };
 
+/// Engineering strains, see engineering_measure.hpp: the director is a unit vector, s = sin of the
+/// shear angle.
+struct PlanarEngineering {
+    template <class S>
+    static void evaluate(const PlanarInvariants<S>& w, PlanarStrains<S>& out) noexcept {
+        using std::sqrt;
+        const S cosine = sqrt(S(1.0 - w.s * w.s)), inverse = 1.0 / cosine;
+        const S tangent = w.s * inverse;
+        out.e[0] = w.lam * cosine - 1.0;
+        out.e[1] = w.s1 * inverse - w.kap;
+        out.e[3] = w.lam * w.s;
+        out.e[2] = out.e[4] = S(0.0);
+        const S zero(0.0);
+        const S J[planar_invariant_count][planar_strain_count] = {
+            {cosine, zero, zero, w.s, zero},
+            {zero, S(-1.0), zero, zero, zero},
+            {-w.lam * tangent, w.s1 * tangent * inverse * inverse, zero, w.lam, zero},
+            {zero, inverse, zero, zero, zero}};
+        for (int i = 0; i < planar_invariant_count; ++i) {
+            for (int k = 0; k < planar_strain_count; ++k) out.J[i][k] = J[i][k];
+        }
+    }
+
+    /// Adds sum_k f_k d2e_k/dw2 to the upper triangle of D.
+    template <class S>
+    static void add_curvature(const PlanarInvariants<S>& w, const S (&f)[planar_strain_count],
+                              S (&D)[planar_invariant_count][planar_invariant_count]) noexcept {
+        using std::sqrt;
+        const S square = 1.0 / (1.0 - w.s * w.s), inverse = sqrt(square);
+        D[pw_lam][pw_s] += f[3] - f[0] * w.s * inverse;
+        D[pw_s][pw_s] +=
+            inverse * square * (f[1] * w.s1 * (1.0 + 2.0 * w.s * w.s) * square - f[0] * w.lam);
+        D[pw_s][pw_s1] += f[1] * w.s * inverse * square;
+    }
+};
+
 /// The section matrix in the plane, times the station's weight and length.
 template <class T>
 struct PlanarStiffness {

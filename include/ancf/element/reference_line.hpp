@@ -76,14 +76,15 @@ public:
     }
 
     /// Returns the stations of a rule along the line; reference strains are zero.
-    [[nodiscard]] StationTable<double> stations(const Rule& rule,
-                                                const SectionStiffness& section) const {
+    /// @param own_axial  stations of the axial term alone are kept apart: its strain is Green's
+    [[nodiscard]] StationTable<double> stations(const Rule& rule, const SectionStiffness& section,
+                                                bool own_axial = true) const {
         StationTable<double> table;
         for (const RuleStation& station : rule.stations()) {
             const StationShape<double> at = shape(station.xi);
             const SectionMatrix<double> stiffness =
                 station_stiffness(section, station, parameter_length_ * metric(station.xi));
-            if (station.axial_only()) {
+            if (own_axial && station.axial_only()) {
                 table.axial.push_back({{at.p[0], at.p[1], at.p[2]}, 0.0, stiffness.axial[0][0]});
             } else {
                 table.full.push_back({at, {}, stiffness});

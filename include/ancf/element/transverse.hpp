@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/element/dual.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_tangent.hpp>
 #include <ancf/element/vec3.hpp>
@@ -85,6 +86,15 @@ inline void transverse_state(const TransverseData<T>& data, TransverseStrain mea
         state.stress[k][0] = W * (2.0 * e[k][0] + e[k][1]);
         state.stress[k][1] = W * (e[k][0] + 2.0 * e[k][1]);
         state.energy += 0.5 * (state.stress[k][0] * e[k][0] + state.stress[k][1] * e[k][1]);
+    }
+}
+
+/// Replaces the stresses by those of a state linearised along a direction.
+template <class S>
+inline void predict(const TransverseState<Dual<S>>& before, TransverseState<S>& state) noexcept {
+    for (int k = 0; k < 3; ++k) {
+        for (int node = 0; node < 2; ++node)
+            state.stress[k][node] = before.stress[k][node].value + before.stress[k][node].rate;
     }
 }
 

@@ -248,6 +248,7 @@ private:
         VectorX du = control.first_u;
         double df = control.first_f;
         double correction = std::numeric_limits<double>::infinity();
+        double before = std::numeric_limits<double>::infinity();
         VectorX residual, by_residual, by_load;
         for (int iteration = 0;; ++iteration) {
             point.state.q = start.state.q;
@@ -255,9 +256,13 @@ private:
             point.state.multipliers = start.state.multipliers + du.tail(numbering_.multipliers());
             point.factor = point.state.time = start.factor + df;
             if (!evaluate(point)) return -1;
-            if (monitor_.residual(assembly_) <= options_.residual_tolerance &&
-                correction <= options_.correction_tolerance)
+            const double unbalanced = monitor_.residual(assembly_);
+            const bool balanced =
+                unbalanced <= options_.residual_tolerance ||
+                (unbalanced > 0.25 * before && monitor_.at_round_off(assembly_, point.state.q));
+            if (balanced && correction <= options_.correction_tolerance)
                 return assembly_.inspect(point.state.q) ? -1 : iteration;
+            before = unbalanced;
             if (iteration == options_.max_iterations) return -1;
             if (solver_.factorize(assembly_.tangent()).status != Status::converged) return -1;
             assembly_.residual(residual);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A value with its derivative along one direction: what kernels linearise strains with.
+///
+/// f(a + eps b) = f(a) + eps f'(a) b with eps^2 = 0. Exact, and cheaper than a Jacobian where one
+/// direction is all that is wanted: docs/theory-statics.md, "Stresses as unknowns".
+
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+namespace ancf {
+
+/// A number a + eps b.
+/// @tparam Base  double or a Pack
+template <class Base>
+struct Dual {
+    Base value;  ///< a
+    Base rate;   ///< b, the derivative along the direction
+
+    Dual() = default;
+    Dual(const Base& a, const Base& b) noexcept : value(a), rate(b) {}
+
+    /// Makes a constant.
+    template <class T, class = std::enable_if_t<std::is_convertible_v<T, Base>>>
+    Dual(const T& constant) noexcept : value(constant), rate(0.0) {}  // NOLINT: meant
+
+    /// Makes the same number of every lane of a wider base.
+    template <class T, class = std::enable_if_t<!std::is_same_v<T, Base>>>
+    explicit Dual(const Dual<T>& other) noexcept : value(other.value), rate(other.rate) {}
+
+    friend Dual operator+(const Dual& a, const Dual& b) noexcept {
+        return {a.value + b.value, a.rate + b.rate};
+    }
+    friend Dual operator-(const Dual& a, const Dual& b) noexcept {
+        return {a.value - b.value, a.rate - b.rate};
+    }
+    friend Dual operator*(const Dual& a, const Dual& b) noexcept {
+        return {a.value * b.value, a.value * b.rate + a.rate * b.value};
+    }
+    friend Dual operator/(const Dual& a, const Dual& b) noexcept {
+        const Base quotient = a.value / b.value;
+        return {quotient, (a.rate - quotient * b.rate) / b.value};
+    }
+    friend Dual operator-(const Dual& a) noexcept { return {-a.value, -a.rate}; }
+    Dual& operator+=(const Dual& b) noexcept { return *this = *this + b; }
+    Dual& operator-=(const Dual& b) noexcept { return *this = *this - b; }
+    Dual& operator*=(const Dual& b) noexcept { return *this = *this * b; }
+
+    friend Dual sqrt(const Dual& a) noexcept {
+        using std::sqrt;
+        const Base root = sqrt(a.value);
+        return {root, 0.5 * a.rate / root};
+    }
+    friend Dual cos(const Dual& a) noexcept {
+        using std::cos;
+        using std::sin;
+        return {cos(a.value), -a.rate * sin(a.value)};
+    }
+    friend Dual sin(const Dual& a) noexcept {
+        using std::cos;
+        using std::sin;
+        return {sin(a.value), a.rate * cos(a.value)};
+    }
+    friend Dual atan(const Dual& a) noexcept {
+        using std::atan;
+        return {atan(a.value), a.rate / (1.0 + a.value * a.value)};
+    }
+};
+
+}  // namespace ancf

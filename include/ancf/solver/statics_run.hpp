@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Newton's method in load steps: what solve_statics() of statics.hpp does.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/assembly/resultant.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace ancf {
+
+namespace detail {
+
+/// Newton's method on one scene; keeps the assembly and the factorisation between steps.
+template <class Scene, class LinearSolver>
+class StaticsRun {
+public:
+    StaticsRun(Scene& model, LinearSolver& solver, const StaticsOptions& options)
+        : model_(model),
+          solver_(solver),
+          options_(options),
+          assembly_(model, LinearSolver::storage),
+          monitor_(model, assembly_.numbering()),
+          turning_(model, assembly_.numbering()) {
+        solver_.analyze(assembly_.tangent());
+    }
+
+    [[nodiscard]] StaticsReport run() {
+        const double whole = options_.last_factor - options_.first_factor;
+        const double equal = whole / options_.steps;
+        double step = equal;
+        double done = options_.first_factor;
+        report_.factor = done;
+        for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole); ++k) {
+            double next = options_.adaptive ? done + step
+                                            : options_.first_factor + whole * k / options_.steps;
+            if (std::abs(next - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
+                next = options_.last_factor;
+            const LoadStep& result = advance(next);
+            report_.status = result.status;
+            if (result.status == Status::converged) {
+                done = report_.factor = next;
+                if (options_.progress && !options_.progress(done, model_.state())) break;
+                if (result.iterations <= 6)
+                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
+                           (whole < 0.0 ? -1.0 : 1.0);
+            } else {
+                step *= 0.5;
+                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
+                    break;
+            }
+        }
+        finish();
+        return std::move(report_);
+    }
+
+private:
+    /// Solves at a load factor from the model's state; keeps the state where that fails.
+    const LoadStep& advance(double factor) {
+        const LoadStep& step = attempt(factor, options_.newton);
+        if (step.status == Status::converged || options_.newton == NewtonKind::plain) return step;
+        return attempt(factor, NewtonKind::plain);
+    }
+
+    const LoadStep& attempt(double factor, NewtonKind newton) {
+        const State before = model_.state();
+        report_.fault.reset();
+        LoadStep& step = report_.steps.emplace_back();
+        step.factor = factor;
+        step.newton = newton;
+        instant_ = {factor, factor};
+        step.status = iterate(step);
+        if (step.status != Status::converged) model_.state() = before;
+        return step;
+    }
+
+    Status iterate(LoadStep& step) {
+        State& state = model_.state();
+        state.time = instant_.time;
+        VectorX increment = -state.q;
+        VectorX driven = state.q;
+        assembly_.apply_supports(instant_, driven);
+        increment += driven;
+        const bool moved = (increment.array() != 0.0).any();
+
+        if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
+        last_.before = state.q;
+        state.q = driven;
+        double correction = std::numeric_limits<double>::infinity();
+        while (true) {
+            const double residual = monitor_.residual(assembly_);
+            step.residuals.push_back(residual);
+            if (!std::isfinite(residual)) return Status::not_finite;
+            if (residual <= options_.residual_tolerance &&
+                correction <= options_.correction_tolerance)
+                return accept(state);
+            // a scene already at rest needs no correction to know it
+            if ((step.iterations == 0 && !moved) || stagnates(step)) {
+                step.at_round_off = monitor_.at_round_off(assembly_, state.q);
+                if (step.at_round_off) return accept(state);
+            }
+            if (step.iterations >= most_iterations(step.newton)) return Status::max_iterations;
+
+            report_.factorisation = solver_.factorize(assembly_.tangent());
+            if (report_.factorisation.status != Status::converged)
+                return report_.factorisation.status;
+            assembly_.residual(residual_);
+            solver_.solve(residual_, correction_);
+            correction_ = -correction_;
+            ++step.iterations;
+            if (!correction_.allFinite()) return Status::not_finite;
+            if (!move(state, residual, step.newton)) return report_.fault->status;
+            correction = monitor_.correction(correction_);
+            step.corrections.push_back(correction);
+        }
+    }
+
+    /// Applies the correction, shortened on request, and evaluates there.
+    bool move(State& state, double before, NewtonKind newton) {
+        const State start = state;
+        const auto& numbering = assembly_.numbering();
+        const bool mixed = newton != NewtonKind::plain;
+        double length = 1.0;
+        for (int halving = 0;; ++halving) {
+            state = start;
+            numbering.add_free(correction_, length, state.q);
+            state.multipliers += length * correction_.tail(numbering.multipliers());
+            if (mixed) bend(newton, state.q);
+            const bool evaluated = evaluate(state, nullptr, mixed ? &last_ : nullptr);
+            if (!options_.line_search || halving == 8 ||
+                (evaluated && monitor_.residual(assembly_) < 2.0 * before)) {
+                last_.before = state.q;
+                return evaluated;
+            }
+            length *= 0.5;
+        }
+    }
+
+    /// Lets what the correction turns keep its length.
+    void bend(NewtonKind newton, VectorX& q) {
+        constexpr double small = 0.05;  // rad: below, the linear sum is better
+        last_.change = q - last_.before;
+        if (newton == NewtonKind::turned &&
+            turning_.largest_angle(last_.before, last_.change) > small)
+            turning_.turn(last_.before, last_.change, q);
+        else
+            turning_.twist(last_.before, last_.change, q);
+    }
+
+    bool evaluate(const State& state, const VectorX* increment, const Correction* last = nullptr) {
+        const VectorX rest = VectorX::Zero(state.q.size());
+        report_.fault = assembly_.evaluate({state.q, rest, state.multipliers, instant_},
+                                           Request::tangent, increment, last);
+        return !report_.fault.has_value();
+    }
+
+    /// A root of the equations counts only where every element is in order.
+    Status accept(const State& state) {
+        report_.fault = assembly_.inspect(state.q);
+        return report_.fault ? report_.fault->status : Status::converged;
+    }
+
+    [[nodiscard]] int most_iterations(NewtonKind newton) const {
+        return newton == NewtonKind::plain
+                   ? options_.max_iterations
+                   : std::min(options_.mixed_iterations, options_.max_iterations);
+    }
+
+    static bool stagnates(const LoadStep& step) {
+        const std::size_t count = step.residuals.size();
+        return count >= 3 && step.corrections.back() < 1e-3 &&
+               step.residuals[count - 1] > 0.25 * step.residuals[count - 2];
+    }
+
+    void finish() {
+        const State& state = model_.state();
+        const auto& numbering = assembly_.numbering();
+        instant_ = {report_.factor, report_.factor};
+        report_.reactions.setZero(numbering.coordinates());
+        const auto fault = report_.fault;
+        if (!evaluate(state, nullptr)) return;
+        report_.fault = fault;
+        report_.strain_energy = assembly_.strain_energy();
+        for (const int k : numbering.held())
+            report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
+                                   assembly_.external_force()[k];
+        report_.imbalance = resultant(
+            model_, state.q,
+            assembly_.external_force() - assembly_.constraint_force() + report_.reactions);
+    }
+
+    Scene& model_;
+    LinearSolver& solver_;
+    const StaticsOptions& options_;
+    Assembly<Scene> assembly_;
+    ConvergenceMonitor monitor_;
+    Turning<Scene> turning_;
+    Instant instant_;
+    StaticsReport report_;
+    VectorX residual_, correction_;
+    Correction last_;  // of the attempt that runs
+};
+
+}  // namespace detail
+
+template <class Scene, class LinearSolver>
+StaticsReport solve_statics(Scene& model, LinearSolver& solver, const StaticsOptions& options) {
+    require_linear_solver<LinearSolver>();
+    options.check();
+    return detail::StaticsRun<Scene, LinearSolver>(model, solver, options).run();
+}
+
+}  // namespace ancf

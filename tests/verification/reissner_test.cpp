@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Engineering strains converge to the geometrically exact beam: planar cases with reference values
+/// by independent solvers of Reissner's theory (shooting and spectral elements).
+
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/path.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/catch.hpp>
+
+#include <cmath>
+
+namespace {
+
+using ancf::Field;
+using ancf::Status;
+using Beam =
+    ancf::CrossSectionBeam<2, ancf::Projected, ancf::LinearShear, ancf::EngineeringMeasure>;
+using Scene = ancf::Model<Beam>;
+using Point = ancf::Vector<double, 2>;
+
+ancf::CrossSectionOptions mixed() {
+    ancf::CrossSectionOptions options;
+    options.rule = ancf::Rule::mixed();
+    return options;
+}
+
+/// Returns the tip of a cantilever of length 2 along X under a dead tip force along Y.
+Point loaded_tip(const ancf::Section& section, double force, int elements) {
+    Scene scene;
+    const auto material = ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0);
+    const auto beam =
+        ancf::straight_beam(scene, material, section, {0, 0}, {2, 0}, elements, mixed());
+    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    scene.add(ancf::Force<2>(beam.last(), {0, force}));
+    ancf::EigenLdlt solver;
+    REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
+    return scene.position(beam.last());
+}
+
+}  // namespace
+
+TEST_CASE("Reissner: the slender cantilever comes to the value of the theory", "[verification]") {
+    const double force = 1.5 * 2.07e11 * 1e-8 / 12.0 / 4.0;
+    const Point theory(1.784113323480, 0.821971481194);
+    const auto section = ancf::rectangle(0.01, 0.01);
+    const double coarse = (loaded_tip(section, force, 8) - theory).norm() / 2.0;
+    const double fine = (loaded_tip(section, force, 16) - theory).norm() / 2.0;
+    CHECK(fine <= 1.5e-6);
+    CHECK(std::log2(coarse / fine) >= 3.7);  // fourth order
+    // the Green-strain limit is 2.5e-6 L away: that it is told apart
+    const double finest = (loaded_tip(section, force, 64) - theory).norm() / 2.0;
+    CHECK(finest <= 1e-8);
+}
+
+TEST_CASE("Reissner: the deep cantilever comes to the value of the theory", "[verification]") {
+    const Point theory(1.999697522945, 0.032416944776);
+    const Point tip = loaded_tip(ancf::rectangle(0.1, 0.5), 2.5e6, 32);
+    CHECK((tip - theory).norm() / 2.0 <= 1e-8);
+}
+
+TEST_CASE("Reissner: an end moment bends to an exact semicircle", "[verification]") {
+    constexpr double pi = 3.14159265358979323846;
+    const auto error = [&](int elements) {
+        Scene scene;
+        const auto material = ancf::Material::from_moduli(2e8, 1e8, 1.0);
+        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.035, 0.035),
+                                              {0, 0}, {1, 0}, elements, mixed());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        const double bending = 2e8 * std::pow(0.035, 4) / 12.0;
+        scene.add(ancf::PlanarSlopeMoment(beam.last(), Field::r_y, pi * bending));
+        ancf::EigenLu solver;
+        ancf::StaticsOptions options;
+        options.steps = 4;
+        REQUIRE(ancf::solve_statics(scene, solver, options).status == Status::converged);
+        return (scene.position(beam.last()) - Point(0.0, 2.0 / pi)).norm();
+    };
+    const double coarse = error(8), fine = error(16);
+    CHECK(fine <= 3e-5);
+    CHECK(std::log2(coarse / fine) >= 3.5);
+}
+
+TEST_CASE("Reissner: Lee's frame snaps at the limit loads of the theory", "[verification]") {
+    // two legs of 120, hinged at their ends, loaded on the beam at 24 from the corner; 20 elements
+    Scene scene;
+    ancf::Moments moments;
+    moments.area = 6.0;
+    moments.yy = moments.zz = 2.0;
+    const auto section =
+        ancf::Section::from_moments(moments).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
+    const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
+    const auto column = ancf::straight_beam(scene, material, section, {0, 0}, {0, 120}, 6, mixed());
+    const auto corner =
+        ancf::straight_beam(scene, material, section, {0, 120}, {24, 120}, 2, mixed());
+    ancf::NodeId end = corner.last();
+    const int rest = scene.add_prototype(Beam(material, section, 8.0, mixed()));
+    for (int k = 1; k <= 12; ++k) {
+        const ancf::NodeId next = scene.add_node({24.0 + 8.0 * k, 120.0});
+        scene.connect(rest, end, next);
+        end = next;
+    }
+    scene.pin(column.first());
+    scene.pin(end);
+    scene.add(ancf::PlanarWeld(scene, column.last(), corner.first(), Field::r_y));
+    scene.add(ancf::Force<2>(corner.last(), {0, -18544.5}));
+    ancf::EigenLu solver;
+    ancf::PathOptions options;
+    options.first_step = 0.05;
+    options.largest_step = 3.0;
+    options.max_points = 400;
+    options.progress = [&](const ancf::PathPoint& point, const ancf::State&) {
+        return point.factor < 1.2;
+    };
+    const auto report = ancf::follow_path(scene, solver, options);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.critical.size() >= 2);
+    CHECK(report.critical[0].factor * 18544.5 == Approx(18544.52709444).epsilon(5e-4));   // 4.2e-4
+    CHECK(report.critical[1].factor * 18544.5 == Approx(-9392.489640346).epsilon(5e-4));  // 2.3e-4
+}
