@@ -21,8 +21,8 @@ using Vector = Eigen::Matrix<Scalar, Rows, 1>;
 template <class Scalar, int Rows, int Columns = Rows>
 using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
 
-using VectorX = Eigen::VectorXd;
-using MatrixX = Eigen::MatrixXd;
+using VectorX = Eigen::VectorXd;  ///< a column of any size
+using MatrixX = Eigen::MatrixXd;  ///< a matrix of any size
 
 /// Compressed columns with 32-bit indices: what CHOLMOD and UMFPACK take without a copy.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

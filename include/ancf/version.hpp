@@ -8,8 +8,11 @@
 
 #include <string_view>
 
+/// Changes with what breaks callers.
 #define ANCF_VERSION_MAJOR 0
+/// Changes with what is added.
 #define ANCF_VERSION_MINOR 1
+/// Changes with what is mended.
 #define ANCF_VERSION_PATCH 0
 
 namespace ancf {

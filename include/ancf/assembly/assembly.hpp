@@ -17,6 +17,7 @@
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/assembly/schedule.hpp>
 #include <ancf/element/pack.hpp>
+#include <ancf/element/requirement.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
@@ -37,7 +38,7 @@ struct Configuration {
     const VectorX& q;            ///< all coordinates
     const VectorX& v;            ///< their rates
     const VectorX& multipliers;  ///< of all constraints
-    Instant instant;
+    Instant instant;             ///< time, or load factor
 };
 
 /// What an evaluation computes.
@@ -93,8 +94,11 @@ public:
     ///         or for lower storage of a tangent that is not symmetric or has multipliers.
     Assembly(const Scene& model, Storage storage);
 
+    /// Returns the scene.
     [[nodiscard]] const Scene& model() const noexcept { return model_; }
+    /// Returns the order of unknowns.
     [[nodiscard]] const Numbering& numbering() const noexcept { return numbering_; }
+    /// Returns the places of entries.
     [[nodiscard]] const BlockPattern& pattern() const noexcept { return pattern_; }
 
     /// Evaluates the scene; results stand in the members below until the next evaluation.
@@ -110,15 +114,22 @@ public:
 
     // Results of the last evaluation; forces are of all coordinates, N and N m ----------------
 
+    /// Returns Q_e.
     [[nodiscard]] const VectorX& internal_force() const noexcept { return internal_; }
+    /// Returns Q, gravity included.
     [[nodiscard]] const VectorX& external_force() const noexcept { return external_; }
+    /// Returns G^T lambda.
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
+    /// Returns g.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
+    /// Returns U, J.
     [[nodiscard]] double strain_energy() const noexcept { return strain_energy_; }
 
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
+    /// Returns the tangent, in the pattern.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept { return tangent_; }
+    /// Returns -dQ/dv, in the pattern.
     [[nodiscard]] const SparseMatrix& damping() const noexcept { return damping_; }
 
     /// Returns the first element whose coordinates are not finite or not admissible.
@@ -129,6 +140,7 @@ public:
 
     /// Returns the constraint terms g_t and c of dg/dt = G v + g_t, d2g/dt2 = G a + c.
     [[nodiscard]] const VectorX& violation_rate() const noexcept { return violation_rate_; }
+    /// Returns c.
     [[nodiscard]] const VectorX& convection() const noexcept { return convection_; }
 
     /// Returns the derivative of the external force with respect to the load factor, where the
@@ -304,6 +316,7 @@ void Assembly<Scene>::build_pattern(Storage storage) {
 template <class Scene>
 template <class Element>
 void Assembly<Scene>::build_slots(const ElementGroup<Element>& group) {
+    static_assert(require_element<Element>());
     const Layout& layout = model_.layout();
     std::vector<Slots> all;
     all.reserve(group.connections.size());

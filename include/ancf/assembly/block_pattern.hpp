@@ -33,6 +33,7 @@ public:
     BlockPattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs,
                  Storage storage);
 
+    /// Returns which part is stored.
     [[nodiscard]] Storage storage() const noexcept { return storage_; }
 
     /// Returns the number of rows.

@@ -30,8 +30,11 @@ public:
 
     /// Returns the number of equations: free coordinates, then multipliers.
     [[nodiscard]] int unknowns() const noexcept { return free_ + multipliers_; }
+    /// Returns how many coordinates are unknowns.
     [[nodiscard]] int free_coordinates() const noexcept { return free_; }
+    /// Returns the number of multipliers.
     [[nodiscard]] int multipliers() const noexcept { return multipliers_; }
+    /// Returns the number of all coordinates.
     [[nodiscard]] int coordinates() const noexcept { return static_cast<int>(equation_.size()); }
 
     /// Returns the equation of a coordinate, -1 where a support holds it.

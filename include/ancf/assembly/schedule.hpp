@@ -21,8 +21,8 @@ namespace ancf {
 
 /// Consecutive elements [first, last) of a group.
 struct ElementRun {
-    int first;
-    int last;
+    int first;  ///< index of its first element
+    int last;   ///< one past its last
 };
 
 /// Runs of one group, colour by colour.
@@ -96,6 +96,7 @@ public:
         }
     }
 
+    /// Returns the number of colours.
     [[nodiscard]] std::size_t colours() const noexcept { return colours_.size(); }
 
 private:

@@ -36,6 +36,7 @@ public:
     /// Evaluates every constraint at one instant.
     void evaluate(double time, const VectorX& q, const VectorX& v);
 
+    /// Returns the number of equations.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(violation_.size()); }
 
     /// Returns g of all equations.
@@ -47,7 +48,9 @@ public:
     /// Returns c of d2g/dt2 = G a + c.
     [[nodiscard]] const VectorX& convection() const noexcept { return convection_; }
 
+    /// Returns the largest |g|.
     [[nodiscard]] double largest_violation() const noexcept { return largest(violation_); }
+    /// Returns the largest |G v + g_t|.
     [[nodiscard]] double largest_rate() const noexcept { return largest(full_rate_); }
 
     /// Returns G a for all coordinates.

@@ -28,6 +28,7 @@
 
 namespace ancf {
 
+/// How the energy-momentum method runs.
 struct EnergyMomentumOptions {
     double step = 1e-3;         ///< s; where Newton's method fails a step is taken in shorter parts
     int max_iterations = 30;    ///< of Newton's method in a step
@@ -53,6 +54,7 @@ public:
         options_.check();
     }
 
+    /// Returns the options it was made with.
     [[nodiscard]] const EnergyMomentumOptions& options() const noexcept { return options_; }
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state

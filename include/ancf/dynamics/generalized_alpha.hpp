@@ -31,6 +31,7 @@
 
 namespace ancf {
 
+/// How the generalized-alpha method runs.
 struct GeneralizedAlphaOptions {
     double rho = 0.8;    ///< spectral radius at infinity, from 0 to 1
     double step = 1e-3;  ///< s: the step, or the first one of an adaptive run
@@ -55,6 +56,7 @@ public:
         options_.check();
     }
 
+    /// Returns the options it was made with.
     [[nodiscard]] const GeneralizedAlphaOptions& options() const noexcept { return options_; }
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state

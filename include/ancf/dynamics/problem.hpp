@@ -37,7 +37,7 @@ enum class Redundancy {
 /// How a problem is set up.
 struct ProblemOptions {
     Storage storage = Storage::full;  ///< lower only without constraints and unsymmetric loads
-    Redundancy redundancy = Redundancy::refuse;
+    Redundancy redundancy = Redundancy::refuse;  ///< what repeated constraints lead to
     double consistency = 1e-8;  ///< |g| and |G v + g_t| allowed at the start, relative to the
                                 ///< scene's size and to its largest rate
     double redundancy_tolerance = 1e-10;  ///< a row of G whose part independent of the rows before
@@ -54,8 +54,9 @@ struct ProblemOptions {
 struct Start {
     /// Or inconsistent, redundant, degenerate, not_finite, singular.
     Status status = Status::converged;
-    std::string message;   ///< which constraint, by how much
-    double time = 0.0;     ///< s
+    std::string message;  ///< which constraint, by how much
+    double time = 0.0;    ///< s
+    /// Free coordinates.
     VectorX q, v;          ///< free coordinates and rates
     VectorX acceleration;  ///< consistent v', free
     VectorX multipliers;   ///< consistent lambda
@@ -78,8 +79,11 @@ public:
 
     [[nodiscard]] int size() const noexcept { return numbering().free_coordinates(); }    ///< n
     [[nodiscard]] int multipliers() const noexcept { return numbering().multipliers(); }  ///< m
+    /// Returns the scene.
     [[nodiscard]] const Scene& model() const noexcept { return model_; }
+    /// Returns the order of unknowns.
     [[nodiscard]] const Numbering& numbering() const noexcept { return assembly_.numbering(); }
+    /// Returns what evaluates the scene.
     [[nodiscard]] const Assembly<Scene>& assembly() const noexcept { return assembly_; }
 
     // Start ------------------------------------------------------------------------------------

@@ -30,6 +30,7 @@ struct Energies {
     double load_power = 0.0;        ///< Q^T v of all loads, gravity included, W
     double constraint_power = 0.0;  ///< of driven supports and of constraints that move in time, W
 
+    /// Returns their sum, J.
     [[nodiscard]] double total() const noexcept { return kinetic + strain + potential; }
 };
 
@@ -82,10 +83,12 @@ struct Schedule {
 /// What an integrator carries beyond the state: enough to continue a run bit for bit.
 struct Memory {
     std::string integrator;  ///< who wrote it; empty: nothing is carried
-    std::vector<std::pair<std::string, VectorX>> values;
+    std::vector<std::pair<std::string, VectorX>> values;  ///< by name
 
+    /// Tells whether there is nothing to continue.
     [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }
 
+    /// Adds values.
     void put(std::string name, VectorX value) {
         values.emplace_back(std::move(name), std::move(value));
     }
@@ -100,10 +103,10 @@ struct Memory {
 
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
-    Status status = Status::converged;
-    std::string message;         ///< what failed where; empty when converged
-    std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
-    double time = 0.0;           ///< s, reached
+    Status status = Status::converged;  ///< how it ended
+    std::string message;                ///< what failed where; empty when converged
+    std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
+    double time = 0.0;                  ///< s, reached
 
     long steps = 0;                 ///< accepted
     long rejected = 0;              ///< by the error test
@@ -111,9 +114,9 @@ struct DynamicsReport {
     long iterations = 0;            ///< Newton iterations, one linear solve each
     long evaluations = 0;           ///< of the residual force
     long jacobians = 0;             ///< of the tangent
-    long factorisations = 0;
-    double smallest_step = 0.0;  ///< s
-    double largest_step = 0.0;   ///< s
+    long factorisations = 0;        ///< numerical ones, of the whole run
+    double smallest_step = 0.0;     ///< s
+    double largest_step = 0.0;      ///< s
 
     double violation = 0.0;        ///< largest |g| after any step, before projection
     double violation_rate = 0.0;   ///< largest |G v + g_t| after any step, before projection

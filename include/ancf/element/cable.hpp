@@ -66,16 +66,18 @@ class Cable {
     static_assert(Dimension == 2 || Dimension == 3, "a cable lives in the plane or in space");
 
 public:
-    static constexpr int dimension = Dimension;
-    static constexpr int node_dofs = 2 * Dimension;
-    static constexpr int dofs = 2 * node_dofs;
+    static constexpr int dimension = Dimension;      ///< of space
+    static constexpr int node_dofs = 2 * Dimension;  ///< number of coordinates of a node
+    static constexpr int dofs = 2 * node_dofs;       ///< number of nodal coordinates of an element
+    /// 1 in the plane, 3 in space.
     static constexpr int curvature_components = Dimension == 3 ? 3 : 1;
-    static constexpr Fields fields = Field::r | Field::r_x;
+    static constexpr Fields fields = Field::r | Field::r_x;  ///< vectors that each node carries
+    /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Point = Vector<double, Dimension>;
-    using Jacobian = Matrix<double, Dimension, dofs>;
-    using Curvature = Vector<double, curvature_components>;
-    using Options = CableOptions;
+    using Point = Vector<double, Dimension>;           ///< a vector of space
+    using Jacobian = Matrix<double, Dimension, dofs>;  ///< derivative of a vector of space by e
+    using Curvature = Vector<double, curvature_components>;  ///< curvature components
+    using Options = CableOptions;                            ///< choices that are values
 
     /// Makes the element of a straight cable.
     /// @param section  in the plane bending meets int y^2 dA; in space it must equal int z^2 dA
@@ -135,6 +137,7 @@ public:
 
     /// Returns the reference length, along the curve, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     /// Returns the position of a point of the body, m: r + y n + z c with (t, n, c) the section's

@@ -44,8 +44,9 @@ template <int Lanes>
 
 /// Green's strain (r'.r' - 1)/2: a polynomial, no root.
 struct GreenAxial {
-    static constexpr const char* name = "green";
+    static constexpr const char* name = "green";  ///< the word that tables print
 
+    /// Returns the strain of a squared stretch, 1.
     template <class S>
     [[nodiscard]] static S strain(const S& square) noexcept {
         return 0.5 * (square - 1.0);
@@ -62,8 +63,9 @@ struct GreenAxial {
 /// The engineering strain |r'| - 1, linear in the stretch: the bar of the geometrically exact
 /// theories.
 struct EngineeringAxial {
-    static constexpr const char* name = "engineering";
+    static constexpr const char* name = "engineering";  ///< the word that tables print
 
+    /// Returns the strain of a squared stretch, 1.
     template <class S>
     [[nodiscard]] static S strain(const S& square) noexcept {
         using std::sqrt;

@@ -32,8 +32,8 @@ namespace ancf {
 
 /// What may be chosen for a ContinuumBeam.
 struct ContinuumOptions {
-    Rule rule = Rule::paper();
-    ContinuumMaterial material = ContinuumMaterial::diagonal;
+    Rule rule = Rule::paper();                                 ///< stations along the element
+    ContinuumMaterial material = ContinuumMaterial::diagonal;  ///< how stress follows from strain
 };
 
 /// The continuum beam: two nodes with position and all slopes; 24 coordinates, in the plane 12.
@@ -53,18 +53,20 @@ class ContinuumBeam {
     static_assert(Dimension == 2 || Dimension == 3, "a beam lives in the plane or in space");
 
 public:
-    static constexpr int dimension = Dimension;
-    static constexpr int slopes = Dimension - 1;  ///< slopes across
-    static constexpr int node_dofs = Dimension * (2 + slopes);
-    static constexpr int dofs = 2 * node_dofs;
+    static constexpr int dimension = Dimension;                 ///< of space
+    static constexpr int slopes = Dimension - 1;                ///< slopes across
+    static constexpr int node_dofs = Dimension * (2 + slopes);  ///< number of coordinates of a node
+    static constexpr int dofs = 2 * node_dofs;  ///< number of nodal coordinates of an element
     static constexpr int strains = Dimension == 3 ? 6 : 3;  ///< components of strain and stress
+    /// Vectors that each node carries.
     static constexpr Fields fields = Dimension == 3
                                          ? Field::r | Field::r_x | Field::r_y | Field::r_z
                                          : Field::r | Field::r_x | Field::r_y;
-    using Options = ContinuumOptions;
+    using Options = ContinuumOptions;  ///< choices that are values
+    /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Point = Vector<double, Dimension>;
-    using Jacobian = Matrix<double, Dimension, dofs>;
+    using Point = Vector<double, Dimension>;           ///< a vector of space
+    using Jacobian = Matrix<double, Dimension, dofs>;  ///< derivative of a vector of space by e
 
     /// Makes the element of a straight, prismatic beam.
     /// @param length  l, m, > 0
@@ -106,6 +108,7 @@ public:
 
     /// Returns the reference length, m.
     [[nodiscard]] double length() const noexcept { return length_; }
+    /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     /// Returns the position r0 + y r_y + z r_z of a point of the body, m.

@@ -37,9 +37,9 @@ namespace ancf {
 
 /// Choices that are values: they change constant data, not the kernel.
 struct CrossSectionOptions {
-    Rule rule = Rule::paper();
-    TransverseStrain transverse = TransverseStrain::green;
-    SectionModel section_model = SectionModel::paper;
+    Rule rule = Rule::paper();                              ///< stations along the element
+    TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
+    SectionModel section_model = SectionModel::paper;       ///< how torsion and shear are corrected
 
     /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
     [[nodiscard]] static CrossSectionOptions paper() { return {}; }
@@ -71,14 +71,16 @@ class CrossSectionBeam {
     static_assert(Dimension == 3, "CrossSectionBeam exists in three dimensions");
 
 public:
-    static constexpr int dimension = Dimension;
-    static constexpr int dofs = 24;
+    static constexpr int dimension = Dimension;  ///< of space
+    static constexpr int dofs = 24;              ///< number of nodal coordinates of an element
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
+    /// Vectors that each node carries.
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z;
 
+    /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Options = CrossSectionOptions;
+    using Options = CrossSectionOptions;  ///< choices that are values
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -167,6 +169,7 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------

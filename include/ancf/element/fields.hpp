@@ -19,20 +19,23 @@ enum class Field : unsigned {
     r_z   ///< slope across, 1 (three dimensions only)
 };
 
-inline constexpr int field_count = 4;
+inline constexpr int field_count = 4;  ///< number of vectors that there are
 
 /// A set of fields.
 struct Fields {
-    unsigned bits = 0;
+    unsigned bits = 0;  ///< bit k stands for Field k
 
     constexpr Fields() = default;
+    /// The set of one field; by default the empty set.
     constexpr Fields(Field field)
         : bits(1U << static_cast<unsigned>(field)) {}  // NOLINT: a field is a set of one
 
+    /// Tells whether the set holds all of these.
     [[nodiscard]] constexpr bool contains(Field field) const noexcept {
         return (bits & (1U << static_cast<unsigned>(field))) != 0;
     }
 
+    /// Tells whether the set holds all of these.
     [[nodiscard]] constexpr bool contains(Fields other) const noexcept {
         return (bits & other.bits) == other.bits;
     }
@@ -49,16 +52,20 @@ struct Fields {
         return Fields(bits & ((1U << static_cast<unsigned>(field)) - 1U)).count();
     }
 
+    /// Returns the union.
     friend constexpr Fields operator|(Fields a, Fields b) noexcept {
         return Fields(a.bits | b.bits);
     }
+    /// Compares two sets.
     friend constexpr bool operator==(Fields a, Fields b) noexcept { return a.bits == b.bits; }
+    /// Compares two sets.
     friend constexpr bool operator!=(Fields a, Fields b) noexcept { return a.bits != b.bits; }
 
 private:
     constexpr explicit Fields(unsigned set) : bits(set) {}
 };
 
+/// Returns the set of both.
 constexpr Fields operator|(Field a, Field b) noexcept { return Fields(a) | Fields(b); }
 
 }  // namespace ancf

@@ -24,7 +24,7 @@ namespace ancf {
 /// The strain measure of [Dufva2006]: Green's, in linear relation to the second Piola-Kirchhoff
 /// stress.
 struct GreenMeasure {
-    using Planar = detail::PlanarGreen;
+    using Planar = detail::PlanarGreen;  ///< the same measure in the plane
 
     static constexpr bool engineering = false;  ///< strains are products of F_x with itself
 
@@ -43,10 +43,16 @@ struct GreenMeasure {
     /// Components of the directors' rates d', h' that strains and their derivatives share.
     template <class S>
     struct Rates {
-        S d1, d2, d3;  ///< d' in the frame of the y director
-        S b1, b2, b3;  ///< h' in the frame of the z director
-        S hn, hc;      ///< h' along n and c of the y director; along t it is b1
+        S d1;  ///< d' of the y director, along t of its frame
+        S d2;  ///< along n
+        S d3;  ///< along c
+        S b1;  ///< h' of the z director, along t of its frame
+        S b2;  ///< along n
+        S b3;  ///< along c
+        S hn;  ///< h' along n of the y director; along t it is b1
+        S hc;  ///< h' along c of the y director
 
+        /// All rates are zero.
         explicit Rates(const detail::Invariants<S>& w) noexcept
             : d1(w.s1 - w.kap),
               d2(w.s * w.kap),

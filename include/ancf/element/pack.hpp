@@ -163,31 +163,43 @@ class Pack {
                   "a pack has 1, 2, 4 or 8 lanes");
 
 public:
-    static constexpr int lanes = Lanes;
+    static constexpr int lanes = Lanes;  ///< how many numbers it holds
 
     Pack() = default;
+    /// The same value in every lane.
     Pack(double value) noexcept
         : v_(detail::broadcast<Lanes>(value)) {}  // NOLINT: meant for every lane
 
+    /// Returns the value of a lane.
     [[nodiscard]] double operator[](int k) const noexcept { return detail::lane<Lanes>(v_, k); }
+    /// Sets the value of a lane.
     void set(int k, double value) noexcept { detail::set_lane<Lanes>(v_, k, value); }
 
+    /// Lane by lane.
     friend Pack operator+(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ + b.v_});
     }
+    /// Lane by lane.
     friend Pack operator-(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ - b.v_});
     }
+    /// Lane by lane.
     friend Pack operator*(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ * b.v_});
     }
+    /// Lane by lane.
     friend Pack operator/(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ / b.v_});
     }
+    /// Lane by lane.
     friend Pack operator-(const Pack& a) noexcept { return Pack(Stored{-a.v_}); }
+    /// Lane by lane.
     Pack& operator+=(const Pack& b) noexcept { return *this = *this + b; }
+    /// Lane by lane.
     Pack& operator-=(const Pack& b) noexcept { return *this = *this - b; }
+    /// Lane by lane.
     Pack& operator*=(const Pack& b) noexcept { return *this = *this * b; }
+    /// Lane by lane.
     Pack& operator/=(const Pack& b) noexcept { return *this = *this / b; }
 
     /// Returns the square root of every lane.
@@ -221,10 +233,12 @@ template <int Lanes>
 [[nodiscard]] inline Pack<Lanes> cos(const Pack<Lanes>& a) noexcept {
     return detail::lane_by_lane(a, [](double x) { return std::cos(x); });
 }
+/// Lane by lane.
 template <int Lanes>
 [[nodiscard]] inline Pack<Lanes> sin(const Pack<Lanes>& a) noexcept {
     return detail::lane_by_lane(a, [](double x) { return std::sin(x); });
 }
+/// Lane by lane.
 template <int Lanes>
 [[nodiscard]] inline Pack<Lanes> atan(const Pack<Lanes>& a) noexcept {
     return detail::lane_by_lane(a, [](double x) { return std::atan(x); });
@@ -255,6 +269,7 @@ template <class S, class P>
 
 }  // namespace ancf
 
+/// @cond
 template <int Lanes>
 struct Eigen::NumTraits<ancf::Pack<Lanes>> : Eigen::GenericNumTraits<ancf::Pack<Lanes>> {
     using Real = ancf::Pack<Lanes>;
@@ -271,3 +286,4 @@ struct Eigen::NumTraits<ancf::Pack<Lanes>> : Eigen::GenericNumTraits<ancf::Pack<
         MulCost = 1
     };
 };
+/// @endcond

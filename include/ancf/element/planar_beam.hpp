@@ -25,14 +25,16 @@ namespace ancf {
 template <class Directors, class Measure>
 class CrossSectionBeam<2, Directors, LinearShear, Measure> {
 public:
-    static constexpr int dimension = 2;
-    static constexpr int dofs = 12;
+    static constexpr int dimension = 2;  ///< of space
+    static constexpr int dofs = 12;      ///< number of nodal coordinates of an element
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
+    /// Vectors that each node carries.
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
 
+    /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Options = CrossSectionOptions;
+    using Options = CrossSectionOptions;  ///< choices that are values
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -90,6 +92,7 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y in the section, m.

@@ -116,13 +116,16 @@ inline void chain(const Vec3<S> (&J)[dot_count][4], const S (&f)[dot_count],
 
 /// Shear sines evaluated at each station from r_y(x), r_z(x) and t(x).
 struct PointwiseShear {
-    static constexpr bool nodal = false;
+    static constexpr bool nodal = false;  ///< shears are not interpolated from nodes
 
+    /// What is kept of a station.
     template <class S>
     struct Station {
-        detail::StationSine<S> y, z;
+        detail::StationSine<S> y;  ///< of r_y
+        detail::StationSine<S> z;  ///< of r_z
     };
 
+    /// Evaluates the shears of a station.
     template <class T, class S>
     static void shears(const StationShape<T>&, const S (&)[detail::shear_count],
                        const detail::LocalVectors<S>& x, Station<S>& f,
@@ -133,6 +136,7 @@ struct PointwiseShear {
         w.s = f.y.s, w.s1 = f.y.s1, w.q = f.z.s, w.q1 = f.z.s1;
     }
 
+    /// Carries dU/d(shears) to what they depend on.
     template <class T, class S>
     static void gradient(const StationShape<T>&, const Station<S>& f,
                          const S (&U)[detail::invariant_count],
@@ -154,6 +158,7 @@ struct PointwiseShear {
         for (S& shear : g.shear) shear = S(0.0);
     }
 
+    /// Carries the second derivatives by the shears likewise.
     template <class T, class S>
     static void hessian(const StationShape<T>&, const Station<S>& f,
                         const S (&U)[detail::invariant_count], detail::LocalHessian<S>& h) noexcept;

@@ -21,9 +21,11 @@ struct Projected {
     /// The frames of both directors at a station.
     template <class S>
     struct Frames {
-        detail::DirectorFrame<S> y, z;
+        detail::DirectorFrame<S> y;  ///< of r_y
+        detail::DirectorFrame<S> z;  ///< of r_z
     };
 
+    /// Evaluates both frames.
     template <class S>
     static void frames(const detail::LocalVectors<S>& local, Frames<S>& f) noexcept {
         using namespace detail;

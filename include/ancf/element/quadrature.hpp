@@ -26,7 +26,7 @@ struct QuadraturePoint {
     double weight;  ///< 1
 };
 
-using Quadrature = std::vector<QuadraturePoint>;
+using Quadrature = std::vector<QuadraturePoint>;  ///< points with their weights
 
 /// Returns Gauss and Legendre's quadrature, exact for polynomials of degree 2 points - 1.
 /// @throws InvalidArgument unless 1 <= points <= 16.
@@ -41,13 +41,14 @@ using Quadrature = std::vector<QuadraturePoint>;
 /// or 2e_xz.
 enum class StrainGroup : unsigned { axial, bending, shear, torsion };
 
-inline constexpr int strain_group_count = 4;
+inline constexpr int strain_group_count = 4;  ///< number of strain groups
 
 /// A place along the element with its weight for each group; a weight of zero leaves the group out.
 struct RuleStation {
-    double xi;
-    std::array<double, strain_group_count> weights;
+    double xi;                                       ///< place in [0, 1]
+    std::array<double, strain_group_count> weights;  ///< by strain group; 0: not taken there
 
+    /// Returns the weight for a strain group, of unit length.
     [[nodiscard]] double weight(StrainGroup group) const noexcept {
         return weights[static_cast<unsigned>(group)];
     }
@@ -94,6 +95,7 @@ public:
         return {"paper", "gauss3", "gauss4", "gauss5", "gauss6", "lobatto3", "mixed"};
     }
 
+    /// Returns the word that command lines use.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
     /// Returns the stations in ascending order of xi.

@@ -29,7 +29,7 @@ namespace ancf {
 template <int Dimension>
 class ReferenceLine {
 public:
-    using Point = Vector<double, Dimension>;
+    using Point = Vector<double, Dimension>;  ///< a vector of space
 
     ReferenceLine() = default;
 
@@ -46,6 +46,7 @@ public:
             length_ += point.weight * parameter_length_ * metric(point.xi);
     }
 
+    /// Tells whether it is a curve.
     [[nodiscard]] bool curved() const noexcept { return curved_; }
 
     /// Returns the arc length, m.

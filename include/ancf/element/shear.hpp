@@ -147,12 +147,13 @@ inline void shears_to_nodes(const StationShape<T>& shape, S& s, S& s1, S& q, S& 
 
 /// Shear sines at the nodes, linear in x between them: [Dufva2006, Eq. 20].
 struct LinearShear {
-    static constexpr bool nodal = true;
+    static constexpr bool nodal = true;  ///< shears are interpolated from nodes
 
     /// What a station keeps of its shears.
     template <class S>
     struct Station {};
 
+    /// Evaluates the shears of a station.
     template <class T, class S>
     static void shears(const StationShape<T>& shape, const S (&sines)[detail::shear_count],
                        const detail::LocalVectors<S>&, Station<S>&,
@@ -160,6 +161,7 @@ struct LinearShear {
         detail::interpolate_shears(shape, sines, w);
     }
 
+    /// Carries dU/d(shears) to what they depend on.
     template <class T, class S>
     static void gradient(const StationShape<T>& shape, const Station<S>&,
                          const S (&U)[detail::invariant_count],
@@ -168,6 +170,7 @@ struct LinearShear {
         detail::shears_to_nodes(shape, g.shear[0], g.shear[1], g.shear[2], g.shear[3]);
     }
 
+    /// Carries the second derivatives by the shears likewise.
     template <class T, class S>
     static void hessian(const StationShape<T>& shape, const Station<S>&,
                         const S (&)[detail::invariant_count], detail::LocalHessian<S>& h) noexcept {

@@ -40,7 +40,7 @@ struct StationShape {
 /// A station that integrates any terms of the energy.
 template <class T>
 struct StationData {
-    StationShape<T> shape;
+    StationShape<T> shape;              ///< weights of the nodal vectors
     T reference[detail::strain_count];  ///< strains of the stress-free state, subtracted
     SectionMatrix<T> stiffness;         ///< times weight and length
 };
@@ -56,8 +56,8 @@ struct AxialStationData {
 /// The stations of a rule.
 template <class T>
 struct StationTable {
-    std::vector<StationData<T>> full;
-    std::vector<AxialStationData<T>> axial;
+    std::vector<StationData<T>> full;        ///< stations of all strains
+    std::vector<AxialStationData<T>> axial;  ///< stations of the axial strain alone
 };
 
 /// Returns the shape weights at xi of a straight element of the given length.

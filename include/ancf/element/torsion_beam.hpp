@@ -43,11 +43,13 @@ struct TorsionBeamOptions {
 /// coupling of twist and stretch is left out.
 class TorsionBeam {
 public:
-    static constexpr int dimension = 3;
-    static constexpr int dofs = 18;
+    static constexpr int dimension = 3;  ///< of space
+    static constexpr int dofs = 18;      ///< number of nodal coordinates of an element
+    /// Vectors that each node carries.
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
+    /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Options = TorsionBeamOptions;
+    using Options = TorsionBeamOptions;  ///< choices that are values
 
     /// Makes a straight element.
     /// @param section  centred on the axis, with a torsion constant
@@ -110,6 +112,7 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------

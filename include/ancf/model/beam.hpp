@@ -24,11 +24,13 @@ namespace ancf {
 /// A chain of elements as a builder added it to a model.
 template <class Element>
 struct Beam {
-    std::vector<NodeId> nodes;
-    std::vector<int> elements;  ///< indices in the model's group of this element type
-    std::vector<int> prototypes;
+    std::vector<NodeId> nodes;    ///< in order, one more than elements
+    std::vector<int> elements;    ///< indices in the model's group of this element type
+    std::vector<int> prototypes;  ///< indices of the prototypes added
 
+    /// Returns the node at the start.
     [[nodiscard]] NodeId first() const { return nodes.front(); }
+    /// Returns the node at the end.
     [[nodiscard]] NodeId last() const { return nodes.back(); }
 
     /// Returns a node by its place along the chain, 0 at the start.

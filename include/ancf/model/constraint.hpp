@@ -50,12 +50,14 @@ struct is_constraint<
                        std::declval<const ConstraintState&>(), std::declval<ConstraintResult&>()))>>
     : std::true_type {};
 
+/// True if `T` offers what a constraint must.
 template <class T>
 inline constexpr bool is_constraint_v = is_constraint<T>::value;
 
 /// A constraint of any type.
 class AnyConstraint {
 public:
+    /// Holds a copy of the constraint.
     template <class Constraint>
     explicit AnyConstraint(Constraint constraint)
         : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))) {
@@ -65,9 +67,13 @@ public:
                       "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return held_->equations(); }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return held_->name(); }
+    /// Evaluates it.
     void evaluate(const ConstraintState& state, ConstraintResult& out) const {
         held_->evaluate(state, out);
     }

@@ -30,10 +30,11 @@ namespace ancf {
 /// The default is the frame of the tangent. {node, Field::r_y, Field::r_z} is that of the section,
 /// which a shear deformation at the joint leaves free to turn against the tangent.
 struct FrameAt {
-    NodeId node;
-    Field first = Field::r_x;
-    Field second = Field::r_y;
+    NodeId node;                ///< where
+    Field first = Field::r_x;   ///< along the axis t
+    Field second = Field::r_y;  ///< in the plane of t and n
 
+    /// The frame of the given slopes of a node.
     FrameAt(NodeId at) : node(at) {}  // NOLINT: a node has a frame
 
     /// @throws InvalidArgument unless both are slopes and differ.

@@ -23,9 +23,9 @@ namespace ancf {
 
 /// A scalar over time with its rate and acceleration: an angle, a length, a coordinate.
 struct Motion {
-    Amplitude value;
-    Amplitude rate;
-    Amplitude acceleration;
+    Amplitude value;         ///< m or rad, over time
+    Amplitude rate;          ///< first derivative
+    Amplitude acceleration;  ///< second derivative
 
     /// @throws InvalidArgument unless all three are given.
     void check(std::string_view user) const {
@@ -37,16 +37,17 @@ struct Motion {
 /// A point that moves on a given path.
 template <int Dimension>
 struct PointMotion {
-    using Function = std::function<Vector<double, Dimension>(double)>;
-    Function value;         ///< m
-    Function rate;          ///< m/s
-    Function acceleration;  ///< m/s^2
+    using Function = std::function<Vector<double, Dimension>(double)>;  ///< a vector over time
+    Function value;                                                     ///< m
+    Function rate;                                                      ///< m/s
+    Function acceleration;                                              ///< m/s^2
 
     template <
         class Value, class Rate, class Acceleration,
         std::enable_if_t<std::is_invocable_v<Value, double> && std::is_invocable_v<Rate, double> &&
                              std::is_invocable_v<Acceleration, double>,
                          int> = 0>
+    /// From position, velocity and acceleration over time.
     PointMotion(Value position, Rate velocity, Acceleration change)
         : value(std::move(position)), rate(std::move(velocity)), acceleration(std::move(change)) {}
 

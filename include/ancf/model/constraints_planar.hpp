@@ -26,13 +26,14 @@ namespace ancf {
 class PlanarWeld {
 public:
     /// @param slope  whose direction counts: r_x, or r_y for the section.
-    /// @param angle  added to the angle of the start, rad; without it the angle stays.
     /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
     ///         is not complete.
     template <class Scene>
     PlanarWeld(const Scene& model, NodeId a, NodeId b, Field slope = Field::r_x)
         : PlanarWeld(model, a, b, resting(), slope) {}
 
+    /// As above, the angle driven.
+    /// @param angle  added to the angle of the start, rad.
     template <class Scene>
     PlanarWeld(const Scene& model, NodeId a, NodeId b, Motion angle, Field slope = Field::r_x)
         : a_(a), b_(b), to_space_(false), slope_(slope), angle_(std::move(angle)) {
@@ -59,16 +60,20 @@ public:
         start_ = -heading(model, a);
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {
         if (to_space_) return {{a_, Field::r}, {a_, slope_}};
         return {{a_, Field::r}, {b_, Field::r}, {a_, slope_}, {b_, slope_}};
     }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 3; }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const {
         return "planar weld of node " + std::to_string(a_.index) + " and " +
                (to_space_ ? std::string("space") : "node " + std::to_string(b_.index));
     }
 
+    /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
                                                   const Scalar& time) const {
@@ -80,6 +85,7 @@ public:
         return g;
     }
 
+    /// Returns G = dg/dq.
     template <class Scalar>
     [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
                                                  const Scalar& time) const {
@@ -92,6 +98,7 @@ public:
         return g;
     }
 
+    /// Returns g_t.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
                                              const Scalar& time) const {
@@ -100,6 +107,7 @@ public:
         return g;
     }
 
+    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         out.violation = violation(at.q, at.time);
         out.jacobian = jacobian(at.q, at.time);

@@ -26,22 +26,25 @@
 
 namespace ancf {
 
+/// A column of any size.
 template <class Scalar>
 using DynamicVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
+/// A matrix of any size.
 template <class Scalar>
 using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// A material point: a weighted sum of nodal vectors.
 struct MaterialPoint {
-    Coupling vectors;
-    std::vector<double> weights;
-    std::string name;
+    Coupling vectors;             ///< nodal vectors that it combines
+    std::vector<double> weights;  ///< of each vector
+    std::string name;             ///< for messages
 
     /// A node's position.
     MaterialPoint(NodeId node)  // NOLINT: a node is a point
         : vectors{{node, Field::r}}, weights{1.0}, name("node " + std::to_string(node.index)) {}
 
+    /// A weighted sum of vectors, with a name for messages.
     MaterialPoint(Coupling at, std::vector<double> with, std::string called)
         : vectors(std::move(at)), weights(std::move(with)), name(std::move(called)) {}
 };
@@ -167,6 +170,7 @@ public:
         detail::require_finite("FixedCoordinate: value", value);
     }
 
+    /// Drives a component.
     FixedCoordinate(NodeId node, Field field, int component, Motion motion)
         : at_{node, field}, component_(component), motion_(std::move(motion)) {
         detail::require(component >= 0 && component < Dimension, "FixedCoordinate: a vector has ",
@@ -174,13 +178,17 @@ public:
         motion_.check("FixedCoordinate");
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {at_}; }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const {
         return std::string("fixed ") + to_string(at_.field) + ", component " +
                std::to_string(component_) + ", of node " + std::to_string(at_.node.index);
     }
 
+    /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
                                                   const Scalar& time) const {
@@ -188,6 +196,7 @@ public:
             1, q[component_] - detail::continued(motion_.value, motion_.rate, time));
     }
 
+    /// Returns G = dg/dq.
     template <class Scalar>
     [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>&,
                                                  const Scalar&) const {
@@ -196,6 +205,7 @@ public:
         return g;
     }
 
+    /// Returns g_t.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&,
                                              const Scalar& time) const {
@@ -203,6 +213,7 @@ public:
             1, -detail::continued(motion_.rate, motion_.acceleration, time));
     }
 
+    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         out.violation = violation(at.q, at.time);
         out.jacobian = jacobian(at.q, at.time);
@@ -235,16 +246,21 @@ public:
     /// @throws InvalidArgument unless value, rate and acceleration are given.
     Pin(MaterialPoint a, PointMotion<Dimension> path) : points_(std::move(a), std::move(path)) {}
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return Dimension; }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
 
+    /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
                                                   const Scalar& time) const {
         return points_.difference(q, time);
     }
 
+    /// Returns G = dg/dq.
     template <class Scalar>
     [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
                                                  const Scalar&) const {
@@ -255,12 +271,14 @@ public:
         return g;
     }
 
+    /// Returns g_t.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>&,
                                              const Scalar& time) const {
         return points_.drift(time);
     }
 
+    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         out.violation = violation(at.q, at.time);
         out.jacobian = jacobian(at.q, at.time);
@@ -302,16 +320,21 @@ public:
         length_.check("Distance");
     }
 
+    /// Drives the distance between two points, or of a point from a place, m.
     Distance(MaterialPoint a, const Vector<double, Dimension>& place, Motion length)
         : points_(std::move(a), PointMotion<Dimension>::at_rest(place)),
           length_(std::move(length)) {
         length_.check("Distance");
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
 
+    /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
                                                   const Scalar& time) const {
@@ -322,6 +345,7 @@ public:
             1, sqrt(square) - detail::continued(length_.value, length_.rate, time));
     }
 
+    /// Returns G = dg/dq.
     template <class Scalar>
     [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
                                                  const Scalar& time) const {
@@ -333,6 +357,7 @@ public:
         return g;
     }
 
+    /// Returns g_t.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
                                              const Scalar& time) const {
@@ -341,6 +366,7 @@ public:
             1, along - detail::continued(length_.rate, length_.acceleration, time));
     }
 
+    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 private:
@@ -404,10 +430,14 @@ public:
         }
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return constraint_.coupling(); }
+    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return constraint_.equations(); }
+    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
 
+    /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
                                                   const Scalar& time) const {
@@ -417,12 +447,14 @@ public:
         return g;
     }
 
+    /// Returns G = dg/dq.
     template <class Scalar>
     [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
                                                  const Scalar& time) const {
         return constraint_.jacobian(q, time);
     }
 
+    /// Returns g_t.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
                                              const Scalar& time) const {
@@ -432,6 +464,7 @@ public:
         return g;
     }
 
+    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         constraint_.evaluate(at, out);
         for (const auto& [equation, motion] : motions_) {

@@ -26,8 +26,8 @@ namespace ancf {
 /// A node of a reference curve: position, m, and slopes r_x, r_y (and r_z) as columns.
 template <int Dimension>
 struct CurvePoint {
-    Vector<double, Dimension> position;
-    Matrix<double, Dimension> slopes;
+    Vector<double, Dimension> position;  ///< m
+    Matrix<double, Dimension> slopes;    ///< columns r_x, r_y (and r_z), orthonormal
 };
 
 namespace detail {

@@ -25,7 +25,7 @@ namespace ancf {
 /// The force -D v on the coordinates of some nodal vectors.
 class LinearDamping {
 public:
-    static constexpr bool symmetric_stiffness = true;
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @param matrix  D, in the order of the coupling; N s/m for positions.
     /// @throws InvalidArgument for a matrix that is not square or not finite.
@@ -36,9 +36,12 @@ public:
                         " x ", matrix_.cols());
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
+    /// Returns the damping matrix.
     [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const {
         detail::require(matrix_.rows() == state.v.size(), "LinearDamping: ", state.v.size(),
                         " coordinates are coupled, the matrix has ", matrix_.rows(), " rows");

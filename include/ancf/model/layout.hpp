@@ -20,14 +20,18 @@ class Layout {
 public:
     Layout() = default;
 
+    /// Makes the order for the fields of every node.
     Layout(int dimension, std::vector<Fields> fields)
         : dimension_(dimension), fields_(std::move(fields)), first_(fields_.size() + 1, 0) {
         for (std::size_t node = 0; node < fields_.size(); ++node)
             first_[node + 1] = first_[node] + dimension_ * fields_[node].count();
     }
 
+    /// Returns the number of nodes.
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(fields_.size()); }
+    /// Returns the number of coordinates.
     [[nodiscard]] int size() const noexcept { return first_.back(); }
+    /// Returns the dimension of space.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
     /// Returns the fields that a node carries.

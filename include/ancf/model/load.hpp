@@ -50,6 +50,7 @@ struct is_load<T, std::void_t<decltype(Coupling(std::declval<const T&>().couplin
                                   std::declval<const LoadState&>(), std::declval<LoadResult&>()))>>
     : std::true_type {};
 
+/// True if `T` offers what a load must.
 template <class T>
 inline constexpr bool is_load_v = is_load<T>::value;
 
@@ -69,6 +70,7 @@ struct has_symmetric_stiffness<T, std::enable_if_t<T::symmetric_stiffness>> : st
 /// counts as unsymmetric and asks for a solver of full storage.
 class AnyLoad {
 public:
+    /// Holds a copy of the load.
     template <class Load>
     explicit AnyLoad(Load load) : held_(std::make_shared<Holder<Load>>(std::move(load))) {
         static_assert(is_load_v<Load>,
@@ -76,8 +78,11 @@ public:
                       "`void evaluate(const LoadState&, LoadResult&) const`");
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
+    /// Tells whether its stiffness is symmetric.
     [[nodiscard]] bool symmetric() const noexcept { return held_->symmetric(); }
+    /// Evaluates it.
     void evaluate(const LoadState& state, LoadResult& out) const { held_->evaluate(state, out); }
 
 private:

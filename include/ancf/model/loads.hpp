@@ -24,12 +24,14 @@ namespace ancf {
 template <int Dimension = 3>
 class Force {
 public:
-    static constexpr bool symmetric_stiffness = true;
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @throws InvalidArgument unless the force is finite.
     Force(NodeId node, const Vector<double, Dimension>& force);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r}}; }
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
@@ -42,7 +44,7 @@ private:
 /// `Model::add_line_load` makes one per element.
 class GeneralisedForce {
 public:
-    static constexpr bool symmetric_stiffness = true;
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @param force  in the order of the coupling; N and N m.
     GeneralisedForce(Coupling coupling, VectorX force)
@@ -50,7 +52,9 @@ public:
         detail::require(force_.allFinite(), "GeneralisedForce: the force must be finite");
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const {
         detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
                         " coordinates are coupled, got ", force_.size(), " force components");
@@ -70,18 +74,20 @@ private:
 /// It is a moment about n while the slope stays normal to n: in planar bending and in pure twist.
 class SlopeMoment {
 public:
-    static constexpr bool symmetric_stiffness = true;
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not
     ///         finite.
     SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis, double moment);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
 
     /// Returns the generalised force on the slope, 3 x 1, N m.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
@@ -94,17 +100,19 @@ private:
 /// The moment of SlopeMoment in the plane: counterclockwise positive, N m.
 class PlanarSlopeMoment {
 public:
-    static constexpr bool symmetric_stiffness = true;
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @throws InvalidArgument for the field r or a moment that is not finite.
     PlanarSlopeMoment(NodeId node, Field slope, double moment);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
 
     /// Returns the generalised force on the slope, 2 x 1, N m.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 2> force(const Vector<Scalar, 2>& slope) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
@@ -127,12 +135,14 @@ public:
     /// @throws InvalidArgument unless the moment is finite.
     Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment = Attachment::space);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}, {node_, Field::r_y}}; }
 
     /// Returns the generalised force on (r_x, r_y), 6 x 1, N m.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 6> force(const Vector<Scalar, 6>& slopes) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
@@ -147,6 +157,7 @@ public:
     /// @throws InvalidArgument unless the force is finite.
     FollowerForce(NodeId node, const Vector<double, 3>& force);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {
         return {{node_, Field::r}, {node_, Field::r_x}, {node_, Field::r_y}};
     }
@@ -155,6 +166,7 @@ public:
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 6>& slopes) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
@@ -170,12 +182,14 @@ public:
     /// @throws InvalidArgument unless the moment is finite.
     TangentMoment(NodeId node, const Vector<double, 3>& moment);
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}}; }
 
     /// Returns the generalised force on r_x, 3 x 1, N m.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:

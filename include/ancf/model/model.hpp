@@ -30,17 +30,18 @@ namespace ancf {
 
 /// An element of a group: which prototype, between which nodes.
 struct Connection {
-    int prototype;
-    NodeId first;
-    NodeId second;
+    int prototype;  ///< index in the group
+    NodeId first;   ///< node at x = 0
+    NodeId second;  ///< node at x = l
 };
 
 /// All elements of one type.
 template <class Element>
 struct ElementGroup {
-    std::vector<Element> prototypes;
-    std::vector<Connection> connections;
+    std::vector<Element> prototypes;      ///< constant data, shared by equal elements
+    std::vector<Connection> connections;  ///< one for each element
 
+    /// Returns the prototype of an element by its index.
     [[nodiscard]] const Element& element(int index) const {
         const auto at = static_cast<std::size_t>(index);
         return prototypes[static_cast<std::size_t>(connections[at].prototype)];
@@ -49,9 +50,10 @@ struct ElementGroup {
 
 /// A load with its course over time; without one it follows the ramp of an Instant.
 struct ScaledLoad {
-    AnyLoad load;
-    Amplitude amplitude;
+    AnyLoad load;         ///< what acts
+    Amplitude amplitude;  ///< factor over time; empty: the ramp
 
+    /// Returns its factor at an instant.
     [[nodiscard]] double scale(const Instant& instant) const {
         return amplitude ? amplitude(instant.time) : instant.ramp;
     }
@@ -59,8 +61,8 @@ struct ScaledLoad {
 
 /// A mass at a point, kg.
 struct PointMass {
-    NodeId node;
-    double mass;
+    NodeId node;  ///< where
+    double mass;  ///< kg
 };
 
 /// A scene of elements of the given types, all of one dimension.
@@ -69,12 +71,13 @@ class Model {
     static_assert(sizeof...(Elements) > 0, "a model lists the element types that it may hold");
 
 public:
+    /// The first of the listed types.
     using DefaultElement = std::tuple_element_t<0, std::tuple<Elements...>>;
-    static constexpr int dimension = DefaultElement::dimension;
+    static constexpr int dimension = DefaultElement::dimension;  ///< of space
     static_assert(((Elements::dimension == dimension) && ...),
                   "all elements of a model have the same dimension");
 
-    using Point = Vector<double, dimension>;
+    using Point = Vector<double, dimension>;   ///< a vector of space
     using Slopes = Matrix<double, dimension>;  ///< columns r_x, r_y (and r_z)
 
     /// Adds a node; it carries the vectors that the elements connected to it need.
@@ -120,6 +123,17 @@ public:
     template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
     void add(Constraint constraint);
 
+    /// Stops the compilation: what is added is neither a load nor a constraint.
+    template <class Other, std::enable_if_t<!is_load_v<Other> && !is_constraint_v<Other>, int> = 0>
+    void add(const Other&, const Amplitude& = {}) {
+        static_assert(
+            is_load_v<Other>,
+            "Model::add takes a load, which offers `Coupling coupling() const` and `void "
+            "evaluate(const LoadState&, LoadResult&) const`, or a constraint, which offers "
+            "`Coupling coupling() const`, `int equations() const`, `std::string name() const` and "
+            "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
+    }
+
     /// Adds a mass at a node, kg; gravity acts on it.
     void add_mass(NodeId node, double mass);
 
@@ -128,6 +142,7 @@ public:
 
     // What a scene holds ---------------------------------------------------------------------
 
+    /// Returns all elements of one type.
     template <class Element = DefaultElement>
     [[nodiscard]] const ElementGroup<Element>& group() const {
         return std::get<ElementGroup<Element>>(groups_);
@@ -148,14 +163,21 @@ public:
         std::apply([&](const auto&... groups) { (visit(groups), ...); }, groups_);
     }
 
+    /// Returns the number of nodes.
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(initial_.size()); }
+    /// Returns what is held or driven.
     [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
+    /// Returns the loads.
     [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
+    /// Returns the constraints.
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
         return constraints_;
     }
+    /// Returns the masses at nodes.
     [[nodiscard]] const std::vector<PointMass>& masses() const noexcept { return masses_; }
+    /// Returns the acceleration of gravity, m/s^2.
     [[nodiscard]] const Point& gravity() const noexcept { return gravity_; }
+    /// Returns the factor of gravity at an instant.
     [[nodiscard]] double gravity_scale(const Instant& instant) const {
         return gravity_amplitude_ ? gravity_amplitude_(instant.time) : instant.ramp;
     }
@@ -168,10 +190,12 @@ public:
 
     // Where a scene is -----------------------------------------------------------------------
 
+    /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] const State& state() const {
         refresh();
         return state_;
     }
+    /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] State& state() {
         refresh();
         return state_;

@@ -15,16 +15,18 @@ namespace ancf {
 
 /// A node of a model, as `Model::add_node` returned it.
 struct NodeId {
-    int index = -1;
+    int index = -1;  ///< place in the model; -1: none
 
+    /// Compares two nodes.
     friend constexpr bool operator==(NodeId a, NodeId b) noexcept { return a.index == b.index; }
+    /// Compares two nodes.
     friend constexpr bool operator!=(NodeId a, NodeId b) noexcept { return a.index != b.index; }
 };
 
 /// One vector of nodal coordinates.
 struct NodeField {
-    NodeId node;
-    Field field;
+    NodeId node;  ///< where
+    Field field;  ///< which vector
 };
 
 /// The vectors that a load or a constraint acts on, in the order of its local coordinates.

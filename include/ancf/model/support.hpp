@@ -13,9 +13,9 @@ namespace ancf {
 
 /// One held or driven component of a nodal vector.
 struct Support {
-    NodeId node;
-    Field field;
-    int component;
+    NodeId node;             ///< where
+    Field field;             ///< which vector
+    int component;           ///< from 0
     Amplitude value;         ///< the coordinate over time; empty: it keeps its initial value
     Amplitude rate;          ///< first derivative; dynamics needs it where value is given
     Amplitude acceleration;  ///< second derivative; dynamics needs it where value is given

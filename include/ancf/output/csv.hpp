@@ -47,6 +47,7 @@ public:
     /// @throws InvalidArgument for another number of values.
     void row(const std::vector<double>& values);
 
+    /// Returns the number of columns.
     [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
 
 private:

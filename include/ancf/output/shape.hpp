@@ -26,7 +26,7 @@ namespace ancf {
 /// A place along a beam, where results are sampled.
 template <class Element>
 struct BeamStation {
-    const Element& element;
+    const Element& element;                     ///< where the station is
     const typename Element::Coordinates& e;     ///< nodal coordinates
     const typename Element::Coordinates& rate;  ///< their rates
     int place;                                  ///< of the element along the beam, from 0

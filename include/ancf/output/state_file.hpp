@@ -34,7 +34,7 @@ namespace ancf {
 
 /// A state with what an integrator needs to continue it bit for bit.
 struct SavedState {
-    State state;
+    State state;    ///< coordinates, rates, multipliers and time
     Memory memory;  ///< empty: a consistent start is made
 };
 

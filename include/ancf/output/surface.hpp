@@ -29,6 +29,7 @@ namespace ancf {
 
 /// Values at every point of a surface.
 struct PointArray {
+    /// Returns the word that messages use.
     std::string name;
     std::vector<std::string> components;  ///< their names; one entry for a scalar
     std::vector<double> values;           ///< point by point
@@ -57,7 +58,9 @@ public:
     void add(const Model<Elements...>& model, const Beam<Element>& beam, const Section& section,
              int stations = 9);
 
+    /// Returns the points, m.
     [[nodiscard]] const std::vector<Vector<double, 3>>& points() const noexcept { return points_; }
+    /// Returns the values at the points.
     [[nodiscard]] const std::array<PointArray, array_count>& arrays() const noexcept {
         return arrays_;
     }

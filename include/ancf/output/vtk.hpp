@@ -55,7 +55,9 @@ public:
     /// @param time  s.
     void add(double time, const Surface& surface);
 
+    /// Returns the file that lists all times, for ParaView.
     [[nodiscard]] std::filesystem::path index() const { return folder_ / (name_ + ".pvd"); }
+    /// Returns the number of times.
     [[nodiscard]] std::size_t size() const noexcept { return frames_.size(); }
 
 private:

@@ -19,11 +19,21 @@ namespace ancf {
 
 /// The moments int y^i z^j dA; a member's name spells its integrand: yyz is int y^2 z dA, in m^5.
 struct Moments {
-    double area = 0.0;                                                  ///< m^2
-    double y = 0.0, z = 0.0;                                            ///< m^3
-    double yy = 0.0, yz = 0.0, zz = 0.0;                                ///< m^4
-    double yyy = 0.0, yyz = 0.0, yzz = 0.0, zzz = 0.0;                  ///< m^5
-    double yyyy = 0.0, yyyz = 0.0, yyzz = 0.0, yzzz = 0.0, zzzz = 0.0;  ///< m^6
+    double area = 0.0;  ///< m^2
+    double y = 0.0;     ///< m^3
+    double z = 0.0;     ///< m^3
+    double yy = 0.0;    ///< m^4
+    double yz = 0.0;    ///< m^4
+    double zz = 0.0;    ///< m^4
+    double yyy = 0.0;   ///< m^5
+    double yyz = 0.0;   ///< m^5
+    double yzz = 0.0;   ///< m^5
+    double zzz = 0.0;   ///< m^5
+    double yyyy = 0.0;  ///< m^6
+    double yyyz = 0.0;  ///< m^6
+    double yyzz = 0.0;  ///< m^6
+    double yzzz = 0.0;  ///< m^6
+    double zzzz = 0.0;  ///< m^6
 
     /// Returns int (y^2 + z^2) dA, m^4.
     [[nodiscard]] constexpr double polar() const noexcept { return yy + zz; }

@@ -25,6 +25,7 @@ namespace ancf {
 /// Measures residuals and corrections of one scene.
 class ConvergenceMonitor {
 public:
+    /// Measures the scene as it stands.
     template <class Scene>
     ConvergenceMonitor(const Scene& model, const Numbering& numbering);
 

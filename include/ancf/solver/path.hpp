@@ -48,27 +48,27 @@ enum class CriticalKind {
 
 /// A critical point between two points of the path.
 struct CriticalPoint {
-    CriticalKind kind;
-    double factor;
+    CriticalKind kind;  ///< limit point or bifurcation
+    double factor;      ///< load factor there
     std::size_t after;  ///< index of the path point before it
-    State state;
+    State state;        ///< of the model there
     /// Null vector of the tangent, all coordinates, of unit length in the path's measure.
     VectorX mode;
 };
 
 /// How a path is followed.
 struct PathOptions {
-    PathControl control = PathControl::cylindrical;
-    NodeField at{};     ///< displacement control: the vector,
-    int component = 0;  ///< and its component
+    PathControl control = PathControl::cylindrical;  ///< what a step is measured by
+    NodeField at{};                                  ///< displacement control: the vector,
+    int component = 0;                               ///< and its component
 
-    double first_factor = 0.0;    ///< load factor of the state that the model is in
-    double first_step = 0.1;      ///< change of the load factor that the first step aims at
-    double largest_step = 10.0;   ///< largest step relative to the first
-    double smallest_step = 1e-6;  ///< smallest step relative to the first
-    int wanted_iterations = 5;    ///< steps grow and shrink towards this number
-    int max_iterations = 15;      ///< of a step, before it is halved
-    int max_points = 1000;
+    double first_factor = 0.0;           ///< load factor of the state that the model is in
+    double first_step = 0.1;             ///< change of the load factor that the first step aims at
+    double largest_step = 10.0;          ///< largest step relative to the first
+    double smallest_step = 1e-6;         ///< smallest step relative to the first
+    int wanted_iterations = 5;           ///< steps grow and shrink towards this number
+    int max_iterations = 15;             ///< of a step, before it is halved
+    int max_points = 1000;               ///< limit of a path
     double residual_tolerance = 1e-9;    ///< as in StaticsOptions
     double correction_tolerance = 1e-6;  ///< as in StaticsOptions
     bool critical_points = true;         ///< find them
@@ -90,8 +90,8 @@ struct PathOptions {
 struct PathReport {
     /// Or diverged: the smallest step failed; max_iterations: points.
     Status status = Status::converged;
-    std::vector<PathPoint> points;
-    std::vector<CriticalPoint> critical;
+    std::vector<PathPoint> points;        ///< in order
+    std::vector<CriticalPoint> critical;  ///< in order
 };
 
 /// Follows the path of equilibria from the model's state; the model ends in the last point.

@@ -53,25 +53,25 @@ struct StaticsOptions {
 
 /// One load step.
 struct LoadStep {
-    double factor = 0.0;  ///< load factor at its end
-    NewtonKind newton = NewtonKind::plain;
-    int iterations = 0;  ///< linear solves
-    Status status = Status::converged;
-    bool at_round_off = false;        ///< converged by the floor of the residual's round-off
-    std::vector<double> residuals;    ///< relative residual before each solve, and the last
-    std::vector<double> corrections;  ///< relative size of each correction
+    double factor = 0.0;                    ///< load factor at its end
+    NewtonKind newton = NewtonKind::plain;  ///< which iteration it took
+    int iterations = 0;                     ///< linear solves
+    Status status = Status::converged;      ///< how it ended
+    bool at_round_off = false;              ///< converged by the floor of the residual's round-off
+    std::vector<double> residuals;          ///< relative residual before each solve, and the last
+    std::vector<double> corrections;        ///< relative size of each correction
 };
 
 /// What a static solution reports.
 struct StaticsReport {
-    Status status = Status::converged;
-    double factor = 0.0;          ///< load factor reached
-    std::vector<LoadStep> steps;  ///< every step tried, in order
-    std::optional<Fault> fault;   ///< the element that failed, for degenerate and not_finite
-    FactorReport factorisation;   ///< of the last tangent: conditioning, negative pivots
-    VectorX reactions;            ///< generalised forces of the supports, zero elsewhere; N and N m
-    Resultant imbalance;          ///< loads plus reactions: zero at equilibrium
-    double strain_energy = 0.0;   ///< J
+    Status status = Status::converged;  ///< how it ended
+    double factor = 0.0;                ///< load factor reached
+    std::vector<LoadStep> steps;        ///< every step tried, in order
+    std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
+    FactorReport factorisation;         ///< of the last tangent: conditioning, negative pivots
+    VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
+    Resultant imbalance;         ///< loads plus reactions: zero at equilibrium
+    double strain_energy = 0.0;  ///< J
 
     /// Returns the number of linear solves over all steps.
     [[nodiscard]] int iterations() const {

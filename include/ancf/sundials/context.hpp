@@ -43,6 +43,7 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
+    /// Returns the context of the C library.
     [[nodiscard]] SUNContext get() const noexcept { return handle_; }
 
     /// Returns what SUNDIALS said last, empty if nothing.
@@ -82,11 +83,14 @@ Handle made(Handle handle) {
 
 }  // namespace detail
 
+/// Owns an N_Vector.
 using VectorOwner = std::unique_ptr<std::remove_pointer_t<N_Vector>, detail::DestroyVector>;
+/// Owns a SUNMatrix.
 using MatrixOwner = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, detail::DestroyMatrix>;
+/// Owns a SUNLinearSolver.
 using LinearSolverOwner =
     std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, detail::DestroyLinearSolver>;
-using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;
+using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;  ///< owns the memory of IDA
 
 /// Returns a vector of zeros.
 [[nodiscard]] inline VectorOwner make_vector(const Context& context, Eigen::Index size) {

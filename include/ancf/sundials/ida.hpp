@@ -33,7 +33,7 @@ enum class Order {
 
 /// How IDA integrates.
 struct IdaOptions {
-    Form form = Form::index3;
+    Form form = Form::index3;  ///< how the constraints enter
 
     /// Relative tolerance. Index 3 leaves rates out of the error test, so it is about a hundred
     /// times looser than the same figure in gear_gupta_leimkuhler.
@@ -44,10 +44,10 @@ struct IdaOptions {
     double velocity_scale = 0.0;  ///< m/s; rates of slopes have velocity_scale/length_scale
     double force_scale = 0.0;     ///< N: multipliers
 
-    Order order = Order::automatic;
-    double first_step = 0.0;    ///< s; 0: from the initial accelerations
-    double max_step = 0.0;      ///< s; 0: no limit
-    long max_steps = 0;         ///< 0: no limit
+    Order order = Order::automatic;  ///< largest order of the method
+    double first_step = 0.0;         ///< s; 0: from the initial accelerations
+    double max_step = 0.0;           ///< s; 0: no limit
+    long max_steps = 0;              ///< 0: no limit
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
@@ -68,6 +68,7 @@ public:
     /// @throws InvalidArgument naming the first option that cannot be meant.
     explicit Ida(const IdaOptions& options = {}) : options_(options) { options_.check(); }
 
+    /// Returns the options it was made with.
     [[nodiscard]] const IdaOptions& options() const noexcept { return options_; }
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Types that miss what ancf asks for; each comment `expected:` is what the compiler must say.
+/// With ANCF_CONFORMING the same uses with types that miss nothing: that must compile.
+
+#include <ancf/element/requirement.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/linear_solver.hpp>
+
+#include <support/bar.hpp>
+
+#include <string>
+#include <string_view>
+
+using Bar = ancf::test::Bar<3>;
+
+#ifdef ANCF_CONFORMING
+
+using Element = Bar;
+
+struct Solver {
+    static constexpr ancf::Storage storage = ancf::Storage::full;
+    void analyze(const ancf::SparseMatrix&);
+    ancf::FactorReport factorize(const ancf::SparseMatrix&);
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const;
+    static std::string_view name();
+};
+
+struct Added {
+    static ancf::Coupling coupling() { return {}; }
+    void evaluate(const ancf::LoadState&, ancf::LoadResult&) const {}
+};
+
+#else
+
+struct Nothing {};
+using Element = Nothing;
+using Solver = Nothing;
+using Added = Nothing;
+
+struct WrongSizes : Bar {
+    static constexpr int dofs = 7;  // expected: dofs = 2 * dimension * fields.count()
+};
+static_assert(ancf::require_element<WrongSizes>());
+
+struct NoInertia : Bar {
+    void mass() const;  // expected: an element needs: ancf::Matrix<double, dofs> mass() const
+};
+static_assert(ancf::require_element<NoInertia>());
+
+struct NoForce : Bar {
+    void force() const;  // expected: an element needs: Coordinates force(const Coordinates&) const
+};
+static_assert(ancf::require_element<NoForce>());
+
+#endif
+
+// expected: an element needs: static constexpr int dimension, dofs
+// expected: an element needs: ancf::Evaluation<double, dofs> evaluate
+// expected: an element needs: bool admissible(const Coordinates&) const
+static_assert(ancf::require_element<Element>());
+
+// expected: a linear solver needs: static constexpr ancf::Storage storage
+// expected: a linear solver needs: void analyze(const ancf::SparseMatrix&)
+// expected: a linear solver needs: ancf::FactorReport factorize(const ancf::SparseMatrix&)
+// expected: a linear solver needs: void solve(const ancf::VectorX& b, ancf::VectorX& x) const
+// expected: a linear solver needs: std::string_view name() const
+void use_solver() { ancf::require_linear_solver<Solver>(); }
+
+// expected: Model::add takes a load, which offers
+void use_added(ancf::Model<Bar>& model) { model.add(Added()); }
