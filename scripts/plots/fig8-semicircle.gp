@@ -6,7 +6,7 @@
 file(name, mesh) = sprintf("%s/semicircle-%s-%d.csv", data, name, mesh)
 stations = 17  # per element
 
-set multiplot layout 1, 2 title "Bending to a semicircle by an end moment M = {/Symbol p} E I / l (Fig. 8)" font ",18"
+set multiplot layout 1, 2 title "Bending to a semicircle by an end moment M = π E I / l (Fig. 8)" font ",18"
 set size ratio -1
 set xrange [-0.07:0.78]
 set yrange [-0.07:0.78]
