@@ -11,6 +11,7 @@ function finish(drop,    k) {
     class = body = 0
 }
 
+FILENAME ~ /\.md$/ { print; next }
 held == 0 && !/^(template <|inline |constexpr |[A-Za-z][A-Za-z0-9:<>, ]* )/ { print; next }
 held == 0 && /^(class|struct|enum|namespace|using|extern|public|private)/ { print; next }
 {

@@ -22,6 +22,7 @@ struct Dual {
     Base rate;   ///< b, the derivative along the direction
 
     Dual() = default;
+    /// Makes a + eps b.
     Dual(const Base& a, const Base& b) noexcept : value(a), rate(b) {}
 
     /// Makes a constant.
@@ -32,39 +33,51 @@ struct Dual {
     template <class T, class = std::enable_if_t<!std::is_same_v<T, Base>>>
     explicit Dual(const Dual<T>& other) noexcept : value(other.value), rate(other.rate) {}
 
+    /// By the product rule and its like.
     friend Dual operator+(const Dual& a, const Dual& b) noexcept {
         return {a.value + b.value, a.rate + b.rate};
     }
+    /// By the product rule and its like.
     friend Dual operator-(const Dual& a, const Dual& b) noexcept {
         return {a.value - b.value, a.rate - b.rate};
     }
+    /// By the product rule and its like.
     friend Dual operator*(const Dual& a, const Dual& b) noexcept {
         return {a.value * b.value, a.value * b.rate + a.rate * b.value};
     }
+    /// By the product rule and its like.
     friend Dual operator/(const Dual& a, const Dual& b) noexcept {
         const Base quotient = a.value / b.value;
         return {quotient, (a.rate - quotient * b.rate) / b.value};
     }
+    /// By the product rule and its like.
     friend Dual operator-(const Dual& a) noexcept { return {-a.value, -a.rate}; }
+    /// By the product rule and its like.
     Dual& operator+=(const Dual& b) noexcept { return *this = *this + b; }
+    /// By the product rule and its like.
     Dual& operator-=(const Dual& b) noexcept { return *this = *this - b; }
+    /// By the product rule and its like.
     Dual& operator*=(const Dual& b) noexcept { return *this = *this * b; }
 
+    /// Returns the square root and its rate.
     friend Dual sqrt(const Dual& a) noexcept {
         using std::sqrt;
         const Base root = sqrt(a.value);
         return {root, 0.5 * a.rate / root};
     }
+    /// Returns the cosine and its rate.
     friend Dual cos(const Dual& a) noexcept {
         using std::cos;
         using std::sin;
         return {cos(a.value), -a.rate * sin(a.value)};
     }
+    /// Returns the sine and its rate.
     friend Dual sin(const Dual& a) noexcept {
         using std::cos;
         using std::sin;
         return {sin(a.value), a.rate * cos(a.value)};
     }
+    /// Returns the angle and its rate.
     friend Dual atan(const Dual& a) noexcept {
         using std::atan;
         return {atan(a.value), a.rate / (1.0 + a.value * a.value)};

@@ -21,7 +21,7 @@ namespace ancf {
 
 /// Strains linear in the deformation of the section, in linear relation to Biot's stress.
 struct EngineeringMeasure {
-    using Planar = detail::PlanarEngineering;
+    using Planar = detail::PlanarEngineering;  ///< the same measure in the plane
 
     static constexpr bool engineering =
         true;  ///< directors of unit length; no second order strains
@@ -41,19 +41,36 @@ struct EngineeringMeasure {
     /// A function of (phi, s, q) with its derivatives.
     template <class S>
     struct Factor {
-        S value, p, s, q, pp, ps, pq, ss, sq, qq;
+        S value;  ///< the function
+        S p;      ///< derivative by phi
+        S s;      ///< derivative by s
+        S q;      ///< derivative by q
+        S pp;     ///< derivative by phi, twice
+        S ps;     ///< derivative by phi and s
+        S pq;     ///< derivative by phi and q
+        S ss;     ///< derivative by s, twice
+        S sq;     ///< derivative by s and q
+        S qq;     ///< derivative by q, twice
     };
 
     /// Cosines of the shears, the rates of both directors, and what they are multiplied with:
     ///
+    /// Evaluates all of them.
     ///     e2 = a sig - b Y,  e11 = b sig + a Y,  e3 = a2 tau - b2 Z,  e9 = -b2 tau - a2 Z.
     template <class S>
     struct Rates {
-        S cy, cz;        ///< cosines of the shears
-        S icy, icz;      ///< their inverses
-        S sig, Y;        ///< s'/cy - kap, s chi + cy om
-        S tau, Z;        ///< q'/cz - kap2, q chi2 + cz om2
-        S a, b, a2, b2;  ///< cz S, q cy - s cz C, cy S, q cy C - s cz
+        S cy;   ///< cosine of the shear of r_y
+        S cz;   ///< cosine of the shear of r_z
+        S icy;  ///< 1/cy
+        S icz;  ///< 1/cz
+        S sig;  ///< s'/cy - kap
+        S Y;    ///< s chi + cy om
+        S tau;  ///< q'/cz - kap2
+        S Z;    ///< q chi2 + cz om2
+        S a;    ///< cz S
+        S b;    ///< q cy - s cz C
+        S a2;   ///< cy S
+        S b2;   ///< q cy C - s cz
 
         explicit Rates(const detail::Invariants<S>& w) noexcept {
             using std::sqrt;

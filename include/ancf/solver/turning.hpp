@@ -19,8 +19,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace ancf {
@@ -29,6 +29,7 @@ namespace ancf {
 template <class Scene>
 class Turning {
 public:
+    /// Finds what turns in a scene.
     Turning(const Scene& model, const Numbering& numbering);
 
     /// Turns slopes about the tangents alone: what a twist does.
