@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Stress-free chains have six motions without energy and not one more, straight, bent or twisted.
+///
+/// The number of eigenvalues of K x = w M x below a value is that of the negative pivots of K - w M.
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/curve.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <support/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using ancf::Status;
+using Paper = ancf::CrossSectionBeam<3>;
+using Carried = ancf::CrossSectionBeam<3, ancf::Geodesic>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double young = 2e9, density = 1000.0, height = 0.05;
+
+enum class Shape { straight, semicircle, twisted };
+
+template <class Element>
+ancf::Model<Element> chain(Shape shape, const char* rule, int elements) {
+    ancf::Model<Element> scene;
+    ancf::CrossSectionOptions options;
+    options.rule = ancf::Rule::named(rule);
+    const auto material = ancf::Material::isotropic(young, 0.3, density);
+    const auto section = ancf::rectangle(height, height);
+    if (shape == Shape::straight) {
+        ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements, options);
+    } else if (shape == Shape::semicircle) {
+        ancf::arc(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0 / pi, pi, elements,
+                  options);
+    } else {
+        std::vector<ancf::CurvePoint<3>> points;
+        for (int k = 0; k <= elements; ++k) {
+            const double x = static_cast<double>(k) / elements, angle = 0.5 * pi * x;
+            ancf::Matrix<double, 3> slopes = ancf::Matrix<double, 3>::Identity();
+            slopes.col(1) << 0.0, std::cos(angle), std::sin(angle);
+            slopes.col(2) << 0.0, -std::sin(angle), std::cos(angle);
+            points.push_back({{x, 0.0, 0.0}, slopes});
+        }
+        ancf::beam_through(scene, material, section, points, std::vector<double>{1.0 / elements},
+                           options);
+    }
+    return scene;
+}
+
+/// Returns how many eigenvalues lie below `value` times the square of Euler's first frequency.
+template <class Scene>
+int below(const Scene& scene, double value) {
+    ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    const ancf::State& state = scene.state();
+    const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
+    REQUIRE_FALSE(
+        assembly.evaluate({state.q, rest, state.multipliers, {}}, ancf::Request::tangent));
+    const double first = 22.37 * 22.37 * young * height * height / 12.0 / density;
+    const ancf::SparseMatrix shifted = assembly.tangent() - value * first * assembly.mass();
+    ancf::EigenLdlt solver;
+    solver.analyze(shifted);
+    return solver.factorize(shifted).negative_pivots;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("chains without stress have exactly six motions without energy",
+                   "[verification][zero-modes]", Paper, Carried) {
+    const auto shape = GENERATE(Shape::straight, Shape::semicircle, Shape::twisted);
+    int checked = 0;
+    for (const char* rule : {"paper", "mixed", "gauss3", "lobatto3"})
+        for (const int elements : {1, 2, 3, 4, 5, 8, 16, 32, 64}) {
+            if (elements == 1 && shape == Shape::semicircle) continue;  // turns by 180 degrees
+            INFO(rule << ", " << elements << " elements, shape " << static_cast<int>(shape));
+            const auto scene = chain<TestType>(shape, rule, elements);
+            CHECK(below(scene, -1e-6) == 0);
+            CHECK(below(scene, 1e-6) == 6);
+            CHECK(below(scene, 1e-2) == 6);  // no weak mode either
+            ++checked;
+        }
+    CHECK(checked >= 32);
+}
