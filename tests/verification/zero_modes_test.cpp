@@ -4,7 +4,7 @@
 /// @file
 /// Stress-free chains have six motions without energy and not one more, straight, bent or twisted.
 ///
-/// The number of eigenvalues of K x = w M x below a value is that of the negative pivots of K - w M.
+/// As many eigenvalues of K x = w M x lie below a value as K - w M has negative pivots.
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/cross_section_beam.hpp>
