@@ -25,7 +25,6 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/report.hpp>
-#include <support/solve.hpp>
 #include <support/solver.hpp>
 
 #include <cmath>
@@ -38,7 +37,6 @@
 namespace {
 
 using Point = ancf::Vector<double, 3>;
-using Carried = ancf::CrossSectionBeam<3, ancf::Geodesic>;
 
 constexpr double radius = 100.0;
 constexpr double angle = M_PI / 4.0;
@@ -74,8 +72,7 @@ void Bend::parse(int argc, char** argv) {
     line.set_group("Beam");
     line.add_number("--force", force, examples::Range::finite, "at the tip along Z, N");
     beam.add_clamp_to(line);
-    beam.add_element_to(line, {"cross-section", "cross-section-pointwise"},
-                        {"projected", "geodesic"});
+    beam.add_element_to(line, examples::curved_beams);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     line.set_group("Output");
@@ -83,10 +80,7 @@ void Bend::parse(int argc, char** argv) {
     line.add_file("--vtk", vtk, "the bent beam of the last mesh for ParaView: .vtp, .vtu or .vtk");
     line.parse(argc, argv);
     beam.settle(line);
-    beam.check();
-    ancf::detail::require(beam.directors == "projected" || beam.element == "cross-section",
-                          "--directors geodesic is for --element cross-section, got ",
-                          beam.element);
+    examples::check(examples::CurvedBeams{}, beam);
     if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
 }
 
@@ -103,20 +97,13 @@ Result solve(const Bend& problem, int elements) {
                                 elements, problem.beam.element_options<Element>());
     model.clamp(beam.first(), problem.beam.clamped());
     model.add(ancf::Force<3>(beam.last(), Point(0.0, 0.0, problem.force)));
-    auto report = examples::solve_scene(model, problem.solver);
+    auto report = examples::solve(model, problem.solver);
     if (!problem.vtk.empty() && elements == problem.elements.back()) {
         ancf::Surface surface;
         surface.add(model, beam, problem.beam.section(), 17);
         ancf::write_vtk(problem.vtk, surface);
     }
     return {std::move(report), model.position(beam.last())};
-}
-
-Result solve_chosen(const Bend& problem, int elements) {
-    if (problem.beam.directors == "geodesic") return solve<Carried>(problem, elements);
-    if (problem.beam.element == "cross-section-pointwise")
-        return solve<examples::CrossSectionPointwise>(problem, elements);
-    return solve<examples::CrossSection>(problem, elements);
 }
 
 /// Solves every mesh and prints a row for each; returns whether all is as published.
@@ -129,7 +116,9 @@ bool study(const Bend& problem) {
         {"element", "rule", "elements", "steps", "iterations", "status", "x", "y", "z"},
         {"elements", "iterations", "status", "x", "y", "z", "deviation, % of R"});
     for (const int mesh : problem.elements) {
-        const auto [report, tip] = solve_chosen(problem, mesh);
+        const auto [report, tip] = examples::with_element(
+            examples::CurvedBeams{}, problem.beam,
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(problem.beam.element, problem.beam.rule, mesh, steps(problem.solver, report),

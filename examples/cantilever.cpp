@@ -13,6 +13,7 @@
 /// cross-section elements the tip comes to (1.7841, 0.8220). Model I is deep (L 2, 0.1 wide, 0.5
 /// high) and stiff: P = 2.5e6 N lifts the tip by 0.032417 m.
 
+#include <ancf/error.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>
@@ -103,7 +104,7 @@ void Cantilever::parse(int argc, char** argv) {
     line.add_number("--load-factor", load_factor, examples::Range::finite,
                     "A of a force A E I/L^2 at the tip along Y (1.5 in Model 2)");
     line.exclude("--force", "--load-factor");
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::all_elements);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     output.add_to(line);
@@ -122,7 +123,9 @@ void Cantilever::parse(int argc, char** argv) {
         line.settle("--load-factor", load_factor, preset().load_factor);
         force[1] = own_force ? preset().force : scaled_force(load_factor, beam.geometry);
     }
-    beam.check();
+    ancf::detail::require(!beam.is_planar() || force[2] == 0.0, "--force: --element ", beam.element,
+                          " lives in the XY plane and takes no force along Z, got ", force[2]);
+    examples::check(examples::AllElements{}, beam);
 }
 
 std::string Cantilever::title() const {
@@ -153,11 +156,13 @@ Result solve(const Cantilever& problem, int elements) {
     ancf::Model<Element> model;
     const auto beam = examples::straight_beam(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
-    model.add(ancf::Force<3>(beam.last(), problem.force));
+    constexpr int dimension = Element::dimension;
+    model.add(ancf::Force<dimension>(beam.last(), problem.force.head<dimension>()));
     auto report = examples::solve(model, problem.solver);
     if (elements == problem.elements.back())
         problem.output.write(model, beam, problem.beam.section());
-    return {std::move(report), examples::free_coordinates(model), model.position(beam.last())};
+    return {std::move(report), examples::free_coordinates(model),
+            examples::in_space<dimension>(model.position(beam.last()))};
 }
 
 /// Solves every mesh and prints a row for each; returns whether all is as published.
@@ -172,9 +177,9 @@ bool study(const Cantilever& problem) {
         {"elements", "dofs", "iterations", "status", "x", "y", "z", "published x", "published y",
          "deviation"});
     for (const int mesh : problem.elements) {
-        const auto [report, unknowns, tip] = examples::with_element(beam, [&](auto type) {
-            return solve<typename decltype(type)::Element>(problem, mesh);
-        });
+        const auto [report, unknowns, tip] = examples::with_element(
+            examples::AllElements{}, beam,
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(beam.element, beam.rule, mesh, unknowns, steps(problem.solver, report),

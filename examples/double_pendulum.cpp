@@ -68,14 +68,14 @@ void DoublePendulum::parse(int argc, char** argv) {
     beam.add_geometry_to(line);
     line.add_number("--density", density, examples::Range::positive, "kg/m^3");
     line.add_number("--gravity", gravity, examples::Range::finite, "m/s^2, downwards");
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::spatial_beams);
     line.add_count("--elements", elements, 1, examples::most_elements,
                    "number of elements per beam");
     motion.add_to(line);
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    beam.check();
+    examples::check(examples::SpatialBeams{}, beam);
     motion.check();
 }
 
@@ -158,9 +158,9 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         DoublePendulum problem;
         problem.parse(argc, argv);
-        const bool good = examples::with_element(problem.beam, [&](auto type) {
-            return swing<typename decltype(type)::Element>(problem);
-        });
+        const bool good = examples::with_element(
+            examples::SpatialBeams{}, problem.beam,
+            [&](auto type) { return swing<typename decltype(type)::Element>(problem); });
         return good ? examples::exit_done : examples::exit_missed;
     });
 }

@@ -31,8 +31,6 @@
 
 namespace {
 
-using Point = ancf::Vector<double, 3>;
-
 constexpr examples::Geometry paper = {1.2, 0.05, 0.05, 0.7e6, 2.6923e5};
 constexpr double paper_density = 5540.0;  // kg/m^3
 constexpr double earth = 9.81;            // m/s^2
@@ -72,13 +70,13 @@ void Pendulum::parse(int argc, char** argv) {
         "--link", link, examples::Range::positive,
         "length of a massless link from a pivot above the beam's end, m; without it the end "
         "is pinned");
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::all_elements);
     line.add_count("--elements", elements, 1, examples::most_elements, "number of elements");
     motion.add_to(line);
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    beam.check();
+    examples::check(examples::AllElements{}, beam);
     motion.check();
 }
 
@@ -93,8 +91,8 @@ std::string Pendulum::title() const {
 bool Pendulum::is_published() const {
     return elements == paper_elements && density == paper_density && gravity == earth &&
            link == 0.0 && beam.geometry.values() == paper.values() && beam.as_paper() &&
-           beam.element == "cross-section" && motion.restart.empty() &&
-           motion.as_accurate_as_default();
+           beam.is_cross_section() && beam.element != "cross-section-pointwise" &&
+           motion.restart.empty() && motion.as_accurate_as_default();
 }
 
 /// Compares the tip with the published heights as it passes them.
@@ -126,18 +124,22 @@ private:
 /// Integrates the motion and writes it; returns whether it is as published.
 template <class Element>
 bool swing(const Pendulum& problem) {
+    constexpr int dimension = Element::dimension;
+    using Point = typename ancf::Model<Element>::Point;
     ancf::Model<Element> model;
     const auto& geometry = problem.beam.geometry;
     const auto material =
         ancf::Material::from_moduli(geometry.young, geometry.shear, problem.density);
-    const auto beam = ancf::straight_beam(model, material, problem.beam.section(), Point::Zero(),
-                                          {geometry.length, 0.0, 0.0}, problem.elements,
-                                          problem.beam.element_options<Element>());
+    const auto beam =
+        ancf::straight_beam(model, material, problem.beam.section(), Point(Point::Zero()),
+                            Point(geometry.length * Point::UnitX()), problem.elements,
+                            problem.beam.element_options<Element>());
     if (problem.link > 0.0)
-        model.add(ancf::Distance<3>(beam.first(), Point(0.0, problem.link, 0.0), problem.link));
+        model.add(
+            ancf::Distance<dimension>(beam.first(), problem.link * Point::Unit(1), problem.link));
     else
-        model.add(ancf::Pin<3>(beam.first(), Point::Zero()));
-    model.set_gravity({0.0, -problem.gravity, 0.0});
+        model.add(ancf::Pin<dimension>(beam.first(), Point::Zero()));
+    model.set_gravity(-problem.gravity * Point::Unit(1));
 
     examples::MotionWriter<Element> writer(model, {beam}, problem.beam.section(), beam.last(),
                                            problem.output, "pendulum");
@@ -160,9 +162,9 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         Pendulum problem;
         problem.parse(argc, argv);
-        const bool good = examples::with_element(problem.beam, [&](auto type) {
-            return swing<typename decltype(type)::Element>(problem);
-        });
+        const bool good = examples::with_element(
+            examples::AllElements{}, problem.beam,
+            [&](auto type) { return swing<typename decltype(type)::Element>(problem); });
         return good ? examples::exit_done : examples::exit_missed;
     });
 }

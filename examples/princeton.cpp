@@ -13,20 +13,16 @@
 /// exact beam of Saint-Venant's torsional stiffness (G J 3.103338 N m^2), solved to round-off:
 /// within 0.5 % of each displacement.
 
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/surface.hpp>
 #include <ancf/output/vtk.hpp>
-#include <ancf/section/material.hpp>
-#include <ancf/section/section.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>
 
+#include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/report.hpp>
-#include <support/solve.hpp>
 #include <support/solver.hpp>
 
 #include <algorithm>
@@ -38,10 +34,10 @@
 namespace {
 
 using Point = ancf::Vector<double, 3>;
-using Element = ancf::CrossSectionBeam<3, ancf::Geodesic>;
 
-constexpr double length = 0.508, width = 3.2024e-3, height = 12.377e-3;  // m
-constexpr double young = 71.7e9, poisson = 0.31;
+/// Aluminium of Poisson's ratio 0.31.
+constexpr examples::Geometry geometry = {0.508,  3.2024e-3,           12.377e-3,
+                                         71.7e9, 71.7e9 / (2 * 1.31), 5.0 / 6.0};
 constexpr double tolerance = 5e-3;  // of each displacement
 
 /// A load, N, its angle, degrees, and where the tip goes, m.
@@ -56,7 +52,7 @@ constexpr Row rows[] = {{4.448, 30.0, 0.00475107, 0.03994940},
 
 struct Princeton {
     int elements = 16;
-    std::string rule = "mixed";
+    examples::BeamOptions beam;
     examples::SolverOptions solver;
     bool csv = false;
     std::string vtk;
@@ -67,15 +63,20 @@ struct Princeton {
 void Princeton::parse(int argc, char** argv) {
     examples::CommandLine line("The Princeton beam: a tip load at an angle to the section.");
     solver.statics.steps = 4;
-    line.set_group("Element");
-    const auto names = ancf::Rule::names();
-    line.add_choice("--rule", rule, {names.begin(), names.end()}, "integration along the element");
+    beam.geometry = geometry;
+    beam.clamp = "full";
+    beam.rule = "mixed";
+    beam.transverse = "stretch";
+    beam.section_model = "saint-venant";
+    beam.add_element_to(line, examples::curved_beams);
     line.add_count("--elements", elements, 1, 10'000, "number of elements");
     solver.add_to(line);
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "the beam under the last load for ParaView: .vtp, .vtu or .vtk");
     line.parse(argc, argv);
+    beam.settle(line);
+    examples::check(examples::CurvedBeams{}, beam);
     if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
 }
 
@@ -84,22 +85,18 @@ struct Result {
     double chordwise, flapwise;  // m
 };
 
+template <class Element>
 Result solve(const Princeton& problem, const Row& row) {
-    const auto material = ancf::Material::isotropic(young, poisson, 2700.0);
-    const auto section = ancf::rectangle(width, height);
     ancf::Model<Element> model;
-    const auto beam = ancf::straight_beam(
-        model, material, section, {0.0, 0.0, 0.0}, {length, 0.0, 0.0}, problem.elements,
-        ancf::CrossSectionOptions{ancf::Rule::named(problem.rule), ancf::TransverseStrain::stretch,
-                                  ancf::SectionModel::saint_venant});
-    model.clamp(beam.first());
+    const auto beam = examples::straight_beam(model, problem.beam, problem.elements);
+    model.clamp(beam.first(), problem.beam.clamped());
     const double angle = row.angle * M_PI / 180.0;
     const Point force(0.0, row.load * std::cos(angle), row.load * std::sin(angle));
     model.add(ancf::Force<3>(beam.last(), force));
-    auto report = examples::solve_scene(model, problem.solver);
+    auto report = examples::solve(model, problem.solver);
     if (!problem.vtk.empty()) {
         ancf::Surface surface;
-        surface.add(model, beam, section, 17);
+        surface.add(model, beam, problem.beam.section(), 17);
         ancf::write_vtk(problem.vtk, surface);
     }
     const Point tip = model.position(beam.last());
@@ -122,7 +119,9 @@ bool study(const Princeton& problem) {
                           {"P, N", "angle", "iterations", "status", "chordwise, mm", "flapwise, mm",
                            "reference", "reference", "deviation, %"});
     for (const Row& row : rows) {
-        const Result result = solve(problem, row);
+        const Result result = examples::with_element(
+            examples::CurvedBeams{}, problem.beam,
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, row); });
         verdict.add(problem.elements, result.report);
         const double off = std::max(deviation(result.chordwise, row.chordwise, row.flapwise),
                                     deviation(result.flapwise, row.flapwise, row.chordwise));
@@ -140,8 +139,8 @@ bool study(const Princeton& problem) {
                       << " %\n";
         }
     }
-    sheet.finish("Princeton beam, " + std::to_string(problem.elements) + " elements, rule " +
-                 problem.rule + ", directors geodesic, section model saint-venant");
+    sheet.finish("Princeton beam, " + std::to_string(problem.elements) + " elements, " +
+                 problem.beam.description());
     return verdict.good() && close;
 }
 

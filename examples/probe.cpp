@@ -41,12 +41,12 @@ void Probe::parse(int argc, char** argv) {
     beam.geometry = {2.0, 0.01, 0.01, 2.07e11, 7.9615e10};
     line.set_group("Beam");
     beam.add_geometry_to(line);
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::spatial_beams);
     output.add_files_to(line);
     line.parse(argc, argv);
     beam.settle(line);
     output.check();
-    beam.check();
+    examples::check(examples::SpatialBeams{}, beam);
 }
 
 /// Reads as many numbers as there are coordinates.
@@ -110,8 +110,9 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         Probe probe;
         probe.parse(argc, argv);
-        examples::with_element(
-            probe.beam, [&](auto type) { evaluate<typename decltype(type)::Element>(probe); });
+        examples::with_element(examples::SpatialBeams{}, probe.beam, [&](auto type) {
+            evaluate<typename decltype(type)::Element>(probe);
+        });
         return examples::exit_done;
     });
 }

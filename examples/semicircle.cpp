@@ -12,6 +12,7 @@
 /// In the thin limit the tip comes to (0, 2 l/pi). This section is thick (0.035 l), and the Green
 /// strain of the element moves its own limit to (-0.003648, 0.633306); 32 elements reach it.
 
+#include <ancf/error.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>
@@ -75,14 +76,20 @@ void Semicircle::parse(int argc, char** argv) {
     line.add_choice("--on", slope, {"r_x", "r_y"}, "the slope on which the moment acts");
     beam.add_geometry_to(line);
     beam.add_clamp_to(line);
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::all_elements);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
     output.check();
-    beam.check();
+    if (beam.is_cable()) {
+        ancf::detail::require(!line.given("--on") || slope == "r_x", "--on ", slope,
+                              " does not apply to --element ", beam.element,
+                              ", which has r_x alone");
+        slope = "r_x";
+    }
+    examples::check(examples::AllElements{}, beam);
 }
 
 std::string Semicircle::title() const {
@@ -110,11 +117,15 @@ Result solve(const Semicircle& problem, int elements) {
     const auto beam = examples::straight_beam(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     const ancf::Field slope = problem.slope == "r_x" ? ancf::Field::r_x : ancf::Field::r_y;
-    model.add(ancf::SlopeMoment(beam.last(), slope, Point::UnitZ(), problem.moment()));
+    if constexpr (Element::dimension == 2)
+        model.add(ancf::PlanarSlopeMoment(beam.last(), slope, problem.moment()));
+    else
+        model.add(ancf::SlopeMoment(beam.last(), slope, Point::UnitZ(), problem.moment()));
     auto report = examples::solve(model, problem.solver);
     if (elements == problem.elements.back())
         problem.output.write(model, beam, problem.beam.section());
-    return {std::move(report), model.position(beam.last()), examples::bending_angle(model, beam)};
+    return {std::move(report), examples::in_space<Element::dimension>(model.position(beam.last())),
+            examples::bending_angle(model, beam)};
 }
 
 /// Solves every mesh and prints a row for each; returns whether all is as published.
@@ -128,9 +139,9 @@ bool study(const Semicircle& problem) {
         {"elements", "iterations", "status", "x", "y", "angle (deg)", "published x", "published y",
          "deviation"});
     for (const int mesh : problem.elements) {
-        const auto [report, tip, angle] = examples::with_element(beam, [&](auto type) {
-            return solve<typename decltype(type)::Element>(problem, mesh);
-        });
+        const auto [report, tip, angle] = examples::with_element(
+            examples::AllElements{}, beam,
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(beam.element, beam.rule, mesh, steps(problem.solver, report),

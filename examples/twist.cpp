@@ -59,14 +59,14 @@ void Twist::parse(int argc, char** argv) {
     line.add_number("--torque", torque, examples::Range::finite, "torque at the tip about X, N m");
     beam.add_geometry_to(line);
     beam.add_clamp_to(line);
-    beam.add_element_to(line);
+    beam.add_element_to(line, examples::spatial_beams);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
     output.check();
-    beam.check();
+    examples::check(examples::SpatialBeams{}, beam);
 }
 
 std::string Twist::title() const {
@@ -112,9 +112,9 @@ bool study(const Twist& problem) {
         {"elements", "iterations", "status", "angle (deg)", "x", "published angle", "deviation",
          "published iterations"});
     for (const int mesh : problem.elements) {
-        const auto [report, angle, x] = examples::with_element(beam, [&](auto type) {
-            return solve<typename decltype(type)::Element>(problem, mesh);
-        });
+        const auto [report, angle, x] = examples::with_element(
+            examples::SpatialBeams{}, beam,
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(beam.element, beam.transverse, mesh, steps(problem.solver, report),

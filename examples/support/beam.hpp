@@ -17,10 +17,10 @@
 #include <support/command_line.hpp>
 #include <support/elements.hpp>
 
-#include <iostream>
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace examples {
@@ -46,6 +46,21 @@ struct Geometry {
     }
 };
 
+/// Words of --element; those of curved beams come first, then the other spatial ones.
+inline const std::vector<std::string> curved_beams = {"cross-section", "cross-section-pointwise"};
+inline const std::vector<std::string> spatial_beams = {"cross-section", "cross-section-pointwise",
+                                                       "continuum", "continuum-hooke",
+                                                       "continuum-enhanced"};
+inline const std::vector<std::string> all_elements = {"cross-section",
+                                                      "cross-section-pointwise",
+                                                      "continuum",
+                                                      "continuum-hooke",
+                                                      "continuum-enhanced",
+                                                      "cross-section-2d",
+                                                      "continuum-2d",
+                                                      "cable",
+                                                      "cable-2d"};
+
 /// A beam as the command line describes it; the defaults are the paper's.
 struct BeamOptions {
     Geometry geometry;
@@ -56,69 +71,47 @@ struct BeamOptions {
     std::string transverse = "green";
     std::string section_model = "paper";
     std::string clamp = "free-slope";
+    bool clampable = false;  ///< whether the program takes --clamp
 
     /// Adds the choice of the element and of its options.
-    /// @param elements,director_words  what the program offers of both
-    void add_element_to(CommandLine& line,
-                        const std::vector<std::string>& elements = {"cross-section",
-                                                                    "cross-section-pointwise",
-                                                                    "continuum", "continuum-hooke",
-                                                                    "continuum-enhanced"},
-                        const std::vector<std::string>& director_words = {"projected"}) {
-        line.set_group("Element");
-        line.add_choice("--preset", preset, {"paper", "best"},
-                        "defaults of this group, the paper's or the library's own");
-        line.add_choice("--element", element, elements, "element");
-        const auto rules = ancf::Rule::names();
-        line.add_choice("--rule", rule, {rules.begin(), rules.end()},
-                        "integration along the element");
-        line.add_choice("--directors", directors, director_words,
-                        "how directors follow the slopes");
-        line.add_choice("--transverse", transverse, {"green", "stretch"},
-                        "transverse strain of the cross-section element");
-        line.add_choice("--section", section_model, {"paper", "saint-venant"},
-                        "torsional stiffness: k G Ip, or G J of a section that warps");
-    }
+    /// @param elements  what the program offers
+    void add_element_to(CommandLine& line, const std::vector<std::string>& elements);
 
     /// Adds what the beam is made of.
-    void add_geometry_to(CommandLine& line) {
-        line.set_group("Beam");
-        line.add_number("--length", geometry.length, Range::positive, "m");
-        line.add_number("--width", geometry.width, Range::positive, "along Z, m");
-        line.add_number("--height", geometry.height, Range::positive, "along Y, m");
-        line.add_number("--young", geometry.young, Range::positive, "Young's modulus, Pa");
-        line.add_number("--shear", geometry.shear, Range::positive, "shear modulus, Pa");
-        line.add_number("--shear-correction", geometry.shear_correction, Range::positive,
-                        "factor k of the shear modulus");
-    }
+    void add_geometry_to(CommandLine& line);
 
     /// Adds how the beam is held.
-    void add_clamp_to(CommandLine& line) {
-        line.set_group("Beam");
-        line.add_choice("--clamp", clamp, {"free-slope", "full"},
-                        "hold all vectors but r_x, or all vectors");
-    }
+    void add_clamp_to(CommandLine& line);
 
-    /// Fills in what depends on other options; call after CommandLine::parse.
-    void settle(const CommandLine& line) {
-        if (preset == "best") {
-            const ancf::CrossSectionOptions own;
-            const bool green = own.transverse == ancf::TransverseStrain::green;
-            const bool as_paper = own.section_model == ancf::SectionModel::paper;
-            line.settle<std::string>("--rule", rule, own.rule.name());
-            line.settle<std::string>("--transverse", transverse, green ? "green" : "stretch");
-            line.settle<std::string>("--section", section_model,
-                                     as_paper ? "paper" : "saint-venant");
-        }
-        if (!is_continuum()) return;
-        for (const char* option : {"--transverse", "--section"})
-            if (line.given(option))
-                std::cerr << option << " has no effect on the element " << element << '\n';
-        transverse = "green";
-        section_model = "paper";
-    }
+    /// Fills in what depends on other options and refuses what the element does not take; call
+    /// after CommandLine::parse.
+    /// @throws InvalidArgument naming the option and its value.
+    void settle(const CommandLine& line);
 
+    [[nodiscard]] bool is_cross_section() const { return element.rfind("cross-section", 0) == 0; }
     [[nodiscard]] bool is_continuum() const { return element.rfind("continuum", 0) == 0; }
+    [[nodiscard]] bool is_cable() const { return element.rfind("cable", 0) == 0; }
+    [[nodiscard]] bool is_planar() const {
+        return element.size() > 3 && element.compare(element.size() - 3, 3, "-2d") == 0;
+    }
+
+    /// Returns whether the element's directors may be chosen.
+    [[nodiscard]] bool has_directors() const { return element == "cross-section"; }
+
+    /// Returns whether an element type is the one that was chosen.
+    template <class Element>
+    [[nodiscard]] bool is() const {
+        if (is_planar() != (Element::dimension == 2)) return false;
+        if constexpr (std::is_same_v<Element, CrossSectionPointwise>)
+            return element == "cross-section-pointwise";
+        else if constexpr (std::is_same_v<typename Element::Options, ancf::CrossSectionOptions>)
+            return is_cross_section() && element != "cross-section-pointwise" &&
+                   (directors == "geodesic") == std::is_same_v<Element, CrossSectionGeodesic>;
+        else if constexpr (std::is_same_v<typename Element::Options, ancf::ContinuumOptions>)
+            return is_continuum();
+        else
+            return is_cable();
+    }
 
     /// Returns whether every choice but that of the element is the paper's.
     [[nodiscard]] bool as_paper() const {
@@ -129,17 +122,7 @@ struct BeamOptions {
     }
 
     /// Returns the element and its options in words.
-    [[nodiscard]] std::string description() const {
-        std::string text = element + " element, rule " + rule;
-        if (!is_continuum())
-            text += ", directors " + directors + ", transverse strain " + transverse +
-                    ", section model " + section_model;
-        return text;
-    }
-
-    /// Refuses values that the element does not take, before any work is done.
-    /// @throws InvalidArgument naming the value.
-    void check() const;
+    [[nodiscard]] std::string description() const;
 
     [[nodiscard]] ancf::Material material() const {
         constexpr double density = 7850.0;  // no static case depends on it
@@ -158,20 +141,22 @@ struct BeamOptions {
     /// Returns the options of an element's constructor.
     template <class Element>
     [[nodiscard]] auto element_options() const {
-        const ancf::Rule quadrature = ancf::Rule::named(rule);
-        if constexpr (std::is_same_v<Element, Continuum>) {
+        using Options = typename Element::Options;
+        const ancf::Rule quadrature =
+            rule == "cable" ? ancf::cable_rule() : ancf::Rule::named(rule);
+        if constexpr (std::is_same_v<Options, ancf::ContinuumOptions>) {
             const auto law = element == "continuum-hooke"      ? ancf::ContinuumMaterial::hooke
                              : element == "continuum-enhanced" ? ancf::ContinuumMaterial::enhanced
                                                                : ancf::ContinuumMaterial::diagonal;
-            return ancf::ContinuumOptions{quadrature, law};
+            return Options{quadrature, law};
+        } else if constexpr (std::is_same_v<Options, ancf::CableOptions>) {
+            return Options{quadrature, 1.0};
         } else {
-            ancf::CrossSectionOptions options = ancf::CrossSectionOptions::paper();
-            options.rule = quadrature;
-            options.transverse = transverse == "green" ? ancf::TransverseStrain::green
-                                                       : ancf::TransverseStrain::stretch;
-            options.section_model = section_model == "paper" ? ancf::SectionModel::paper
-                                                             : ancf::SectionModel::saint_venant;
-            return options;
+            return Options{quadrature,
+                           transverse == "green" ? ancf::TransverseStrain::green
+                                                 : ancf::TransverseStrain::stretch,
+                           section_model == "paper" ? ancf::SectionModel::paper
+                                                    : ancf::SectionModel::saint_venant};
         }
     }
 };
@@ -180,9 +165,18 @@ struct BeamOptions {
 template <class Element>
 [[nodiscard]] ancf::Beam<Element> straight_beam(ancf::Model<Element>& model,
                                                 const BeamOptions& beam, int elements) {
-    return ancf::straight_beam(model, beam.material(), beam.section(), {0.0, 0.0, 0.0},
-                               {beam.geometry.length, 0.0, 0.0}, elements,
+    using Point = typename ancf::Model<Element>::Point;
+    return ancf::straight_beam(model, beam.material(), beam.section(), Point(Point::Zero()),
+                               Point(beam.geometry.length * Point::UnitX()), elements,
                                beam.element_options<Element>());
+}
+
+/// Returns a point of the plane or of space in space.
+template <int Dimension>
+[[nodiscard]] ancf::Vector<double, 3> in_space(const ancf::Vector<double, Dimension>& point) {
+    ancf::Vector<double, 3> result = ancf::Vector<double, 3>::Zero();
+    result.template head<Dimension>() = point;
+    return result;
 }
 
 /// Names an element type as a value.
@@ -191,13 +185,13 @@ struct ElementType {
     using Element = T;
 };
 
-/// Calls visit(ElementType<...>) with the element of the command line.
-template <class Visit>
-decltype(auto) with_element(const BeamOptions& beam, Visit&& visit) {
-    if (beam.is_continuum()) return visit(ElementType<Continuum>{});
-    if (beam.element == "cross-section-pointwise")
-        return visit(ElementType<CrossSectionPointwise>{});
-    return visit(ElementType<CrossSection>{});
+/// Calls visit(ElementType<...>) with the element of the command line, one of the list.
+template <class First, class... Others, class Visit>
+decltype(auto) with_element(ElementList<First, Others...>, const BeamOptions& beam, Visit&& visit) {
+    if constexpr (sizeof...(Others) > 0)
+        if (!beam.is<First>())
+            return with_element(ElementList<Others...>{}, beam, std::forward<Visit>(visit));
+    return visit(ElementType<First>{});
 }
 
 /// Makes one element of the beam's whole length.
@@ -206,9 +200,12 @@ template <class Element>
     return {beam.material(), beam.section(), beam.geometry.length, beam.element_options<Element>()};
 }
 
-inline void BeamOptions::check() const {
-    with_element(*this, [&](auto type) {
-        static_cast<void>(examples::element<typename decltype(type)::Element>(*this));
+/// Refuses values that the element does not take, before any work is done.
+/// @throws InvalidArgument naming the value.
+template <class List>
+void check(List list, const BeamOptions& beam) {
+    with_element(list, beam, [&](auto type) {
+        static_cast<void>(examples::element<typename decltype(type)::Element>(beam));
     });
 }
 

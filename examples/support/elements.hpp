@@ -8,17 +8,43 @@
 
 #pragma once
 
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/element/cable.hpp>
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/model/model.hpp>
 
 namespace examples {
 
 using CrossSection = ancf::CrossSectionBeam<3>;
+using CrossSectionGeodesic = ancf::CrossSectionBeam<3, ancf::Geodesic>;
 using CrossSectionPointwise = ancf::CrossSectionBeam<3, ancf::Projected, ancf::PointwiseShear>;
 using Continuum = ancf::ContinuumBeam<3>;
+using PlanarCrossSection = ancf::CrossSectionBeam<2>;
+using PlanarContinuum = ancf::ContinuumBeam<2>;
+using Cable = ancf::Cable<3>;
+using PlanarCable = ancf::Cable<2>;
+
+/// The elements that a program offers.
+template <class... Elements>
+struct ElementList {};
+
+using CurvedBeams = ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise>;
+using SpatialBeams =
+    ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise, Continuum>;
+using AllElements = ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise,
+                                Continuum, PlanarCrossSection, PlanarContinuum, Cable, PlanarCable>;
 
 }  // namespace examples
 
 /// Calls a macro for every element type.
-#define ANCF_EXAMPLES_FOR_EACH_ELEMENT(apply) \
-    apply(CrossSection) apply(CrossSectionPointwise) apply(Continuum)
+#define ANCF_EXAMPLES_FOR_EACH_ELEMENT(apply)                                                     \
+    apply(CrossSection) apply(CrossSectionGeodesic) apply(CrossSectionPointwise) apply(Continuum) \
+        apply(PlanarCrossSection) apply(PlanarContinuum) apply(Cable) apply(PlanarCable)
+
+// Assemblers are instantiated in solve_*.cpp alone.
+#define ANCF_EXAMPLES_DECLARE(Element) \
+    extern template class ancf::Assembly<ancf::Model<examples::Element>>;
+ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_DECLARE)
+#undef ANCF_EXAMPLES_DECLARE

@@ -56,9 +56,10 @@ void MotionWriter<Element>::write(const ancf::Snapshot& seen) {
     const double time = seen.state.time;
     const double* place = seen.state.q.data() + tip_;
     const ancf::Energies& energies = seen.energies;
-    sheet_.add_csv(time, place[0], place[1], place[2], energies.kinetic, energies.strain,
+    const double z = Element::dimension == 3 ? place[Element::dimension - 1] : 0.0;
+    sheet_.add_csv(time, place[0], place[1], z, energies.kinetic, energies.strain,
                    energies.potential, energies.total(), seen.violation, seen.violation_rate);
-    sheet_.add_table({fixed(time, 3), fixed(place[0], 6), fixed(place[1], 6), fixed(place[2], 6),
+    sheet_.add_table({fixed(time, 3), fixed(place[0], 6), fixed(place[1], 6), fixed(z, 6),
                       fixed(energies.kinetic, 4), fixed(energies.strain, 4),
                       fixed(energies.potential + 0.0, 4), scientific(energies.total()),
                       scientific(seen.violation), scientific(seen.violation_rate)});

@@ -105,4 +105,9 @@ template <class Scene>
                        [&](auto& solver) { return ancf::solve_statics(model, solver, statics); });
 }
 
+template <class Element>
+ancf::StaticsReport solve(ancf::Model<Element>& model, const SolverOptions& options) {
+    return solve_scene(model, options);
+}
+
 }  // namespace examples

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <support/elements.hpp>
-#include <support/solve.hpp>
 #include <support/solver.hpp>
 
 namespace examples {
@@ -22,14 +20,5 @@ void SolverOptions::add_to(CommandLine& line) {
     line.add_flag("--line-search", statics.line_search,
                   "shorten corrections that enlarge the residual");
 }
-
-template <class Element>
-ancf::StaticsReport solve(ancf::Model<Element>& model, const SolverOptions& options) {
-    return solve_scene(model, options);
-}
-
-#define ANCF_EXAMPLES_SOLVE(Element) \
-    template ancf::StaticsReport solve(ancf::Model<Element>&, const SolverOptions&);
-ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_SOLVE)
 
 }  // namespace examples

@@ -30,6 +30,7 @@
 #include <ancf/output/shape.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/output/surface.hpp>
+#include <ancf/output/time_series.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/polygon.hpp>

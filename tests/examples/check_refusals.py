@@ -92,6 +92,24 @@ def line_cases():
     yield "cantilever", ["--force", "0,1,0", "--load-factor", "1"], ["--force", "--load-factor"]
 
 
+def element_cases():
+    """Options that an element has no use for."""
+    for element in ["continuum", "cable", "cable-2d", "continuum-2d", "cross-section-2d", "cross-section-pointwise"]:
+        yield "cantilever", ["--element", element, "--directors", "geodesic"], ["--directors geodesic", element]
+    for element in ["continuum", "cable", "cable-2d", "continuum-2d"]:
+        yield "semicircle", ["--element", element, "--transverse", "stretch"], ["--transverse stretch", element]
+        yield "pendulum", ["--element", element, "--section", "saint-venant"], ["--section saint-venant", element]
+    for element in ["cable", "cable-2d"]:
+        yield "semicircle", ["--element", element, "--on", "r_y"], ["--on r_y", element]
+        yield "cantilever", ["--element", element, "--clamp", "free-slope"], ["--clamp free-slope", element]
+    for element in ["cross-section-2d", "continuum-2d", "cable-2d"]:
+        yield "cantilever", ["--element", element, "--force", "0,1,2"], ["--force", element]
+        yield "twist", ["--element", element], ["--element", element]
+        yield "bend45", ["--element", element], ["--element", element]
+    yield "cantilever", ["--rule", "cable"], ["--rule cable", "cross-section"]
+    yield "cantilever", ["--model", "1", "--element", "cable"], ["equally"]  # a flat section has no place in it
+
+
 def coordinate_cases():
     """(arguments, stdin, words that stderr must hold) for the probe."""
     whole = " ".join(REFERENCE)
@@ -122,7 +140,7 @@ def coordinate_cases():
 
 def main(folder):
     cases = [(program, arguments, "", words)
-             for program, arguments, words in [*option_cases(), *line_cases()]]
+             for program, arguments, words in [*option_cases(), *line_cases(), *element_cases()]]
     cases += [("probe", arguments, text, words) for arguments, text, words in coordinate_cases()]
     findings = []
     runs = run_all(folder, [case[:3] for case in cases])

@@ -218,7 +218,8 @@ private:
     double add_pack(const Element& element, const Slots* slots, const Configuration& at,
                     Request request);
     template <class Visitor>
-    void for_each_load(const VectorX& q, const VectorX& v, double time, Visitor&& visit) const;
+    void for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
+                       Visitor&& visit) const;
     void add_loads(const Configuration& at, Request request);
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, const ConstraintResult& result);
@@ -596,10 +597,11 @@ void Assembly<Scene>::add_value(int row, int column, double value, SparseMatrix&
 template <class Scene>
 template <class Visitor>
 void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double time,
-                                    Visitor&& visit) const {
+                                    bool derivatives, Visitor&& visit) const {
     LoadState local;
     LoadResult result;
     local.time = time;
+    local.derivatives = derivatives;
     for (std::size_t k = 0; k < load_coordinates_.size(); ++k) {
         const std::vector<int>& coordinates = load_coordinates_[k];
         const auto size = static_cast<Eigen::Index>(coordinates.size());
@@ -617,7 +619,7 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
 template <class Scene>
 void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
     for_each_load(
-        at.q, at.v, at.instant.time,
+        at.q, at.v, at.instant.time, request != Request::force,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = load.scale(at.instant);
             const int size = static_cast<int>(coordinates.size());
@@ -647,7 +649,7 @@ VectorX Assembly<Scene>::load_rate(const VectorX& q, double factor) const {
     };
     VectorX rate = slope([&](const Instant& at) { return model_.gravity_scale(at); }) * gravity_;
     for_each_load(
-        q, VectorX::Zero(q.size()), factor,
+        q, VectorX::Zero(q.size()), factor, false,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = slope([&](const Instant& at) { return load.scale(at); });
             for (std::size_t i = 0; i < coordinates.size(); ++i)

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/pack.hpp>
+#include <ancf/element/rate.hpp>
 
 #include <cmath>
 #include <complex>
@@ -40,6 +41,12 @@ template <int Lanes>
     return result;
 }
 
+/// Whether a bar pulls depends on its strain, not on how that changes.
+template <class S>
+[[nodiscard]] inline Rate<S> taut(const Rate<S>& strain) noexcept {
+    return {taut(strain.value), S(0.0)};
+}
+
 }  // namespace detail
 
 /// Green's strain (r'.r' - 1)/2: a polynomial, no root.
@@ -55,7 +62,7 @@ struct GreenAxial {
     /// Returns (n, k) of the stiffness c = EA.
     template <class S>
     static void resultants(const S& c, const S& /*square*/, const S& strain, S& n, S& k) noexcept {
-        n = c * strain;
+        n = c * detail::deformation(strain, 0.0);
         k = c;
     }
 };
@@ -77,7 +84,7 @@ struct EngineeringAxial {
     /// Returns (n, k) of the stiffness c = EA: n = c eps/|r'|, k = (c - n)/|r'|^2.
     template <class S>
     static void resultants(const S& c, const S& square, const S& strain, S& n, S& k) noexcept {
-        n = c * strain / (strain + 1.0);
+        n = c * detail::deformation(strain, 0.0) / (strain + 1.0);
         k = (c - n) / square;
     }
 };

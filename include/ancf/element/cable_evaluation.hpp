@@ -187,8 +187,13 @@ detail::LineGradient<Scalar, Dimension> Cable<Dimension, Measure>::gradient(
     Gradient<Scalar> sum;
     for (const auto& at : axial_)
         detail::add_axial<false, Measure, Dimension>(at, softening, line, sum, none);
-    for (const auto& at : bending_) detail::add_bending<false, Dimension>(at, line, sum, none);
-    for (const auto& at : natural_) detail::add_natural<false>(at, bending_, line, sum, none);
+    if constexpr (detail::is_rate<Scalar>) {
+        if constexpr (Dimension == 2)
+            for (const auto& at : bending_) detail::add_curvature_rate(at, line, sum);
+    } else {
+        for (const auto& at : bending_) detail::add_bending<false, Dimension>(at, line, sum, none);
+        for (const auto& at : natural_) detail::add_natural<false>(at, bending_, line, sum, none);
+    }
     return sum;
 }
 

@@ -102,8 +102,8 @@ struct CurvedStation {
 
     /// Adds n . (alpha kappa - beta k/A), kappa = p x k/|p|^3 and k/A = dt/ds, for a fixed n; what
     /// stands with [n]x in the Hessian is added to the coefficients of `skew`.
-    template <bool Tangent>
-    void add(double alpha, double beta, const Vector<S, D>& n, LineGradient<S, D>& sum,
+    template <bool Tangent, class Factor>
+    void add(const Factor& alpha, double beta, const Vector<S, D>& n, LineGradient<S, D>& sum,
              LineHessian<S, D>* hessian, SkewBlocks<S>& skew) const noexcept {
         const S scale = alpha * cube;
         const S value = scale * product(turned(n, p), k) * inverse;
@@ -166,6 +166,18 @@ ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
     sum.energy -= natural.along[0] * at.cube * product(turned(at.p, at.p), at.k);
     at.template add<Tangent>(-natural.along[0], 0.0, at.p, sum, hessian, skew);
     if constexpr (Tangent) skew.write(at.p, *hessian);
+}
+
+/// Adds EI kappa' times the gradient of kappa, kappa' its rate, at a station in the plane.
+template <class S>
+void add_curvature_rate(const CableBendingStation& station, const LineVector<S, 2>& line,
+                        LineGradient<S, 2>& sum) noexcept {
+    LineHessian<S, 2>* const none = nullptr;
+    const CurvedStation<S, 2> at(station, line);
+    const S kappa = at.cube * product(turned(at.p, at.p), at.k);
+    SkewBlocks<S> skew;
+    at.template add<false>(S(station.stiffness * deformation(kappa, 0.0)), 0.0, at.p, sum, none,
+                           skew);
 }
 
 /// Returns the resultant Z of the stations that turn together.

@@ -13,6 +13,7 @@
 
 #include <ancf/element/compiler.hpp>
 #include <ancf/element/continuum_beam_law.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>
 
 namespace ancf::detail::continuum {
@@ -175,10 +176,15 @@ template <class Scalar, int Dimension>
 [[nodiscard]] inline Strain<Scalar, Dimension> station_strain(
     const Station<Dimension>& station, const Vectors<Scalar, Dimension>& v) noexcept {
     Strain<Scalar, Dimension> strain = strain_coefficients(v);
-    strain.axial -= station.reference.axial.template cast<Scalar>();
-    strain.shear -= station.reference.shear.template cast<Scalar>();
-    for (int c = 0; c < Dimension - 1; ++c) strain.normal(c) -= Scalar(station.reference.normal(c));
-    if constexpr (Dimension == 3) strain.transverse -= Scalar(station.reference.transverse);
+    const Strain<double, Dimension>& reference = station.reference;
+    for (int p = 0; p < strain.axial.size(); ++p)
+        strain.axial(p) = deformation(strain.axial(p), reference.axial(p));
+    for (int p = 0; p < strain.shear.size(); ++p)
+        strain.shear(p) = deformation(strain.shear(p), reference.shear(p));
+    for (int c = 0; c < Dimension - 1; ++c)
+        strain.normal(c) = deformation(strain.normal(c), reference.normal(c));
+    if constexpr (Dimension == 3)
+        strain.transverse = deformation(strain.transverse, reference.transverse);
     return strain;
 }
 
@@ -226,8 +232,9 @@ ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& stat
 template <class Scalar, int Dimension>
 inline Scalar add_axial_force(const AxialStation& station, const Vector<Scalar, Dimension>& p,
                               Force<Scalar, Dimension>& sum) noexcept {
-    Scalar strain = Scalar(0.5) * (p(0) * p(0) + p(1) * p(1)) - Scalar(station.reference);
-    if constexpr (Dimension == 3) strain += Scalar(0.5) * p(2) * p(2);
+    Scalar square = p(0) * p(0) + p(1) * p(1);
+    if constexpr (Dimension == 3) square += p(2) * p(2);
+    const Scalar strain = deformation(Scalar(Scalar(0.5) * square), station.reference);
     const Scalar normal = Scalar(station.stiffness) * strain;
     sum.energy += Scalar(0.5) * normal * strain;
     for (int m = 0; m < 3; ++m) sum.tangent.col(m) += (Scalar(station.tangent(m)) * normal) * p;

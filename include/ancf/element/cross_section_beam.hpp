@@ -43,6 +43,12 @@ struct CrossSectionOptions {
 
     /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
     [[nodiscard]] static CrossSectionOptions paper() { return {}; }
+
+    /// What is most accurate for its cost, Geodesic directors with it: the axial term on points of
+    /// its own, and the torsional stiffness of a section that warps.
+    [[nodiscard]] static CrossSectionOptions best() {
+        return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant};
+    }
 };
 
 namespace detail {

@@ -95,7 +95,7 @@ public:
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
-    // Results at a place: xi in [0, 1] along the element, y in the section, m.
+    // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect.
     // ---------------------
 
     /// Returns the generalised strains (eps, k_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
@@ -103,13 +103,13 @@ public:
     [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the strains of a point [e_xx, e_yy, 2e_xy], 1.
-    [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi,
-                                                 double y = 0.0) const noexcept;
+    [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi, double y = 0.0,
+                                                 double z = 0.0) const noexcept;
 
     /// Returns the second Piola-Kirchhoff stress of a point in the order of green_strain(), Pa.
-    [[nodiscard]] Vector<double, 3> stress(const Coordinates& e, double xi,
-                                           double y = 0.0) const noexcept {
-        return moduli_.cwiseProduct(green_strain(e, xi, y));
+    [[nodiscard]] Vector<double, 3> stress(const Coordinates& e, double xi, double y = 0.0,
+                                           double z = 0.0) const noexcept {
+        return moduli_.cwiseProduct(green_strain(e, xi, y, z));
     }
 
     /// Returns what the section transmits along the tangent and its normal: axial, shear_y and
@@ -120,18 +120,20 @@ public:
     [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the position r0 + y d_y of a point of the body, m.
-    [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi,
-                                             double y = 0.0) const noexcept;
+    [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept;
 
     /// Returns the derivative of position() by e.
     [[nodiscard]] Matrix<double, 2, dofs> position_jacobian(const Coordinates& e, double xi,
-                                                            double y = 0.0) const noexcept;
+                                                            double y = 0.0,
+                                                            double z = 0.0) const noexcept;
 
     /// Returns the velocity of a point of the body, m/s.
     /// @param rate  time derivative of e
     [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate,
-                                             double xi, double y = 0.0) const noexcept {
-        return position_jacobian(e, xi, y) * rate;
+                                             double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept {
+        return position_jacobian(e, xi, y, z) * rate;
     }
 
 private:
@@ -300,7 +302,7 @@ double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_stra
 
 template <class Directors, class Measure>
 Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_strain(
-    const Coordinates& e, double xi, double y) const noexcept {
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
     double transverse = raw_transverse_strain(e, xi);
     if (line_.curved()) transverse -= raw_transverse_strain(reference_, xi);
@@ -343,7 +345,7 @@ Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::director
 
 template <class Directors, class Measure>
 Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(
-    const Coordinates& e, double xi, double y) const noexcept {
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const auto weights = hermite(xi, line_.parameter_length());
     Vector<double, 2> r =
         weights[0] * e.template segment<2>(0) + weights[1] * e.template segment<2>(2) +
@@ -354,7 +356,8 @@ Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position
 
 template <class Directors, class Measure>
 auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
-    const Coordinates& e, double xi, double y) const noexcept -> Matrix<double, 2, dofs> {
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept
+    -> Matrix<double, 2, dofs> {
     Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
     const auto weights = hermite(xi, line_.parameter_length());
     for (int k = 0; k < 2; ++k) {

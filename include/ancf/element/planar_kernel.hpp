@@ -11,6 +11,7 @@
 
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/planar_section.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/element/transverse.hpp>
 #include <ancf/types.hpp>
@@ -173,7 +174,8 @@ inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar
     planar_frame(data.shape, v, sines, f);
     PlanarStrains<S> strains;
     Measure::evaluate(f.w, strains);
-    for (int k = 0; k < planar_strain_count; ++k) strains.e[k] = strains.e[k] - data.reference[k];
+    for (int k = 0; k < planar_strain_count; ++k)
+        strains.e[k] = deformation(strains.e[k], data.reference[k]);
     S stress[planar_strain_count];
     planar_stress(data.stiffness, strains.e, stress);
     S U[planar_invariant_count];
@@ -309,7 +311,7 @@ private:
     static void add_axial(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2],
                           PlanarSums<S>& sums) noexcept {
         const S p[2] = {axial_slope(data, v, 0), axial_slope(data, v, 1)};
-        const S strain = 0.5 * (p[0] * p[0] + p[1] * p[1] - 1.0) - data.reference;
+        const S strain = deformation(S(0.5 * (p[0] * p[0] + p[1] * p[1] - 1.0)), data.reference);
         const S stress = data.stiffness * strain;
         sums.energy += 0.5 * stress * strain;
         for (int x = 0; x < 3; ++x) {
@@ -339,8 +341,8 @@ private:
             const bool green = transverse_measure == TransverseStrain::green;
             terms[node].inverse = green ? S(1.0) : nodes.sine[node].inv_a;
             for (int k = 0; k < 2; ++k) terms[node].gradient[k] = terms[node].inverse * a[k];
-            strain[node] = (green ? S(0.5 * (square - 1.0)) : S(sqrt(square) - 1.0)) -
-                           transverse_reference[node];
+            strain[node] = deformation(green ? S(0.5 * (square - 1.0)) : S(sqrt(square) - 1.0),
+                                       transverse_reference[node]);
         }
     }
 

@@ -14,6 +14,7 @@
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/local.hpp>
 #include <ancf/element/nodal.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/shear.hpp>
 #include <ancf/element/sparse_jacobian.hpp>
 #include <ancf/element/station_data.hpp>
@@ -37,7 +38,7 @@ template <class Measure, class T, class S>
 inline S section_energy(const StationData<T>& data, const Invariants<S>& w,
                         S (&strain)[strain_count], S (&stresses)[strain_count]) noexcept {
     Measure::strains(w, typename Measure::template Rates<S>(w), strain);
-    for (int k = 0; k < strain_count; ++k) strain[k] = strain[k] - data.reference[k];
+    for (int k = 0; k < strain_count; ++k) strain[k] = deformation(strain[k], data.reference[k]);
     stress<(1U << strain_count) - 1U>(data.stiffness, strain, stresses);
     S twice = strain[0] * stresses[0];
     for (int k = 1; k < strain_count; ++k) twice += strain[k] * stresses[k];
@@ -175,7 +176,7 @@ inline S axial_state(const AxialStationData<T>& data, const NodalVectors<S>& nod
         at.p[k] =
             data.p[0] * nodes[n_D][k] + data.p[1] * nodes[n_g1][k] + data.p[2] * nodes[n_g2][k];
     }
-    const S strain = 0.5 * (dot(at.p, at.p) - 1.0) - data.reference;
+    const S strain = deformation(S(0.5 * (dot(at.p, at.p) - 1.0)), data.reference);
     at.stress = data.stiffness * strain;
     return 0.5 * at.stress * strain;
 }

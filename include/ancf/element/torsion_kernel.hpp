@@ -15,6 +15,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/geodesic.hpp>
 #include <ancf/element/invariants.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/element/transport.hpp>
 #include <ancf/element/vec3.hpp>
@@ -266,7 +267,7 @@ S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, Local<S>& force,
     for (const TorsionAxialStation& station : axial) {
         Vec3<S> p{};
         for (int a = 0; a < 3; ++a) add(p, station.p[a], nodes.vector[a]);
-        const S strain = 0.5 * (dot(p, p) - 1.0) - station.reference;
+        const S strain = deformation(S(0.5 * (dot(p, p) - 1.0)), station.reference);
         const S stress = station.stiffness * strain;
         energy += 0.5 * stress * strain;
         for (int a = 0; a < 3; ++a)
@@ -293,7 +294,8 @@ S TorsionKernel::add_holds(const TorsionNodes<S>& nodes, Local<S>& force,
         const TorsionHold& hold = holds[node];
         const int g_at = 3 * (tv_g1 + node), a_at = 3 * (tv_a1 + node);
         const Vec3<S>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
-        const S stretch = 0.5 * (dot(a, a) - hold.square), shear = dot(a, g) - hold.along;
+        const S stretch = 0.5 * deformation(S(dot(a, a)), hold.square),
+                shear = deformation(S(dot(a, g)), hold.along);
         const S N = hold.stretching * stretch, Q = hold.shear * shear;
         energy += 0.5 * (N * stretch + Q * shear);
         for (int i = 0; i < 3; ++i) {
@@ -373,8 +375,9 @@ S TorsionKernel::walk(const TorsionNodes<S>& nodes, Local<S>& force,
     for (const TorsionStation& station : stations) {
         TorsionState<S> at;
         torsion_state(station.shape, nodes, at);
-        const S strain[3] = {at.w.kap - station.reference[0], at.w.chi - station.reference[1],
-                             at.w.om - station.reference[2]};
+        const S strain[3] = {deformation(at.w.kap, station.reference[0]),
+                             deformation(at.w.chi, station.reference[1]),
+                             deformation(at.w.om, station.reference[2])};
         S U[3];
         for (int i = 0; i < 3; ++i) {
             U[i] = station.stiffness[i][0] * strain[0] + station.stiffness[i][1] * strain[1] +
@@ -414,8 +417,9 @@ S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
         GeodesicFrame<S> f;
         Invariants<S> w;
         torsion_frame(station.shape, nodes, f, w);
-        const S strain[3] = {w.kap - station.reference[0], w.chi - station.reference[1],
-                             w.om - station.reference[2]};
+        const S strain[3] = {deformation(w.kap, station.reference[0]),
+                             deformation(w.chi, station.reference[1]),
+                             deformation(w.om, station.reference[2])};
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 sum += 0.5 * station.stiffness[i][j] * strain[i] * strain[j];

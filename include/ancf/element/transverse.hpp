@@ -12,6 +12,7 @@
 #include <ancf/element/dual.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_tangent.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/section/stiffness.hpp>
 
@@ -76,9 +77,9 @@ inline void transverse_state(const TransverseData<T>& data, TransverseStrain mea
     for (int node = 0; node < 2; ++node) {
         state.yy[node] = stretch_strain(measure, n[n_a1 + node]);
         state.zz[node] = stretch_strain(measure, n[n_b1 + node]);
-        e[0][node] = state.yy[node].value - data.reference[0][node];
-        e[1][node] = state.zz[node].value - data.reference[1][node];
-        e[2][node] = dot(n[n_a1 + node], n[n_b1 + node]) - data.reference[2][node];
+        e[0][node] = deformation(state.yy[node].value, data.reference[0][node]);
+        e[1][node] = deformation(state.zz[node].value, data.reference[1][node]);
+        e[2][node] = deformation(S(dot(n[n_a1 + node], n[n_b1 + node])), data.reference[2][node]);
     }
     state.energy = S(0.0);
     for (int k = 0; k < 3; ++k) {

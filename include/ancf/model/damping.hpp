@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Linear damping as loads: Rayleigh's a M + b K0 of elements, and drag along a line.
+/// Damping as loads: Rayleigh's a M + b K0 of elements, drag along a line, and Kelvin and Voigt's
+/// on the generalised strains.
 ///
-/// Each is a force -D v with a constant matrix D per element, so that its derivatives are exact and
-/// every integrator takes it. Scaled by an amplitude it can be switched on and off in time.
+/// The first two are forces -D v with a constant matrix D per element, the last turns with the
+/// element; the derivatives of all are exact, and every integrator takes them. Scaled by an
+/// amplitude they can be switched on and off in time.
 
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/load.hpp>
@@ -18,7 +21,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -112,6 +117,91 @@ void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
             }
         return MatrixX(c * element.length() / total * line);
     });
+}
+
+/// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
+///
+/// A rigid motion of any size meets no force. A mode of the angular frequency w has the damping
+/// ratio eta w/2. Cable<3> damps its axial strain alone: its curvature has a length but no
+/// components that turn with the cable.
+template <class Element>
+class KelvinVoigt {
+public:
+    static constexpr int dofs = Element::dofs;
+
+    /// @param coupling  of the element's coordinates, as from coupling_of()
+    /// @param eta       ratio of viscosity to stiffness, >= 0, s
+    /// @throws InvalidArgument for a value that is negative or not finite.
+    KelvinVoigt(std::shared_ptr<const Element> element, Coupling coupling, double eta)
+        : element_(std::move(element)), coupling_(std::move(coupling)), eta_(eta) {
+        detail::require(std::isfinite(eta) && eta >= 0.0,
+                        "KelvinVoigt: eta must be finite and not negative, got ", eta);
+    }
+
+    [[nodiscard]] Coupling coupling() const { return coupling_; }
+
+    /// Returns the force on the element's coordinates; N for positions, N m for slopes.
+    /// @param e,v  nodal coordinates and their rates
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,
+                                             const Vector<Scalar, dofs>& v) const;
+
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    std::shared_ptr<const Element> element_;
+    Coupling coupling_;
+    double eta_;
+};
+
+template <class Element>
+template <class Scalar>
+auto KelvinVoigt<Element>::force(const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& v) const
+    -> Vector<Scalar, dofs> {
+    using Moving = detail::Rate<Scalar>;
+    Vector<Moving, dofs> at;
+    for (int k = 0; k < dofs; ++k) at[k] = Moving(e[k], v[k]);
+    const Vector<Moving, dofs> elastic = element_->force(at);
+    Vector<Scalar, dofs> result;
+    for (int k = 0; k < dofs; ++k) result[k] = -eta_ * elastic[k].rate;
+    return result;
+}
+
+template <class Element>
+void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) const {
+    using Varied = detail::Rate<double>;
+    const Vector<double, dofs> e = state.q, v = state.v;
+    out.force = force<double>(e, v);
+    if (!state.derivatives) return;
+    Vector<Varied, dofs> varied_e, varied_v;
+    for (int k = 0; k < dofs; ++k) {
+        varied_e[k] = Varied(e[k]);
+        varied_v[k] = Varied(v[k]);
+    }
+    Vector<double, dofs> unit = Vector<double, dofs>::Zero();
+    for (int k = 0; k < dofs; ++k) {
+        varied_e[k].rate = unit[k] = 1.0;
+        const Vector<Varied, dofs> varied = force<Varied>(varied_e, varied_v);
+        for (int i = 0; i < dofs; ++i) out.stiffness(i, k) = varied[i].rate;
+        out.damping.col(k) = force<double>(e, unit);  // the force is linear in v
+        varied_e[k].rate = unit[k] = 0.0;
+    }
+}
+
+/// Adds Kelvin and Voigt's damping to a beam, with its elements as they are now.
+/// @param eta  >= 0, s
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element, class... Elements>
+void add_kelvin_voigt(Model<Elements...>& model, const Beam<Element>& beam, double eta,
+                      const Amplitude& amplitude = {}) {
+    const auto& group = model.template group<Element>();
+    std::vector<std::shared_ptr<const Element>> shared(group.prototypes.size());
+    for (const int index : beam.elements) {
+        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        auto& element = shared[static_cast<std::size_t>(connection.prototype)];
+        if (!element) element = std::make_shared<const Element>(group.element(index));
+        model.add(KelvinVoigt<Element>(element, coupling_of<Element>(connection), eta), amplitude);
+    }
 }
 
 }  // namespace ancf

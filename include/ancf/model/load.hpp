@@ -28,9 +28,10 @@ namespace ancf {
 
 /// Where a load or a constraint is evaluated; local coordinates in the order of its coupling.
 struct LoadState {
-    VectorX q;          ///< local coordinates, m and 1
-    VectorX v;          ///< their rates
-    double time = 0.0;  ///< s; the load factor in statics
+    VectorX q;                ///< local coordinates, m and 1
+    VectorX v;                ///< their rates
+    double time = 0.0;        ///< s; the load factor in statics
+    bool derivatives = true;  ///< whether a load's stiffness and damping are asked for
 };
 
 /// What a load gives; every array arrives sized and zero.
