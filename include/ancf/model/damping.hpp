@@ -127,8 +127,9 @@ void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
 template <class Element>
 class KelvinVoigt {
 public:
-    static constexpr int dofs = Element::dofs;
+    static constexpr int dofs = Element::dofs;  ///< coordinates of the element
 
+    /// @param element   shared by the dampers of equal elements
     /// @param coupling  of the element's coordinates, as from coupling_of()
     /// @param eta       ratio of viscosity to stiffness, >= 0, s
     /// @throws InvalidArgument for a value that is negative or not finite.
@@ -138,6 +139,7 @@ public:
                         "KelvinVoigt: eta must be finite and not negative, got ", eta);
     }
 
+    /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
 
     /// Returns the force on the element's coordinates; N for positions, N m for slopes.
@@ -146,6 +148,7 @@ public:
     [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,
                                              const Vector<Scalar, dofs>& v) const;
 
+    /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
