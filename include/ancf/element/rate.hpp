@@ -87,6 +87,7 @@ inline constexpr bool is_rate<Rate<S>> = true;
 
 }  // namespace ancf::detail
 
+/// @cond
 template <class S>
 struct Eigen::NumTraits<ancf::detail::Rate<S>> : Eigen::GenericNumTraits<ancf::detail::Rate<S>> {
     using Real = ancf::detail::Rate<S>;
@@ -103,3 +104,4 @@ struct Eigen::NumTraits<ancf::detail::Rate<S>> : Eigen::GenericNumTraits<ancf::d
         MulCost = 4
     };
 };
+/// @endcond
