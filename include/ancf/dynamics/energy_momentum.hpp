@@ -123,6 +123,7 @@ private:
     MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
     double linearised_width_ = 0.0;                // 0: there is no matrix
     State full_now_, full_next_;
+    VectorX increment_;  // q_1 - q_0, free of the round-off of q
     VectorX rhs_, solution_;
 };
 
@@ -166,7 +167,6 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
             report_.message = message.str();
             return false;
         }
-        system_.accept();
         acceleration_ = (next_.v - now_.v) / h;
         std::swap(now_, next_);
         if (recorder_.step(next_, now_)) continue;
@@ -186,7 +186,8 @@ Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
     const int m = problem_.multipliers();
     full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
     system_.begin(now_.time, h, full_now_.q, full_now_.v);
-    next_.q = now_.q + h * (now_.v + 0.5 * h * acceleration_);
+    increment_ = h * (now_.v + 0.5 * h * acceleration_);
+    next_.q = now_.q + increment_;
     next_.lambda = now_.lambda;
     bool renew = linearised_width_ != h;
     double before = 0.0;
@@ -194,7 +195,8 @@ Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
         solver_.solve(rhs_, solution_);
         ++report_.iterations;
-        next_.q += solution_.head(n);
+        increment_ += solution_.head(n);
+        next_.q = now_.q + increment_;
         next_.lambda += 2.0 / (h * h) * solution_.tail(m);
         const double change =
             n == 0 ? 0.0 : (solution_.head(n).array().abs() / problem_.scales().array()).maxCoeff();
@@ -234,7 +236,7 @@ Status EnergyMomentumRun<Scene, LinearSolver>::evaluate(double h, bool matrix) {
 
 template <class Scene, class LinearSolver>
 void EnergyMomentumRun<Scene, LinearSolver>::set_rates(double h) {
-    next_.v = 2.0 / h * (next_.q - now_.q) - now_.v;
+    next_.v = 2.0 / h * increment_ - now_.v;
 }
 
 template <class Scene, class LinearSolver>
@@ -245,9 +247,9 @@ void EnergyMomentumRun<Scene, LinearSolver>::remember() {
     memory.put("v", now_.v);
     memory.put("lambda", now_.lambda);
     memory.put("acceleration", acceleration_);
-    VectorX scalars(7);
+    VectorX scalars(8);
     scalars << now_.time, origin_, count_, options_.step, linearised_from_.time,
-        linearised_to_.time, linearised_width_;
+        linearised_to_.time, linearised_width_, problem_.length_scale();
     memory.put("scalars", scalars);
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_from_q", linearised_from_.q);
@@ -262,10 +264,11 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
     const int m = problem_.multipliers();
     require(memory.integrator == "energy_momentum", "EnergyMomentum: the memory is that of ",
             memory.integrator);
-    const VectorX& scalars = memory.get("scalars", 7);
+    const VectorX& scalars = memory.get("scalars", 8);
     require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
             "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
+    problem_.set_length_scale(scalars[7]);
     const double width = scalars[6];
     if (width > 0.0) {
         // evaluate the matrix again in the step that it comes from
@@ -277,8 +280,8 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
                  memory.get("linearised_to_lambda", m)};
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, width, full_now_.q, full_now_.v);
+        increment_ = next_.q - now_.q;
         if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
-        system_.restart();
     }
     now_ = {scalars[0], memory.get("q", n), memory.get("v", n), memory.get("lambda", m)};
     acceleration_ = memory.get("acceleration", n);

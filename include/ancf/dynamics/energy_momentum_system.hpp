@@ -30,9 +30,6 @@ class EnergyMomentumSystem {
 public:
     explicit EnergyMomentumSystem(DynamicProblem<Scene>& problem);
 
-    /// Forgets the last step, so that the next one may start elsewhere.
-    void restart() { q0_.resize(0); }
-
     /// Takes the start of a step; the supports at both ends are already in q0 and, later, in q1.
     void begin(double t0, double h, const VectorX& q0, const VectorX& v0);
 
@@ -44,9 +41,6 @@ public:
                                 bool matrix, VectorX& rhs);
 
     [[nodiscard]] const SparseMatrix& matrix() const noexcept { return matrix_; }
-
-    /// Makes the energies of the later end those of the next step's start.
-    void accept() { before_ = after_; }
 
 private:
     struct LocalLoad {
@@ -77,8 +71,8 @@ private:
 
     double t0_ = 0.0, h_ = 0.0;
     VectorX q0_, v0_, middle_, change_;
-    std::vector<double> before_, after_;  // strain energies of the elements at both ends
-    VectorX force_;                       // of all coordinates, inertia aside
+    std::vector<double> before_;  // strain energies of the elements at the start
+    VectorX force_;               // of all coordinates, inertia aside
     VectorX violation_;
     SparseMatrix matrix_;
 };
@@ -100,7 +94,6 @@ EnergyMomentumSystem<Scene>::EnergyMomentumSystem(DynamicProblem<Scene>& problem
         length_ = before_.empty() ? element.length() : std::min(length_, element.length());
         before_.push_back(0.0);
     });
-    after_ = before_;
     for (const ScaledLoad& load : model.loads()) loads_.push_back(local(load.load.coupling()));
     for (const AnyConstraint& constraint : model.constraints()) {
         constraints_.push_back(local(constraint.coupling()));
@@ -165,12 +158,10 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
 
 template <class Scene>
 void EnergyMomentumSystem<Scene>::begin(double t0, double h, const VectorX& q0, const VectorX& v0) {
-    const bool first = q0_.size() == 0;
     t0_ = t0;
     h_ = h;
     q0_ = q0;
     v0_ = v0;
-    if (!first) return;
     std::size_t index = 0;
     problem_.assembly().for_each_element([&](const auto& element, const int* at, const auto&) {
         typename std::decay_t<decltype(element)>::Coordinates e;
@@ -224,7 +215,7 @@ void EnergyMomentumSystem<Scene>::add_elements(const VectorX& q1, bool matrix) {
         }
         auto step =
             step_force(element, e0, e1, before_[index], matrix ? tangent_ : StepTangent::none);
-        after_[index++] = step.energy;
+        ++index;
         for (int i = 0; i < e0.size(); ++i) force_[at[i]] += step.force[i];
         if (!matrix) return;
         step.tangent *= 0.5 * h_ * h_;

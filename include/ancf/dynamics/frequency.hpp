@@ -15,15 +15,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace ancf::detail {
 
 /// Returns a fixed start vector that no symmetry of a scene shares.
 [[nodiscard]] inline VectorX scattered(Eigen::Index size, int seed) {
+    std::minstd_rand random(static_cast<std::minstd_rand::result_type>(seed) + 1U);
+    constexpr double half = 0.5 * static_cast<double>(std::minstd_rand::max());
+    random.discard(8);  // small seeds start alike
     VectorX x(size);
-    for (Eigen::Index i = 0; i < size; ++i)
-        x[i] = std::sin(1.0 + 0.7 * static_cast<double>(seed) +
-                        static_cast<double>(i + 1) * (1.618 + 0.377 * static_cast<double>(seed)));
+    for (double& value : x) value = static_cast<double>(random()) / half - 1.0;
     return x;
 }
 

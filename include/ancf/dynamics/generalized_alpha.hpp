@@ -130,14 +130,12 @@ private:
     double am_, af_, beta_, gamma_, offset_;  // a_n belongs to t_n + offset h
     double beta_hat_, gamma_hat_;             // dq = h^2 beta_hat dv', dv = h gamma_hat dv'
     double error_constant_;                   // local error = it h^2 (v'_1 - v'_0)
-    double newton_tolerance_;
 
     Point now_, next_;
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
     double width_ = 0.0;                              // step that now_.algorithmic belongs to
     MotionPoint linearised_;                          // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
-    double contraction_ = 1.0;                        // of the last Newton iterations
 
     SparseMatrix system_;
     VectorX stiffness_scale_;  // per value: 1 in the block of coordinates, 0 elsewhere
@@ -158,7 +156,6 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
       af_(options.rho / (options.rho + 1.0)),
       gamma_(0.5 + af_ - am_),
       offset_(am_ - af_),
-      newton_tolerance_(options.newton_tolerance),
       system_(problem.mass()),
       stiffness_scale_(system_.nonZeros()) {
     beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
@@ -289,6 +286,7 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
     predict(h);
     rhs_.resize(n + m);
     bool renew = linearised_width_ != h;
+    bool fresh = false;  // whether the matrix is of this step
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status =
@@ -297,7 +295,7 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
             return status;
         if (renew) {
             if (const Status status = factorise(h); status != Status::converged) return status;
-            contraction_ = 1.0;
+            fresh = true;
         }
         rhs_.head(n) = -problem_.force();
         rhs_.head(n).noalias() -= problem_.compact_mass() * next_.acceleration;
@@ -307,16 +305,19 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
         correct(h);
         const double change = h * h * beta_hat_ * scaled(solution_.head(n));
         if (!std::isfinite(change)) return Status::not_finite;
-        const double ratio = k > 1 ? change / before : 0.0;
-        if (k > 1 && !renew) contraction_ = std::clamp(ratio, 1e-4, 1.0);
-        const double left =
-            contraction_ < 0.5 ? contraction_ / (1.0 - contraction_) * change : change;
+        // far below the local error of the step, however short it is
+        const double local = h * h * beta_hat_ * scaled(next_.acceleration - now_.acceleration);
+        const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
+        // what is left is known from two corrections by one matrix; one alone tells nothing
+        const double ratio = k > 1 ? change / before : 1.0;
+        const bool measured = k > 1 && !renew && ratio < 0.5;
+        const double left = measured ? std::max(ratio, 1e-4) / (1.0 - ratio) * change : change;
         // at the round-off of the residual the corrections no longer shrink
-        if (left <= newton_tolerance_ || (ratio > 0.3 && change <= 1e3 * newton_tolerance_))
-            return Status::converged;
+        const bool small = change <= 1e3 * options_.newton_tolerance;
+        if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
         // so slow that a new matrix is cheaper
-        renew =
-            k > 1 && (ratio > 0.9 || std::log(newton_tolerance_ / change) / std::log(ratio) > 6.0);
+        const bool slow = std::log(wanted / change) / std::log(ratio) > 6.0;
+        renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
         before = change;
     }
     return Status::max_iterations;
@@ -381,8 +382,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::remember() {
     memory.put("acceleration", now_.acceleration);
     memory.put("algorithmic", now_.algorithmic);
     VectorX scalars(9);
-    scalars << now_.time, origin_, count_, step_, width_, contraction_, linearised_.time,
-        linearised_width_, options_.rho;
+    scalars << now_.time, origin_, count_, step_, width_, linearised_.time, linearised_width_,
+        options_.rho, problem_.length_scale();
     memory.put("scalars", scalars);
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_q", linearised_.q);
@@ -400,8 +401,9 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
     require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
             "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
-    require(scalars[8] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[8],
+    require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],
             ", the options have ", options_.rho);
+    problem_.set_length_scale(scalars[8]);
     static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
                                        memory.get("lambda", m)};
     now_.acceleration = memory.get("acceleration", n);
@@ -413,13 +415,12 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
         count_ = scalars[2];
         step_ = scalars[3];
     }
-    if (scalars[7] == 0.0) return;
-    static_cast<MotionPoint&>(next_) = {scalars[6], memory.get("linearised_q", n),
+    if (scalars[6] == 0.0) return;
+    static_cast<MotionPoint&>(next_) = {scalars[5], memory.get("linearised_q", n),
                                         memory.get("linearised_v", n),
                                         memory.get("linearised_lambda", m)};
-    if (evaluate(next_, Request::tangent_and_damping) == Status::converged &&
-        factorise(scalars[7]) == Status::converged)
-        contraction_ = scalars[5];
+    if (evaluate(next_, Request::tangent_and_damping) == Status::converged)
+        (void)factorise(scalars[6]);  // where it fails the first step builds one of its own
 }
 
 }  // namespace detail

@@ -212,6 +212,10 @@ public:
     /// Returns the scene's size, m: the diagonal of its nodes, at least an element's length.
     [[nodiscard]] double length_scale() const noexcept { return length_; }
 
+    /// Sets the scene's size, m: a run that continues another one keeps the scale that it had.
+    /// @throws InvalidArgument unless it is positive.
+    void set_length_scale(double length);
+
     /// Returns the typical size of each free coordinate: the scene's size or, for slopes, 1.
     [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
 

@@ -71,18 +71,27 @@ void DynamicProblem<Scene>::measure() {
     using Point = typename Scene::Point;
     Point low = Point::Constant(std::numeric_limits<double>::infinity());
     Point high = -low;
-    full_scales_.setOnes(layout.size());
     for (int node = 0; node < layout.nodes(); ++node) {
         if (!layout.fields(node).contains(Field::r)) continue;
         const Point at = full_q_.template segment<dimension>(layout.first(node));
         low = low.cwiseMin(at);
         high = high.cwiseMax(at);
     }
-    if ((high - low).allFinite()) length_ = std::max((high - low).norm(), longest);
-    if (!(length_ > 0.0)) length_ = 1.0;
+    double length = longest;
+    if ((high - low).allFinite()) length = std::max((high - low).norm(), longest);
+    set_length_scale(length > 0.0 ? length : 1.0);
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::set_length_scale(double length) {
+    detail::require_positive("DynamicProblem: length scale", length);
+    constexpr int dimension = Scene::dimension;
+    const Layout& layout = model_.layout();
+    length_ = length;
+    full_scales_.setOnes(layout.size());
     for (int node = 0; node < layout.nodes(); ++node)
         if (layout.fields(node).contains(Field::r))
-            full_scales_.template segment<dimension>(layout.first(node)).setConstant(length_);
+            full_scales_.template segment<dimension>(layout.first(node)).setConstant(length);
     numbering().gather_free(full_scales_, scales_);
 }
 

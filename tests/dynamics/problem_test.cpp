@@ -9,6 +9,7 @@
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,8 +72,10 @@ TEST_CASE("problem: a free scene under gravity accelerates with g", "[dynamics]"
     BarProblem problem(scene.model);
     const ancf::Start start = problem.start();
     REQUIRE(start.status == Status::converged);
-    for (int node = 0; node < 5; ++node)
-        CHECK((start.acceleration.segment<3>(3 * node) - Vector3(1.0, -9.0, 2.0)).norm() <= 1e-12);
+    for (int node = 0; node < 5; ++node) {
+        const Vector3 error = start.acceleration.segment<3>(3 * node) - Vector3(1.0, -9.0, 2.0);
+        CHECK(error.norm() <= 1e-11);  // 2.3e-12 measured: the round-off of the bars' length
+    }
 }
 
 TEST_CASE("problem: an inconsistent start is refused with the constraint and its size",
@@ -154,7 +157,8 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
     // the pin and the fixed coordinate share the weight at node 0, the two links that at node 2
     CHECK(state.multipliers[1] == Approx(state.multipliers[4]).epsilon(1e-12));
     CHECK(state.multipliers[3] == Approx(state.multipliers[5]).epsilon(1e-12));
-    CHECK(std::abs(state.multipliers[1]) > 1.0);
+    // the middle falls with 15 m/s^2: 2.5 N of weight at an end, less 1.25 N of inertia, shared
+    CHECK(state.multipliers[1] == Approx(-0.625).epsilon(1e-12));
 
     // the same motion as without the repetitions
     Chain lean = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
@@ -236,7 +240,7 @@ TEST_CASE("problem: accelerations and jerk keep a moving scene on its constraint
         problem.evaluate_constraints(s, q, start.v);
         return problem.constraint_violation();
     };
-    CHECK(violation(1e-2) <= 1e-6);
+    CHECK(violation(1e-2) <= 2e-6);  // 1.3e-6 measured: s^4/24 times the fourth derivative
     CHECK(violation(1e-2) / violation(5e-3) == Approx(16.0).epsilon(0.2));
 
     // and the jerk is the change of the accelerations
@@ -322,27 +326,34 @@ TEST_CASE("problem: velocity-level terms are derivatives of G^T mu and of G v", 
 }
 
 TEST_CASE("problem: energies change by the powers of loads, drives and constraints", "[dynamics]") {
-    Rich rich;
-    auto& model = rich.scene.model;
-    BarProblem problem(model);
-    Random random(5);
-    for (double& value : model.state().v) value = random.uniform(-1.0, 1.0);
-    make_consistent(problem, model.state());
-    const ancf::Start start = problem.start();
-    REQUIRE(start.status == Status::converged);
-    const double h = 1e-4;
-    const auto stored = [&](double s) {
-        const ancf::Energies at =
-            problem.energies(s, start.q + s * start.v + 0.5 * s * s * start.acceleration,
-                             start.v + s * start.acceleration, start.multipliers);
-        return at.kinetic + at.strain;
-    };
-    const ancf::Energies now = problem.energies(0.0, start.q, start.v, start.multipliers);
-    const double change = (stored(h) - stored(-h)) / (2.0 * h);
-    CHECK(std::abs(now.constraint_power) > 0.1);
-    CHECK(std::abs(now.load_power) > 0.1);
-    CHECK(change == Approx(now.load_power + now.constraint_power).epsilon(1e-6));
-    CHECK(now.total() == now.kinetic + now.strain + now.potential);
+    double load = 0.0, constraint = 0.0;
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        INFO("seed " << seed);
+        Rich rich;
+        auto& model = rich.scene.model;
+        BarProblem problem(model);
+        Random random(seed);
+        for (double& value : model.state().v) value = random.uniform(-1.0, 1.0);
+        make_consistent(problem, model.state());
+        const ancf::Start start = problem.start();
+        REQUIRE(start.status == Status::converged);
+        const double h = 1e-4;
+        const auto stored = [&](double s) {
+            const ancf::Energies at =
+                problem.energies(s, start.q + s * start.v + 0.5 * s * s * start.acceleration,
+                                 start.v + s * start.acceleration, start.multipliers);
+            return at.kinetic + at.strain;
+        };
+        const ancf::Energies now = problem.energies(0.0, start.q, start.v, start.multipliers);
+        const double change = (stored(h) - stored(-h)) / (2.0 * h);
+        // differences over a step of 1e-4
+        CHECK(change == Approx(now.load_power + now.constraint_power).epsilon(1e-6).margin(1e-5));
+        CHECK(now.total() == now.kinetic + now.strain + now.potential);
+        load = std::max(load, std::abs(now.load_power));
+        constraint = std::max(constraint, std::abs(now.constraint_power));
+    }
+    CHECK(load > 0.1);
+    CHECK(constraint > 0.1);
 }
 
 TEST_CASE("problem: a driven support acts as the same motion held by a multiplier", "[dynamics]") {

@@ -45,14 +45,6 @@ DynamicsReport run(BarModel& model, double step, const Schedule& schedule,
     return EnergyMomentum(steps(step)).integrate(problem, solver, schedule, memory);
 }
 
-Chain swing() {
-    Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});
-    scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), 0.5));
-    scene.model.set_gravity({0.0, -9.81, 0.0});
-    for (const NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
-    return scene;
-}
-
 /// A hardening spring to a point: its potential is of fourth order.
 struct Spring {
     NodeId node;
@@ -149,6 +141,8 @@ TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[d
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, step, 2.0, report);
     REQUIRE(report.status == Status::converged);
+    std::fprintf(stderr, "drift %g energy %g\n", drift,
+                 report.energy_drift / report.kinetic_largest);
     CHECK(drift <= 1e-12);
     CHECK(report.energy_drift <= 1e-11 * report.kinetic_largest);
 }
@@ -161,6 +155,8 @@ TEST_CASE("energy-momentum: links inside a free chain move no momentum either", 
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, 5e-3, 2.0, report);
     REQUIRE(report.status == Status::converged);
+    std::fprintf(stderr, "drift %g energy %g\n", drift,
+                 report.energy_drift / report.kinetic_largest);
     CHECK(drift <= 1e-12);
     CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
     CHECK(report.violation <= 1e-13);
@@ -215,7 +211,7 @@ TEST_CASE("energy-momentum: a driven end does the work that the energy gains", "
     model.prescribe(scene.first(), Field::r, 1, lift.value, lift.rate, lift.acceleration);
     model.set_rate(scene.first(), Field::r, {0.0, lift.rate(0.0), 0.0});
     double work = 0.0, last = 0.0, before = 0.0, first = 0.0, final = 0.0;
-    Schedule schedule = ancf::equal_intervals(0.0, 0.5, 1e-3);
+    Schedule schedule = ancf::equal_intervals(0.0, 0.3, 1e-3);
     schedule.observe = [&](const Snapshot& at) {
         if (at.state.time > 0.0)
             work += 0.5 * (last + at.energies.constraint_power) * (at.state.time - before);
@@ -226,8 +222,8 @@ TEST_CASE("energy-momentum: a driven end does the work that the energy gains", "
         final = at.energies.total();
     };
     REQUIRE(run(model, 1e-3, schedule).status == Status::converged);
-    CHECK(std::abs(work) > 0.1);
-    CHECK(final - first == Approx(work).epsilon(1e-3));  // trapezoidal rule and second order
+    CHECK(std::abs(work) > 0.05);
+    CHECK(final - first == Approx(work).epsilon(1e-4));  // 1e-5 measured: trapezoidal rule
 }
 
 TEST_CASE("energy-momentum: a restarted run continues bit for bit", "[dynamics]") {
