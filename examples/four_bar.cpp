@@ -147,7 +147,7 @@ Run turn(const FourBar& problem, int elements) {
                                work});
     };
     ancf::DynamicProblem<Scene> dynamics(model);
-    examples::GeneralSolver solver;
+    auto solver = examples::general_solver();
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;
     method.rho = problem.rho;

@@ -30,12 +30,17 @@
 
 namespace examples {
 
-/// The linear solver of integrators that bring none along.
+/// Returns the linear solver of integrators that bring none along; the corrections of Newton's
+/// method refine a solution anyway.
+[[nodiscard]] inline auto general_solver() {
 #if ANCF_WITH_SUITESPARSE
-using GeneralSolver = ancf::suitesparse::Umfpack;
+    ancf::suitesparse::UmfpackOptions options;
+    options.refinement_steps = 0;
+    return ancf::suitesparse::Umfpack(options);
 #else
-using GeneralSolver = ancf::EigenLu;
+    return ancf::EigenLu();
 #endif
+}
 
 /// Integrates by IDA.
 template <class Scene>
@@ -63,7 +68,7 @@ template <class Scene>
                                        const MotionOptions& options, const ancf::Schedule& schedule,
                                        const ancf::Memory& memory) {
     if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
-    GeneralSolver solver;
+    auto solver = general_solver();
     if (options.integrator == "energy") {
         ancf::EnergyMomentumOptions method;
         method.step = options.step;

@@ -141,8 +141,6 @@ TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[d
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, step, 2.0, report);
     REQUIRE(report.status == Status::converged);
-    std::fprintf(stderr, "drift %g energy %g\n", drift,
-                 report.energy_drift / report.kinetic_largest);
     CHECK(drift <= 1e-12);
     CHECK(report.energy_drift <= 1e-11 * report.kinetic_largest);
 }
@@ -155,8 +153,6 @@ TEST_CASE("energy-momentum: links inside a free chain move no momentum either", 
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, 5e-3, 2.0, report);
     REQUIRE(report.status == Status::converged);
-    std::fprintf(stderr, "drift %g energy %g\n", drift,
-                 report.energy_drift / report.kinetic_largest);
     CHECK(drift <= 1e-12);
     CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
     CHECK(report.violation <= 1e-13);

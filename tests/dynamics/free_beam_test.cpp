@@ -107,7 +107,7 @@ TEST_CASE("free beam: spinning, it keeps its momenta", "[dynamics]") {
         CHECK(angular <= 1e-10);
         CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
     } else {
-        CHECK(angular <= 1e-3);  // of second order in the step
+        CHECK(angular <= 1e-4);  // 1.6e-5 measured, of second order in the step
     }
 }
 
