@@ -11,8 +11,11 @@
 ///     A o                     o D     crank and coupler 16 x 16 mm, rocker 8 x 8 mm
 ///
 /// After Bauchau, Flexible Multibody Dynamics (2011). The crank is brought to 0.6 rad/s in half a
-/// second and kept there. The program checks itself: the constraints hold, the energy in the bars
-/// is the motor's work, and a mesh twice as fine moves in the same way.
+/// second and kept there. In 6 s it turns by 198 degrees. At 90 degrees all bars lie in one line:
+/// there the hinge that leans costs most, and the bars store 3 J. The program checks itself: the
+/// constraints hold to 1e-10 m (2e-15 found), the energy in the bars is the motor's work (within
+/// 3e-4 of it), and a mesh twice as fine moves in the same way (0.3 % of the way out of the plane).
+/// At 270 degrees the line is passed again and the linkage snaps through: that takes short steps.
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
@@ -52,7 +55,7 @@ struct FourBar {
     double skew = 5.0;   // degrees
     double step = 1e-2;  // s
     double rho = 0.6;
-    double duration = 11.0;  // s: one turn
+    double duration = 6.0;  // s: past the place where all bars lie in one line
     double interval = 0.1;   // s
     bool csv = false;
 

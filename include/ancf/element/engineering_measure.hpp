@@ -72,6 +72,7 @@ struct EngineeringMeasure {
         S a2;   ///< cy S
         S b2;   ///< q cy C - s cz
 
+        /// Evaluates them at a station.
         explicit Rates(const detail::Invariants<S>& w) noexcept {
             using std::sqrt;
             cy = sqrt(S(1.0 - w.s * w.s));
