@@ -91,6 +91,17 @@ TEST_CASE("Model: supports replace one another and can be released", "[model]") 
     CHECK(scene.supports().size() == 9);
     scene.clamp(beam.last(), ancf::Clamp::free_slope);
     CHECK(scene.supports().size() == 18);
+    scene.prescribe(beam.last(), Field::r_y, 1, [](double t) { return t; });
+    CHECK(scene.supports().size() == 18);
+    int driven = 0;
+    for (const ancf::Support& support : scene.supports()) {
+        if (!support.value) continue;
+        ++driven;
+        CHECK(support.node == beam.last());
+        CHECK(support.field == Field::r_y);
+        CHECK(support.component == 1);
+    }
+    CHECK(driven == 1);
 }
 
 TEST_CASE("add_line_load: its resultant is the force per length times the length", "[model]") {
@@ -123,6 +134,8 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(scene.connect<Bar>(bar + 1, beam.first(), beam.last()), InvalidArgument);
     CHECK_THROWS_AS(scene.connect<Bar>(-1, beam.first(), beam.last()), InvalidArgument);
     CHECK_THROWS_AS(scene.clamp(absent), InvalidArgument);
+    CHECK_THROWS_WITH(scene.clamp(scene.add_node({0, 0, 0})),
+                      ContainsSubstring("carries no vectors yet"));
     CHECK_THROWS_AS(scene.pin({-1}), InvalidArgument);
     CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, 3), InvalidArgument);
     CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, -1), InvalidArgument);

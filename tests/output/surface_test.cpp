@@ -3,6 +3,7 @@
 
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>
@@ -223,8 +224,9 @@ TEST_CASE("Surface: two beams of one scene stand side by side", "[output]") {
                       ContainsSubstring("got 2"));
 }
 
-TEST_CASE("Surface: a planar beam is drawn with its width normal to the plane", "[output]") {
-    using Element = ancf::ContinuumBeam<2>;
+TEMPLATE_TEST_CASE("Surface: a planar beam is drawn with its width normal to the plane", "[output]",
+                   ancf::ContinuumBeam<2>, ancf::CrossSectionBeam<2>) {
+    using Element = TestType;
     ancf::Model<Element> model;
     const auto section = ancf::rectangle(0.2, 0.1);
     const auto beam = ancf::straight_beam(model, steel, section, {0, 0}, {3, 4}, 2);

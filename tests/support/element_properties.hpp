@@ -29,7 +29,7 @@ namespace ancf::test {
 
 inline constexpr std::uint64_t states = 100;
 
-/// What an element class is known to do; a property that does not apply is skipped by the caller.
+/// Nodal coordinates of an element.
 template <class Element>
 using Coordinates = Vector<double, Element::dofs>;
 

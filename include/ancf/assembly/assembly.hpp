@@ -114,13 +114,13 @@ public:
 
     // Results of the last evaluation; forces are of all coordinates, N and N m ----------------
 
-    /// Returns Q_e.
+    /// Returns the elastic force Q_e.
     [[nodiscard]] const VectorX& internal_force() const noexcept { return internal_; }
-    /// Returns Q, gravity included.
+    /// Returns the loads Q, gravity included.
     [[nodiscard]] const VectorX& external_force() const noexcept { return external_; }
-    /// Returns G^T lambda.
+    /// Returns the force of the constraints, G^T lambda.
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
-    /// Returns g.
+    /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
     /// Returns U, J.
     [[nodiscard]] double strain_energy() const noexcept { return strain_energy_; }
@@ -138,9 +138,9 @@ public:
     /// Writes the residual of the unknowns.
     void residual(VectorX& out) const;
 
-    /// Returns the constraint terms g_t and c of dg/dt = G v + g_t, d2g/dt2 = G a + c.
+    /// Returns g_t of dg/dt = G v + g_t, one entry per equation; m/s where g is a length.
     [[nodiscard]] const VectorX& violation_rate() const noexcept { return violation_rate_; }
-    /// Returns c.
+    /// Returns c of d2g/dt2 = G a + c, one entry per equation; m/s^2 where g is a length.
     [[nodiscard]] const VectorX& convection() const noexcept { return convection_; }
 
     /// Returns the derivative of the external force with respect to the load factor, where the
@@ -298,18 +298,22 @@ void Assembly<Scene>::build_pattern(Storage storage) {
         for (const Connection& c : group.connections)
             pairs.emplace_back(c.first.index, c.second.index);
     });
+    std::vector<int> blocks;
     const auto couple_all = [&](const std::vector<int>& coordinates) {
-        for (const int a : coordinates)
-            for (const int b : coordinates)
-                if (numbering_.block(a) < numbering_.block(b))
-                    pairs.emplace_back(numbering_.block(a), numbering_.block(b));
+        blocks.clear();
+        for (const int k : coordinates) blocks.push_back(numbering_.block(k));
+        std::sort(blocks.begin(), blocks.end());
+        blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+        for (std::size_t a = 0; a < blocks.size(); ++a)
+            for (std::size_t b = a + 1; b < blocks.size(); ++b)
+                pairs.emplace_back(blocks[a], blocks[b]);
     };
-    for (const auto& coordinates : load_coordinates_) couple_all(coordinates);
+    for (std::size_t k = 0; k < load_coordinates_.size(); ++k)
+        if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k]);
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
         couple_all(constraint_coordinates_[k]);
-        for (const int a : constraint_coordinates_[k])
-            pairs.emplace_back(numbering_.block(a),
-                               numbering_.constraint_block(static_cast<int>(k)));
+        for (const int block : blocks)
+            pairs.emplace_back(block, numbering_.constraint_block(static_cast<int>(k)));
     }
     pattern_ = BlockPattern(numbering_.block_sizes(), std::move(pairs), storage);
 }
@@ -607,11 +611,20 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
         const auto size = static_cast<Eigen::Index>(coordinates.size());
         local.q = q(coordinates);
         local.v = v(coordinates);
+        const AnyLoad& load = model_.loads()[k].load;
+        const Eigen::Index derivatives = load.constant() ? 0 : size;
         result.force.setZero(size);
-        result.stiffness.setZero(size, size);
-        result.damping.setZero(size, size);
+        result.stiffness.setZero(derivatives, derivatives);
+        result.damping.setZero(derivatives, derivatives);
         result.potential = 0.0;
-        model_.loads()[k].load.evaluate(local, result);
+        load.evaluate(local, result);
+        const auto sized = [&](const MatrixX& m) {
+            return m.rows() == derivatives && m.cols() == derivatives;
+        };
+        detail::require(
+            result.force.size() == size && sized(result.stiffness) && sized(result.damping),
+            "a load on ", size, " coordinates changed the size of its results; its force has ",
+            result.force.size(), " entries");
         visit(model_.loads()[k], coordinates, result);
     }
 }
@@ -626,7 +639,7 @@ void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
             load_potential_ += scale * result.potential;
             for (int i = 0; i < size; ++i)
                 external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
-            if (request == Request::force) return;
+            if (request == Request::force || result.stiffness.size() == 0) return;
             for (int i = 0; i < size; ++i)
                 for (int j = 0; j < size; ++j) {
                     const int row = coordinates[static_cast<std::size_t>(i)];
@@ -681,6 +694,13 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
         result.rate.setZero(equations);
         result.convection.setZero(equations);
         constraint.evaluate(local, result);
+        detail::require(result.violation.size() == equations &&
+                            result.jacobian.rows() == equations && result.jacobian.cols() == size &&
+                            result.stiffness.rows() == size && result.stiffness.cols() == size &&
+                            result.rate.size() == equations &&
+                            result.convection.size() == equations,
+                        "constraint ", constraint.name(), " of ", equations, " equations on ", size,
+                        " coordinates changed the size of its results");
         violation_.segment(first, equations) = result.violation;
         violation_rate_.segment(first, equations) = result.rate;
         convection_.segment(first, equations) = result.convection;
@@ -797,6 +817,8 @@ VectorX Assembly<Scene>::mass_product(const VectorX& a) const {
 
 template <class Scene>
 void Assembly<Scene>::apply_supports(const Instant& instant, VectorX& q) const {
+    detail::require(q.size() == numbering_.coordinates(), "the state has ", q.size(),
+                    " coordinates, the model has ", numbering_.coordinates());
     for (const Support& support : model_.supports())
         if (support.value)
             q[model_.layout().index({support.node, support.field}) + support.component] =

@@ -32,12 +32,6 @@ template <int Dimension>
     }
 }
 
-/// Returns x cross y.
-[[nodiscard]] inline Vector<double, 3> cross_product(const Vector<double, 3>& x,
-                                                     const Vector<double, 3>& y) noexcept {
-    return {x(1) * y(2) - x(2) * y(1), x(2) * y(0) - x(0) * y(2), x(0) * y(1) - x(1) * y(0)};
-}
-
 /// Returns the stress of a strain, both in the order of strain_at().
 template <int Components>
 [[nodiscard]] inline Vector<double, Components> stress_of(
@@ -67,8 +61,7 @@ bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
         const Point p = v.col(0), a = v.col(Dimension);
         if constexpr (Dimension == 3) {
             const Point b = v.col(4);
-            return b.dot(detail::continuum::cross_product(p, a)) >
-                   least * (p.norm() * a.norm() * b.norm());
+            return b.dot(cross(p, a)) > least * (p.norm() * a.norm() * b.norm());
         } else {
             return p(0) * a(1) - p(1) * a(0) > least * (p.norm() * a.norm());
         }
@@ -172,10 +165,9 @@ SectionForces ContinuumBeam<Dimension>::section_forces(const Coordinates& e,
         const Point a = v.col(3), b = v.col(4);
         const Point n_y = (a - t.dot(a) * t).normalized();
         const Point n_z = (b - t.dot(b) * t).normalized();
-        const Point n = (n_y + detail::continuum::cross_product(n_z, t)).normalized();
-        const Point c = detail::continuum::cross_product(t, n);
-        const Point moment = detail::continuum::cross_product(a, force.col(1)) +
-                             detail::continuum::cross_product(b, force.col(2));
+        const Point n = (n_y + cross(n_z, t)).normalized();
+        const Point c = cross(t, n);
+        const Point moment = cross(a, Point(force.col(1))) + cross(b, Point(force.col(2)));
         return {resultant.dot(t), resultant.dot(n), resultant.dot(c),
                 moment.dot(t),    moment.dot(n),    moment.dot(c)};
     } else {

@@ -39,7 +39,7 @@ namespace ancf {
 struct CrossSectionOptions {
     Rule rule = Rule::paper();                              ///< stations along the element
     TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
-    SectionModel section_model = SectionModel::paper;       ///< how torsion and shear are corrected
+    SectionModel section_model = SectionModel::paper;       ///< how the section resists torsion
 
     /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
     [[nodiscard]] static CrossSectionOptions paper() { return {}; }

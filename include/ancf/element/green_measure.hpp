@@ -52,7 +52,7 @@ struct GreenMeasure {
         S hn;  ///< h' along n of the y director; along t it is b1
         S hc;  ///< h' along c of the y director
 
-        /// All rates are zero.
+        /// The rates at given invariants.
         explicit Rates(const detail::Invariants<S>& w) noexcept
             : d1(w.s1 - w.kap),
               d2(w.s * w.kap),

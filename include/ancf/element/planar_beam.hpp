@@ -255,10 +255,11 @@ template <class Directors, class Measure>
 bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
     const Coordinates& e) const noexcept {
     if (!e.allFinite()) return false;
-    constexpr double smallest = 1e-6;  // sine of the angle between slope and tangent
+    constexpr double smallest = 1e-6;  // slope, and sine of its angle with the tangent
     for (int node = 0; node < 2; ++node) {
         const Vector<double, 2> g = e.template segment<2>(6 * node + 2),
                                 a = e.template segment<2>(6 * node + 4);
+        if (!(g.norm() > smallest && a.norm() > smallest)) return false;
         if (!(g[0] * a[1] - g[1] * a[0] > smallest * g.norm() * a.norm())) return false;
     }
     for (const detail::PlanarStation<double>& station : kernel_.stations) {
@@ -266,7 +267,7 @@ bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
         p += station.shape.p[0] * (e.template segment<2>(6) - e.template segment<2>(0));
         p += station.shape.p[1] * e.template segment<2>(2) +
              station.shape.p[2] * e.template segment<2>(8);
-        if (!(p.norm() > 0.0)) return false;
+        if (!(p.norm() > smallest)) return false;
     }
     return true;
 }

@@ -205,6 +205,7 @@ inline TorsionBeam::TorsionBeam(const Material& material, const Section& section
 }
 
 inline void TorsionBeam::set_up(const Material& material, const Section& section) {
+    material.validate();
     const auto require_points = [&](StrainGroup group, const char* name, int least) {
         detail::require(options_.rule.points(group) >= least, "rule \"", options_.rule.name(),
                         "\": the ", name, " term needs at least ", least,

@@ -15,6 +15,7 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,7 +48,7 @@ struct Beam {
 /// @throws InvalidArgument where the direction has no length or `y_axis` is parallel to it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
                                                         const Vector<double, 3>& y_axis) {
-    const double length = direction.norm();
+    const double length = direction.stableNorm();
     detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
@@ -65,11 +66,14 @@ struct Beam {
 
 /// Returns reference slopes without a chosen y axis: global X turned into the direction by the
 /// smallest rotation carries global Y and Z with it.
+///
+/// Where the direction leans towards -X by more than 154 degrees r_y is instead the part of global
+/// Y normal to it: there the section turns at once by up to half a turn. Give a y axis to avoid it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
-    detail::require(direction.allFinite() && direction.norm() > 0.0,
+    detail::require(direction.allFinite() && direction.stableNorm() > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
-    const Vector<double, 3> t = direction.normalized();
+    const Vector<double, 3> t = direction.stableNormalized();
     if (t[0] < -0.9) return reference_slopes(direction, Vector<double, 3>::UnitY());
     const Vector<double, 3> sum = Vector<double, 3>::UnitX() + t;
     const Vector<double, 3> y = Vector<double, 3>::UnitY() - t[1] / (1.0 + t[0]) * sum;
@@ -78,10 +82,10 @@ struct Beam {
 
 /// The plane: r_y is the direction turned by a right angle counterclockwise.
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
-    detail::require(direction.allFinite() && direction.norm() > 0.0,
+    detail::require(direction.allFinite() && direction.stableNorm() > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
-    const Vector<double, 2> t = direction.normalized();
+    const Vector<double, 2> t = direction.stableNormalized();
     Matrix<double, 2> slopes;
     slopes << t[0], -t[1], t[1], t[0];
     return slopes;
@@ -102,7 +106,7 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
     using Chosen =
         std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
-    const double length = (to - from).norm();
+    const double length = (to - from).stableNorm();
     detail::require(std::isfinite(length) && length > 0.0,
                     "straight_beam: the ends must be finite and apart, got a length of ", length);
     Beam<Chosen> beam;

@@ -34,11 +34,11 @@ struct LoadState {
     bool derivatives = true;  ///< whether a load's stiffness and damping are asked for
 };
 
-/// What a load gives; every array arrives sized and zero.
+/// What a load gives; every array arrives sized and zero, and keeps its size.
 struct LoadResult {
     VectorX force;           ///< generalised force Q, N and N m
-    MatrixX stiffness;       ///< dQ/dq
-    MatrixX damping;         ///< dQ/dv
+    MatrixX stiffness;       ///< dQ/dq; empty for a load of constant force
+    MatrixX damping;         ///< dQ/dv; empty for a load of constant force
     double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
 };
 
@@ -63,12 +63,28 @@ struct has_symmetric_stiffness : std::false_type {};
 template <class T>
 struct has_symmetric_stiffness<T, std::enable_if_t<T::symmetric_stiffness>> : std::true_type {};
 
+template <class T, class = void>
+struct has_constant_force : std::false_type {};
+
+template <class T>
+struct has_constant_force<T, std::enable_if_t<T::constant_force>> : std::true_type {};
+
+/// The dimension of the models that a load belongs to; 0 for any.
+template <class T, class = void>
+struct load_dimension : std::integral_constant<int, 0> {};
+
+template <class T>
+struct load_dimension<T, std::enable_if_t<(T::dimension > 0)>>
+    : std::integral_constant<int, T::dimension> {};
+
 }  // namespace detail
 
 /// A load of any type.
 ///
 /// A type may declare `static constexpr bool symmetric_stiffness = true`; without it the tangent
-/// counts as unsymmetric and asks for a solver of full storage.
+/// counts as unsymmetric and asks for a solver of full storage. One whose force depends neither on
+/// coordinates nor on rates declares `static constexpr bool constant_force = true` instead, and one
+/// for models of one dimension `static constexpr int dimension`.
 class AnyLoad {
 public:
     /// Holds a copy of the load.
@@ -83,6 +99,8 @@ public:
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
     /// Tells whether its stiffness is symmetric.
     [[nodiscard]] bool symmetric() const noexcept { return held_->symmetric(); }
+    /// Tells whether its force depends neither on coordinates nor on rates.
+    [[nodiscard]] bool constant() const noexcept { return held_->constant(); }
     /// Evaluates it.
     void evaluate(const LoadState& state, LoadResult& out) const { held_->evaluate(state, out); }
 
@@ -91,6 +109,7 @@ private:
         virtual ~Interface() = default;
         [[nodiscard]] virtual Coupling coupling() const = 0;
         [[nodiscard]] virtual bool symmetric() const noexcept = 0;
+        [[nodiscard]] virtual bool constant() const noexcept = 0;
         virtual void evaluate(const LoadState&, LoadResult&) const = 0;
     };
 
@@ -99,7 +118,10 @@ private:
         explicit Holder(Load held) : load(std::move(held)) {}
         [[nodiscard]] Coupling coupling() const override { return load.coupling(); }
         [[nodiscard]] bool symmetric() const noexcept override {
-            return detail::has_symmetric_stiffness<Load>::value;
+            return detail::has_symmetric_stiffness<Load>::value || constant();
+        }
+        [[nodiscard]] bool constant() const noexcept override {
+            return detail::has_constant_force<Load>::value;
         }
         void evaluate(const LoadState& state, LoadResult& out) const override {
             load.evaluate(state, out);

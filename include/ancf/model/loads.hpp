@@ -24,7 +24,8 @@ namespace ancf {
 template <int Dimension = 3>
 class Force {
 public:
-    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+    static constexpr int dimension = Dimension;   ///< of the model it belongs to
+    static constexpr bool constant_force = true;  ///< it has no derivatives
 
     /// @throws InvalidArgument unless the force is finite.
     Force(NodeId node, const Vector<double, Dimension>& force);
@@ -39,12 +40,12 @@ private:
     Vector<double, Dimension> force_;
 };
 
-/// A constant generalised force on the coordinates of two nodes, such as a dead force per length.
+/// A constant generalised force on the coordinates of a coupling, such as a dead force per length.
 ///
-/// `Model::add_line_load` makes one per element.
+/// `add_line_load` makes one per element.
 class GeneralisedForce {
 public:
-    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+    static constexpr bool constant_force = true;  ///< it has no derivatives
 
     /// @param force  in the order of the coupling; N and N m.
     GeneralisedForce(Coupling coupling, VectorX force)
@@ -74,6 +75,7 @@ private:
 /// It is a moment about n while the slope stays normal to n: in planar bending and in pure twist.
 class SlopeMoment {
 public:
+    static constexpr int dimension = 3;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not
@@ -100,6 +102,7 @@ private:
 /// The moment of SlopeMoment in the plane: counterclockwise positive, N m.
 class PlanarSlopeMoment {
 public:
+    static constexpr int dimension = 2;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
     /// @throws InvalidArgument for the field r or a moment that is not finite.
@@ -131,6 +134,8 @@ enum class Attachment { space, frame };
 /// with alpha the slope of r_y against the normal plane; r_x x Q_rx + r_y x Q_ry = m.
 class Moment {
 public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
     /// @param moment  in global axes (space) or in (t, n, c) (frame), N m.
     /// @throws InvalidArgument unless the moment is finite.
     Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment = Attachment::space);
@@ -154,6 +159,8 @@ private:
 /// A force that keeps its components in the frame (t, n, c) of its node, N.
 class FollowerForce {
 public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
     /// @throws InvalidArgument unless the force is finite.
     FollowerForce(NodeId node, const Vector<double, 3>& force);
 
@@ -179,6 +186,8 @@ private:
 /// Only the part of m normal to the tangent does work: Q_rx = (m x t)/|r_x|.
 class TangentMoment {
 public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
     /// @throws InvalidArgument unless the moment is finite.
     TangentMoment(NodeId node, const Vector<double, 3>& moment);
 

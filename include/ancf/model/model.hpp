@@ -23,6 +23,7 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -250,9 +251,16 @@ private:
     void check(NodeId node) const;
     void check_component(int component) const;
 
+    /// Returns a number of its own for every component of every vector that a node may carry.
+    [[nodiscard]] static long component_of(NodeId node, Field field, int component) {
+        return (static_cast<long>(node.index) * field_count + static_cast<int>(field)) * dimension +
+               component;
+    }
+
     std::vector<InitialNode> initial_;
     std::tuple<ElementGroup<Elements>...> groups_;
     std::vector<Support> supports_;
+    std::unordered_map<long, std::size_t> support_at_;  // place in supports_, by component_of()
     std::vector<ScaledLoad> loads_;
     std::vector<AnyConstraint> constraints_;
     std::vector<PointMass> masses_;
@@ -267,9 +275,10 @@ private:
 
 template <class... Elements>
 NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes) {
-    detail::require(position.allFinite() && slopes.allFinite(),
-                    "Model::add_node: position and slopes must be finite, got position ",
+    detail::require(position.allFinite(), "Model::add_node: the position must be finite, got ",
                     position.transpose());
+    detail::require(slopes.allFinite(), "Model::add_node: slopes must be finite, got (by rows) ",
+                    slopes);
     InitialNode node;
     node.vectors.setZero();
     node.vectors.col(0) = position;
@@ -328,18 +337,19 @@ void Model<Elements...>::prescribe(NodeId node, Field field, int component, Ampl
                                    Amplitude rate, Amplitude acceleration) {
     check(node);
     check_component(component);
-    const auto same = [&](const Support& s) {
-        return s.node == node && s.field == field && s.component == component;
-    };
-    supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
-    supports_.push_back(
-        {node, field, component, std::move(value), std::move(rate), std::move(acceleration)});
+    const auto [at, added] =
+        support_at_.try_emplace(component_of(node, field, component), supports_.size());
+    if (added) supports_.emplace_back();
+    supports_[at->second] = {
+        node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
 }
 
 template <class... Elements>
 void Model<Elements...>::clamp(NodeId node, Clamp clamp) {
     check(node);
     const Fields carried = initial_[static_cast<std::size_t>(node.index)].fields;
+    detail::require(!(carried == Fields()), "Model::clamp: node ", node.index,
+                    " carries no vectors yet; connect its elements first");
     for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z}) {
         const bool held = clamp == Clamp::full || field != Field::r_x;
         if (held && carried.contains(field)) fix(node, field);
@@ -351,11 +361,17 @@ void Model<Elements...>::release(NodeId node, Field field) {
     check(node);
     const auto same = [&](const Support& s) { return s.node == node && s.field == field; };
     supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
+    support_at_.clear();
+    for (std::size_t k = 0; k < supports_.size(); ++k)
+        support_at_[component_of(supports_[k].node, supports_[k].field, supports_[k].component)] =
+            k;
 }
 
 template <class... Elements>
 template <class Load, std::enable_if_t<is_load_v<Load>, int>>
 void Model<Elements...>::add(Load load, Amplitude amplitude) {
+    constexpr int of = detail::load_dimension<Load>::value;
+    static_assert(of == 0 || of == dimension, "the load is of another dimension than the model");
     for (const NodeField& at : load.coupling()) check(at.node);
     loads_.push_back({AnyLoad(std::move(load)), std::move(amplitude)});
 }
@@ -443,7 +459,8 @@ void Model<Elements...>::refresh() const {
     int equations = 0;
     for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
     state_.multipliers.setZero(equations);
-    state_.multipliers.head(old.multipliers.size()) = old.multipliers;
+    const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
+    state_.multipliers.head(kept) = old.multipliers.head(kept);
     stale_ = false;
 }
 

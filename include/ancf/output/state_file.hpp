@@ -83,9 +83,16 @@ public:
 
     /// Reads the next line.
     std::string next() {
+        constexpr std::size_t longest = 1000;
         std::string line;
         ++number_;
-        require(static_cast<bool>(std::getline(in_, line)), "state file, line ", number_,
+        char c = 0;
+        while (in_.get(c) && c != '\n') {
+            line += c;
+            require(line.size() <= longest, "state file, line ", number_, ": longer than ", longest,
+                    " characters");
+        }
+        require(!line.empty() || c == '\n', "state file, line ", number_,
                 ": the file ends too early");
         if (!line.empty() && line.back() == '\r') line.pop_back();
         return line;

@@ -29,8 +29,7 @@ namespace ancf {
 
 /// Values at every point of a surface.
 struct PointArray {
-    /// Returns the word that messages use.
-    std::string name;
+    std::string name;                     ///< the array's name in a file
     std::vector<std::string> components;  ///< their names; one entry for a scalar
     std::vector<double> values;           ///< point by point
 };

@@ -58,12 +58,13 @@ public:
     /// Returns the file that lists all times, for ParaView.
     [[nodiscard]] std::filesystem::path index() const { return folder_ / (name_ + ".pvd"); }
     /// Returns the number of times.
-    [[nodiscard]] std::size_t size() const noexcept { return frames_.size(); }
+    [[nodiscard]] std::size_t size() const noexcept { return frames_; }
 
 private:
     std::filesystem::path folder_;
     std::string name_;
-    std::vector<std::pair<double, std::string>> frames_;
+    std::ofstream list_;  // the index, complete after every frame
+    std::size_t frames_ = 0;
 };
 
 namespace detail {
@@ -213,21 +214,23 @@ inline VtkSeries::VtkSeries(std::filesystem::path folder, std::string name)
 }
 
 inline void VtkSeries::add(double time, const Surface& surface) {
-    std::string number = std::to_string(frames_.size());
+    std::string number = std::to_string(frames_);
     number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
-    std::string file = name_ + '_' + number + ".vtp";
+    const std::string file = name_ + '_' + number + ".vtp";
     write_vtk(folder_ / file, surface, time);
-    frames_.emplace_back(time, std::move(file));
 
-    std::ofstream out = detail::opened(index());
-    out << "<?xml version=\"1.0\"?>\n"
-        << "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        << "<Collection>\n";
-    for (const auto& [at, name] : frames_)
-        out << "<DataSet timestep=\"" << number_text(at) << "\" part=\"0\" file=\"" << name
-            << "\"/>\n";
-    out << "</Collection>\n</VTKFile>\n";
-    detail::finish(out, index());
+    if (frames_++ == 0) {
+        list_ = detail::opened(index());
+        list_ << "<?xml version=\"1.0\"?>\n"
+              << "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+              << "<Collection>\n";
+    }
+    list_ << "<DataSet timestep=\"" << number_text(time) << "\" part=\"0\" file=\"" << file
+          << "\"/>\n";
+    const auto next = list_.tellp();
+    list_ << "</Collection>\n</VTKFile>\n" << std::flush;
+    list_.seekp(next);
+    detail::require(!list_.fail(), "could not write all of ", index().string());
 }
 
 }  // namespace ancf

@@ -120,8 +120,6 @@ private:
 
 namespace detail {
 
-inline constexpr double pi = 3.14159265358979323846;
-
 inline std::vector<SectionPoint> rectangle_outline(double width, double height) {
     const double y = height / 2.0;
     const double z = width / 2.0;
@@ -226,6 +224,10 @@ inline Section Section::with_torsion_constant(double torsion_constant) const {
 }
 
 inline Section Section::with_outline(std::vector<SectionPoint> outline) const {
+    for (const SectionPoint& point : outline)
+        detail::require(std::isfinite(point.y) && std::isfinite(point.z),
+                        "Section: points of the outline must be finite, got (", point.y, ", ",
+                        point.z, ")");
     Section section = *this;
     section.outline_ = std::move(outline);
     return section;

@@ -52,7 +52,8 @@ public:
         explain(lower);
     }
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) {
         return is_chain_ ? chain_.factorize(lower) : general_.factorize(lower);
     }

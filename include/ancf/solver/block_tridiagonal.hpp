@@ -50,7 +50,8 @@ public:
     /// @throws InvalidArgument unless square, compressed, lower, and of blocks up to max_block.
     void analyze(const SparseMatrix& lower);
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& lower);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.

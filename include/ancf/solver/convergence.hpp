@@ -11,6 +11,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/numbering.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
@@ -79,6 +80,8 @@ ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numb
     if (count == 0) return;
     element_size_ = length / count;
     const VectorX& q = model.state().q;
+    detail::require(q.size() == layout.size(), "the state has ", q.size(),
+                    " coordinates, the model has ", layout.size());
     Vector<double, dimension> low =
         Vector<double, dimension>::Constant(std::numeric_limits<double>::infinity());
     Vector<double, dimension> high = -low;
@@ -116,10 +119,13 @@ double ConvergenceMonitor::residual(const Assembly& assembly) const {
     const double moment = loads.moment + joints.moment + reactions.moment;
     const double force = loads.force + joints.force + reactions.force;
     const double smallest = std::numeric_limits<double>::min();
-    const double relative =
-        std::max(rest.force / std::max(force + moment / size_, smallest),
-                 rest.moment / std::max(moment + force * element_size_, smallest));
-    return std::max(relative, assembly.violation().norm() / size_);
+    const double of_force = rest.force / std::max(force + moment / size_, smallest);
+    const double of_moment = rest.moment / std::max(moment + force * element_size_, smallest);
+    const double violation = assembly.violation().norm() / size_;
+    // std::max would drop a NaN, and infinite loads hide any residual
+    if (std::isnan(of_force + of_moment + violation) || !std::isfinite(force + moment))
+        return std::numeric_limits<double>::quiet_NaN();
+    return std::max({of_force, of_moment, violation});
 }
 
 template <class Assembly>
@@ -148,8 +154,8 @@ bool ConvergenceMonitor::at_round_off(const Assembly& assembly, const VectorX& q
     const auto noise = [&](int k) { return epsilon * floor[numbering_.equation(k)]; };
     const Norms rest = norms(free_entry(unbalanced));
     const Norms limit = norms(free_entry(noise));
-    return rest.force <= limit.force && rest.moment <= limit.moment &&
-           assembly.violation().norm() <= 16.0 * epsilon * size_;
+    return std::isfinite(rest.force + rest.moment) && rest.force <= limit.force &&
+           rest.moment <= limit.moment && assembly.violation().norm() <= 16.0 * epsilon * size_;
 }
 
 inline double ConvergenceMonitor::correction(const VectorX& unknowns) const {

@@ -42,7 +42,8 @@ public:
     /// @throws InvalidArgument unless square, compressed and lower.
     void analyze(const SparseMatrix& lower);
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& lower);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
@@ -76,7 +77,8 @@ public:
     /// @throws InvalidArgument unless square and compressed.
     void analyze(const SparseMatrix& matrix);
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& matrix);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.

@@ -88,7 +88,8 @@ struct PathOptions {
 
 /// What a followed path reports.
 struct PathReport {
-    /// Or diverged: the smallest step failed; max_iterations: points.
+    /// Or diverged: the smallest step failed; max_iterations: points; singular, degenerate or
+    /// not_finite: the path cannot start in this state.
     Status status = Status::converged;
     std::vector<PathPoint> points;        ///< in order
     std::vector<CriticalPoint> critical;  ///< in order

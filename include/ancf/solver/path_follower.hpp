@@ -64,17 +64,19 @@ public:
         require(options.direction.size() == 0 || options.direction.size() == rest_.size(),
                 "PathOptions: direction needs ", rest_.size(), " coordinates, got ",
                 options.direction.size());
+        require(options.direction.allFinite(), "PathOptions: direction must be finite");
         solver_.analyze(assembly_.tangent());
     }
 
     [[nodiscard]] PathReport run() {
         Point here{model_.state(), options_.first_factor};
-        if (!prepare(here)) return finish(Status::singular, here);
-        if (options_.control == PathControl::spherical) {
+        Status status = prepare(here);
+        if (status == Status::converged && options_.control == PathControl::spherical) {
             // coordinates and load factor count alike at the start
             psi_ = 1.0 / here.tangent_f;
-            if (!prepare(here)) return finish(Status::singular, here);
+            status = prepare(here);
         }
+        if (status != Status::converged) return finish(status, here);
         double step = first_length(here);
         const double first = std::abs(step);
         bool branching = options_.direction.size() > 0;
@@ -82,7 +84,7 @@ public:
             Control control = branching ? along_branch() : along_path(here, step);
             Point next = here;
             const int iterations = correct(control, next);
-            if (iterations < 0 || !prepare(next)) {
+            if (iterations < 0 || prepare(next) != Status::converged) {
                 step *= 0.5;
                 if (branching || std::abs(step) < options_.smallest_step * first)
                     return finish(Status::diverged, here);
@@ -92,7 +94,7 @@ public:
             const bool landing = options_.last_factor && passes(here.factor, next.factor);
             if (landing) {
                 control = to_factor(*options_.last_factor - next.factor);
-                if (correct(control, next) < 0 || !prepare(next))
+                if (correct(control, next) < 0 || prepare(next) != Status::converged)
                     return finish(Status::diverged, here);
                 orient(here, next);
                 next.factor = next.state.time = *options_.last_factor;
@@ -156,10 +158,10 @@ private:
         return a.dot(weights_.cwiseProduct(b));
     }
 
-    [[nodiscard]] bool evaluate(const Point& at) {
+    [[nodiscard]] std::optional<Fault> evaluate(const Point& at) {
         const Instant instant{at.factor, at.factor};
-        return !assembly_.evaluate({at.state.q, rest_, at.state.multipliers, instant},
-                                   Request::tangent);
+        return assembly_.evaluate({at.state.q, rest_, at.state.multipliers, instant},
+                                  Request::tangent);
     }
 
     // Solves K x = dQ/df.
@@ -172,20 +174,20 @@ private:
     }
 
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
-    [[nodiscard]] bool prepare(Point& at) {
-        if (!evaluate(at)) return false;
+    [[nodiscard]] Status prepare(Point& at) {
+        if (const std::optional<Fault> fault = evaluate(at)) return fault->status;
         const FactorReport factor = solver_.factorize(assembly_.tangent());
-        if (factor.status != Status::converged) return false;
+        if (factor.status != Status::converged) return factor.status;
         at.negative_pivots = factor.negative_pivots;
         solve_load(at, at.tangent_u);
         at.tangent_f = 1.0;
         const double length = controlled_ >= 0
                                   ? at.tangent_u[controlled_]
                                   : std::sqrt(product(at.tangent_u, at.tangent_u) + psi_ * psi_);
-        if (!(std::abs(length) > 0.0) || !std::isfinite(length)) return false;
+        if (!(std::abs(length) > 0.0) || !std::isfinite(length)) return Status::singular;
         at.tangent_u /= length;
         at.tangent_f /= length;
-        return true;
+        return Status::converged;
     }
 
     // Keeps the direction of travel through limit and bifurcation points.
@@ -227,6 +229,8 @@ private:
         numbering_.gather_free(options_.direction, free);
         VectorX mode = VectorX::Zero(numbering_.unknowns());
         mode.head(free.size()) = free;
+        require((free.array() != 0.0).any(),
+                "PathOptions: direction moves no coordinate that is free");
         mode /= std::sqrt(product(mode, mode));
         return {true,
                 weights_.cwiseProduct(mode),
@@ -255,7 +259,7 @@ private:
             numbering_.add_free(du.head(free), 1.0, point.state.q);
             point.state.multipliers = start.state.multipliers + du.tail(numbering_.multipliers());
             point.factor = point.state.time = start.factor + df;
-            if (!evaluate(point)) return -1;
+            if (evaluate(point)) return -1;
             const double unbalanced = monitor_.residual(assembly_);
             const bool balanced =
                 unbalanced <= options_.residual_tolerance ||
@@ -312,7 +316,8 @@ private:
             for (const double part : {0.5, 0.4, 0.65}) {
                 middle = low + part * (high - low);
                 point = from;
-                found = correct(along_path(from, middle), point) >= 0 && prepare(point);
+                found = correct(along_path(from, middle), point) >= 0 &&
+                        prepare(point) == Status::converged;
                 if (found) break;
             }
             if (!found) break;
@@ -337,7 +342,7 @@ private:
         VectorX mode = VectorX::LinSpaced(numbering_.unknowns(), 1.0, 2.0);
         for (int k = 0; k < mode.size(); k += 2) mode[k] = -mode[k];
         Point point = at;
-        if (prepare(point)) {
+        if (prepare(point) == Status::converged) {
             VectorX next;
             for (int sweep = 0; sweep < 4; ++sweep) {
                 solver_.solve(mode, next);

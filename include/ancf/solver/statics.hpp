@@ -38,7 +38,7 @@ struct StaticsOptions {
     int mixed_iterations = 25;              ///< the same before a step is repeated as plain
     double residual_tolerance = 1e-9;       ///< relative to loads and reactions
     double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely
-    bool line_search = false;               ///< halve corrections that enlarge the residual
+    bool line_search = false;               ///< halve corrections that double the residual
     bool adaptive = false;                  ///< halve a step that fails, widen one that does well
     double min_step = 1e-4;                 ///< smallest load step of an adaptive run
     double first_factor = 0.0;              ///< load factor of the state that the model is in

@@ -109,8 +109,10 @@ private:
             if (residual <= options_.residual_tolerance &&
                 correction <= options_.correction_tolerance)
                 return accept(state);
-            // a scene already at rest needs no correction to know it
-            if ((step.iterations == 0 && !moved) || stagnates(step)) {
+            // a scene without loads that is at rest needs no correction to know it
+            const bool idle =
+                step.iterations == 0 && !moved && (assembly_.external_force().array() == 0.0).all();
+            if (idle || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }

@@ -121,10 +121,12 @@ public:
     /// @throws InvalidArgument unless square, compressed and lower.
     void analyze(const SparseMatrix& lower);
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& lower);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
+    /// @note not for two threads at once: it keeps a workspace.
     void solve(const VectorX& b, VectorX& x) const;
 
     /// The word that tables print.

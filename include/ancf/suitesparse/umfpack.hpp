@@ -40,7 +40,8 @@ public:
     /// @throws InvalidArgument unless square and compressed.
     void analyze(const SparseMatrix& matrix);
 
-    /// Factorises in the pattern analysed. @throws InvalidArgument if the pattern differs.
+    /// Factorises in the pattern analysed.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& matrix);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
