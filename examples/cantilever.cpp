@@ -72,7 +72,7 @@ constexpr Preset model_2 = {"Model II", {2.0, 0.01, 0.01, 2.07e11, 7.9615e10}, 1
 
 struct Cantilever {
     int model = 2;
-    double load_factor = 0.0;
+    double load_factor = model_2.load_factor;
     Point force = Point::Zero();
     std::vector<int> elements = {1, 2, 4, 8, 16};
     examples::BeamOptions beam;

@@ -97,11 +97,11 @@ void evaluate(const Probe& probe) {
     ancf::detail::require(
         std::isfinite(energy) && force.allFinite() && tangent.allFinite(),
         "the result is not finite: the coordinates or the stiffness are too large");
+    draw<Element>(probe, e);
     std::cout << "energy " << ancf::number_text(energy) << "\nforce ";
     print_numbers(force);
     std::cout << "tangent\n";
     for (Eigen::Index i = 0; i < tangent.rows(); ++i) print_numbers(tangent.row(i));
-    draw<Element>(probe, e);
 }
 
 }  // namespace

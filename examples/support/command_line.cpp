@@ -62,7 +62,8 @@ std::string joined(const std::vector<std::string>& words) {
 double number(const std::string& text, Range range) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    const bool whole = !text.empty() && end == text.c_str() + text.size() && !has_space(text);
+    const bool decimal = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    const bool whole = !text.empty() && end == text.c_str() + text.size() && decimal;
     ancf::detail::require(whole && std::isfinite(value) && (range == Range::finite || value > 0.0),
                           "expected a ", range == Range::positive ? "positive, " : "",
                           "finite number, got \"", text, '"');

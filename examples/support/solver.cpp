@@ -18,7 +18,7 @@ void SolverOptions::add_to(CommandLine& line) {
                    "linear solves per load step");
     line.add_flag("--adaptive", statics.adaptive, "halve a load step that fails");
     line.add_flag("--line-search", statics.line_search,
-                  "shorten corrections that enlarge the residual");
+                  "shorten corrections that double the residual");
 }
 
 }  // namespace examples

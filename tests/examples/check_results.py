@@ -239,10 +239,40 @@ def check_failures(checks):
                                ("cantilever", ["--load-factor", "1e12", "--elements", "2"]),
                                ("cantilever", ["--length", "1e-300", "--elements", "1"]),
                                ("semicircle", ["--moment-factor", "1e9", "--elements", "3"]),
-                               ("twist", ["--torque", "1e30"])]:
+                               ("semicircle", ["--moment-factor", "1e200", "--elements", "3"]),
+                               ("twist", ["--torque", "1e30"]),
+                               ("twist", ["--torque", "1e305"])]:
         run, = run_all(checks.folder, [(program, ["--csv", *arguments])])
         told = run.code == 2 or (run.code == 1 and run.rows()[0]["status"] != "converged")
         checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
+
+
+def check_small_loads(checks):
+    """A load far below the round-off of the stresses is solved for, not taken for none."""
+    for program, arguments in [("cantilever", ["--force", "0,1e-8,0", "--elements", "4"]),
+                               ("cantilever", ["--width", "1e-5", "--height", "1e-5", "--elements", "1024"]),
+                               ("twist", ["--torque", "1e-12"]),
+                               ("bend45", ["--force", "1e-9", "--elements", "32"])]:
+        run, = run_all(checks.folder, [(program, ["--csv", *arguments])])
+        row = run.rows()[0]
+        checks.expect(int(row["iterations"]) >= 1, f"{run.command}: {row}")
+
+
+def check_newton(checks):
+    """Near the solution of every published case the number of right digits doubles."""
+    for program, arguments in [("cantilever", []), ("cantilever", ["--element", "cross-section-pointwise"]),
+                               ("cantilever", ["--element", "continuum"]),
+                               ("cantilever", ["--model", "1", "--elements", "1,4"]),
+                               ("semicircle", ["--elements", "3,6"]), ("twist", []),
+                               ("twist", ["--transverse", "stretch"])]:
+        run, = checks.runs([(program, arguments)])
+        lines = [line for line in run.errors.splitlines() if "last residuals" in line]
+        checks.expect(len(lines) > 0, f"{run.command}: {run.errors}")
+        for line in lines:
+            words = line.split("last residuals")[1].replace("(round-off)", "").split()
+            values = [float(word) for word in words]
+            steps = [pair for pair in zip(values, values[1:]) if pair[0] > 2e-8]  # below: round-off
+            checks.expect(steps and steps[-1][1] <= steps[-1][0]**1.5, f"{run.command}: {line}")
 
 
 def check_help(checks):
@@ -306,7 +336,7 @@ def check_files(checks):
 def main(folder):
     checks = Checks(folder)
     for check in [check_tables, check_semicircle, check_twist, check_choices, check_planar, check_cables,
-                  check_directors, check_bends, check_failures, check_help,
+                  check_directors, check_bends, check_failures, check_small_loads, check_newton, check_help,
                   check_probe, check_files]:
         check(checks)
     report(checks.findings, checks.count, "checks")

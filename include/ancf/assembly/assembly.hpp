@@ -612,15 +612,13 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
         local.q = q(coordinates);
         local.v = v(coordinates);
         const AnyLoad& load = model_.loads()[k].load;
-        const Eigen::Index derivatives = load.constant() ? 0 : size;
+        const Eigen::Index rows = load.constant() ? 0 : size;
         result.force.setZero(size);
-        result.stiffness.setZero(derivatives, derivatives);
-        result.damping.setZero(derivatives, derivatives);
+        result.stiffness.setZero(rows, rows);
+        result.damping.setZero(rows, rows);
         result.potential = 0.0;
         load.evaluate(local, result);
-        const auto sized = [&](const MatrixX& m) {
-            return m.rows() == derivatives && m.cols() == derivatives;
-        };
+        const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
         detail::require(
             result.force.size() == size && sized(result.stiffness) && sized(result.damping),
             "a load on ", size, " coordinates changed the size of its results; its force has ",
