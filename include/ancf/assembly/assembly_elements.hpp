@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Assembly: evaluation of a scene, and of its elements, alone or several at once.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/assembly/schedule.hpp>
+#include <ancf/element/pack.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ancf {
+
+template <class Scene>
+std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request request,
+                                               const VectorX* increment, const Correction* last) {
+    detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
+                        at.multipliers.size() == numbering_.multipliers(),
+                    "Assembly::evaluate: expected ", numbering_.coordinates(),
+                    " coordinates and rates and ", numbering_.multipliers(), " multipliers, got ",
+                    at.q.size(), ", ", at.v.size(), " and ", at.multipliers.size());
+    internal_.setZero(numbering_.coordinates());
+    constraint_.setZero(numbering_.coordinates());
+    strain_energy_ = 0.0;
+    if (request != Request::force) clear_values(cleared_first_);
+    if (request == Request::tangent_and_damping) {
+        if (damping_.nonZeros() != tangent_.nonZeros()) damping_ = pattern_.matrix();
+        std::fill_n(damping_.valuePtr(), damping_.nonZeros(), 0.0);
+    }
+    std::size_t index = 0;
+    model_.for_each_group([&](const auto& group) {
+        strain_energy_ += add_elements(group, index++, at, request, increment, last);
+    });
+    const double gravity_scale = model_.gravity_scale(at.instant);
+    external_ = gravity_scale * gravity_;
+    load_potential_ = -external_.dot(at.q);
+    add_loads(at, request);
+    add_constraints(at, request);
+    if (std::isfinite(strain_energy_) && internal_.allFinite() && external_.allFinite() &&
+        constraint_.allFinite())
+        return std::nullopt;
+    return inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+}
+
+template <class Scene>
+template <class Element>
+double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::size_t index,
+                                     const Configuration& at, Request request,
+                                     const VectorX* increment, const Correction* last) {
+    const std::vector<Slots>& slots = slots_[index];
+    return schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
+        if (request != Request::force) clear_values(cleared_[index][place]);
+        double energy = 0.0;
+        int k = run.first;
+        constexpr int lanes = detail::pack_lanes<Element>;
+        if constexpr (lanes > 1) {
+            const auto prototype = [&](int element) {
+                return group.connections[static_cast<std::size_t>(element)].prototype;
+            };
+            const bool plain = increment == nullptr && last == nullptr;
+            for (; plain && k + lanes <= run.last; k += lanes) {
+                bool equal = true;
+                for (int lane = 1; lane < lanes; ++lane)
+                    equal = equal && prototype(k + lane) == prototype(k);
+                if (!equal) break;
+                energy += add_pack<lanes>(group.element(k), &slots[static_cast<std::size_t>(k)], at,
+                                          request);
+            }
+        }
+        for (; k < run.last; ++k)
+            energy += add_element(group.element(k), slots[static_cast<std::size_t>(k)], at, request,
+                                  increment, last);
+        return energy;
+    });
+}
+
+template <class Scene>
+template <class Element>
+double Assembly<Scene>::add_element(const Element& element, const Slots& slots,
+                                    const Configuration& at, Request request,
+                                    const VectorX* increment, const Correction* last) {
+    int coordinate[Element::dofs];
+    element_coordinates<Element>(slots, coordinate);
+    const auto gathered = [&](const VectorX& all) {
+        typename Element::Coordinates own;
+        for (int i = 0; i < Element::dofs; ++i) own[i] = all[coordinate[i]];
+        return own;
+    };
+    const typename Element::Coordinates e = gathered(at.q);
+    if (request == Request::force && increment == nullptr) {
+        const typename Element::Coordinates force = element.force(e);
+        for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += force[i];
+        return element.energy(e);
+    }
+    auto result = [&] {
+        if constexpr (detail::EvaluatesMixed<Element>::value)
+            if (last != nullptr)
+                return element.evaluate(e, gathered(last->before), gathered(last->change));
+        return element.evaluate(e);
+    }();
+    if (increment != nullptr) result.force.noalias() += result.tangent * gathered(*increment);
+    for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += result.force[i];
+    if (request != Request::force) scatter<Element>(slots, result.tangent, tangent_.valuePtr());
+    return result.energy;
+}
+
+template <class Scene>
+template <int Lanes, class Element>
+double Assembly<Scene>::add_pack(const Element& element, const Slots* slots,
+                                 const Configuration& at, Request request) {
+    int coordinate[Lanes][Element::dofs];
+    Vector<Pack<Lanes>, Element::dofs> e;
+    for (int lane = 0; lane < Lanes; ++lane) {
+        element_coordinates<Element>(slots[lane], coordinate[lane]);
+        for (int i = 0; i < Element::dofs; ++i) e[i].set(lane, at.q[coordinate[lane][i]]);
+    }
+    const auto add_force = [&](const auto& force) {
+        for (int lane = 0; lane < Lanes; ++lane)
+            for (int i = 0; i < Element::dofs; ++i)
+                internal_[coordinate[lane][i]] += force[i][lane];
+    };
+    if (request == Request::force) {
+        add_force(element.force(e));
+        return lane_sum(element.energy(e));
+    }
+    const auto result = element.evaluate(e);
+    add_force(result.force);
+    Matrix<double, Element::dofs> tangent;
+    for (int lane = 0; lane < Lanes; ++lane) {
+        for (int k = 0; k < tangent.size(); ++k) tangent(k) = result.tangent(k)[lane];
+        scatter<Element>(slots[lane], tangent, tangent_.valuePtr());
+    }
+    return lane_sum(result.energy);
+}
+
+template <class Scene>
+template <class Element, class Block>
+void Assembly<Scene>::scatter(const Slots& slots, const Block& block, double* values) const {
+    constexpr int half = Element::dofs / 2;
+    if (slots.plain) {
+        for (int b = 0; b < 2; ++b)
+            for (int j = 0; j < half; ++j) {
+                const int offset = pattern_.column_offset(slots.node[b], j);
+                for (int a = 0; a < 2; ++a) {
+                    if (slots.base[a][b] < 0) continue;
+                    double* column = values + slots.base[a][b] + offset;
+                    const int from = a == b && pattern_.storage() == Storage::lower ? j : 0;
+                    for (int i = from; i < half; ++i)
+                        column[i] += block(a * half + i, b * half + j);
+                }
+            }
+        return;
+    }
+    int row_of[Element::dofs];  // row within the node's block, -1 where held
+    element_coordinates<Element>(slots, row_of);
+    for (int i = 0; i < Element::dofs; ++i) {
+        const int equation = numbering_.equation(row_of[i]);
+        row_of[i] = equation < 0 ? -1 : equation - pattern_.first(slots.node[i >= half]);
+    }
+    for (int b = 0; b < 2; ++b)
+        for (int j = b * half; j < (b + 1) * half; ++j) {
+            if (row_of[j] < 0) continue;
+            const int offset = pattern_.column_offset(slots.node[b], row_of[j]);
+            for (int a = 0; a < 2; ++a) {
+                if (slots.base[a][b] < 0) continue;
+                double* column = values + slots.base[a][b] + offset;
+                const int above = a == b && pattern_.storage() == Storage::lower ? row_of[j] : 0;
+                for (int i = a * half; i < (a + 1) * half; ++i)
+                    if (row_of[i] >= above) column[row_of[i]] += block(i, j);
+            }
+        }
+}
+
+template <class Scene>
+void Assembly<Scene>::add_value(int row, int column, double value, SparseMatrix& matrix) const {
+    const int i = numbering_.equation(row);
+    const int j = numbering_.equation(column);
+    if (i < 0 || j < 0 || (pattern_.storage() == Storage::lower && i < j)) return;
+    const int a = numbering_.block(row);
+    const int b = numbering_.block(column);
+    const int slot = pattern_.base(a, b) + pattern_.column_offset(b, j - pattern_.first(b)) + i -
+                     pattern_.first(a);
+    matrix.valuePtr()[slot] += value;
+}
+
+}  // namespace ancf

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Assembly: loads, constraints, supports and inertia; the residual.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/types.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace ancf {
+
+template <class Scene>
+template <class Visitor>
+void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double time,
+                                    bool derivatives, Visitor&& visit) const {
+    LoadState local;
+    LoadResult result;
+    local.time = time;
+    local.derivatives = derivatives;
+    for (std::size_t k = 0; k < load_coordinates_.size(); ++k) {
+        const std::vector<int>& coordinates = load_coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(coordinates.size());
+        local.q = q(coordinates);
+        local.v = v(coordinates);
+        const AnyLoad& load = model_.loads()[k].load;
+        const Eigen::Index rows = load.constant() ? 0 : size;
+        result.force.setZero(size);
+        result.stiffness.setZero(rows, rows);
+        result.damping.setZero(rows, rows);
+        result.potential = 0.0;
+        load.evaluate(local, result);
+        const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
+        detail::require(
+            result.force.size() == size && sized(result.stiffness) && sized(result.damping),
+            "a load on ", size, " coordinates changed the size of its results; its force has ",
+            result.force.size(), " entries");
+        visit(model_.loads()[k], coordinates, result);
+    }
+}
+
+template <class Scene>
+void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
+    for_each_load(
+        at.q, at.v, at.instant.time, request != Request::force,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = load.scale(at.instant);
+            const int size = static_cast<int>(coordinates.size());
+            load_potential_ += scale * result.potential;
+            for (int i = 0; i < size; ++i)
+                external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
+            if (request == Request::force || result.stiffness.size() == 0) return;
+            for (int i = 0; i < size; ++i)
+                for (int j = 0; j < size; ++j) {
+                    const int row = coordinates[static_cast<std::size_t>(i)];
+                    const int column = coordinates[static_cast<std::size_t>(j)];
+                    if (result.stiffness(i, j) != 0.0)
+                        add_value(row, column, -scale * result.stiffness(i, j), tangent_);
+                    if (request == Request::tangent_and_damping && result.damping(i, j) != 0.0)
+                        add_value(row, column, -scale * result.damping(i, j), damping_);
+                }
+        });
+}
+
+template <class Scene>
+VectorX Assembly<Scene>::load_rate(const VectorX& q, double factor) const {
+    constexpr double step = 1e-4;  // exact for loads in proportion to the factor
+    const auto slope = [&](const auto& scale) {
+        return (scale(Instant{factor + step, factor + step}) -
+                scale(Instant{factor - step, factor - step})) /
+               (2.0 * step);
+    };
+    VectorX rate = slope([&](const Instant& at) { return model_.gravity_scale(at); }) * gravity_;
+    for_each_load(
+        q, VectorX::Zero(q.size()), factor, false,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = slope([&](const Instant& at) { return load.scale(at); });
+            for (std::size_t i = 0; i < coordinates.size(); ++i)
+                rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
+        });
+    return rate;
+}
+
+template <class Scene>
+void Assembly<Scene>::add_constraints(const Configuration& at, Request request) {
+    violation_.setZero(numbering_.multipliers());
+    violation_rate_.setZero(numbering_.multipliers());
+    convection_.setZero(numbering_.multipliers());
+    ConstraintState local;
+    ConstraintResult result;
+    local.time = at.instant.time;
+    int first = 0;
+    for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
+        const AnyConstraint& constraint = model_.constraints()[k];
+        const std::vector<int>& coordinates = constraint_coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(coordinates.size());
+        const int equations = constraint.equations();
+        local.q = at.q(coordinates);
+        local.v = at.v(coordinates);
+        local.multipliers = at.multipliers.segment(first, equations);
+        result.violation.setZero(equations);
+        result.jacobian.setZero(equations, size);
+        result.stiffness.setZero(size, size);
+        result.rate.setZero(equations);
+        result.convection.setZero(equations);
+        constraint.evaluate(local, result);
+        detail::require(result.violation.size() == equations &&
+                            result.jacobian.rows() == equations && result.jacobian.cols() == size &&
+                            result.stiffness.rows() == size && result.stiffness.cols() == size &&
+                            result.rate.size() == equations &&
+                            result.convection.size() == equations,
+                        "constraint ", constraint.name(), " of ", equations, " equations on ", size,
+                        " coordinates changed the size of its results");
+        violation_.segment(first, equations) = result.violation;
+        violation_rate_.segment(first, equations) = result.rate;
+        convection_.segment(first, equations) = result.convection;
+        for (Eigen::Index i = 0; i < size; ++i)
+            constraint_[coordinates[static_cast<std::size_t>(i)]] +=
+                result.jacobian.col(i).dot(local.multipliers);
+        if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
+        first += equations;
+    }
+}
+
+template <class Scene>
+void Assembly<Scene>::add_constraint_blocks(int constraint, const ConstraintResult& result) {
+    const std::vector<int>& coordinates =
+        constraint_coordinates_[static_cast<std::size_t>(constraint)];
+    const int own = numbering_.constraint_block(constraint);
+    const int size = static_cast<int>(coordinates.size());
+    double* values = tangent_.valuePtr();
+    for (int j = 0; j < size; ++j) {
+        const int coordinate = coordinates[static_cast<std::size_t>(j)];
+        const int equation = numbering_.equation(coordinate);
+        if (equation < 0) continue;
+        const int node = numbering_.block(coordinate);
+        const int place = equation - pattern_.first(node);
+        for (int i = 0; i < size; ++i)
+            if (result.stiffness(i, j) != 0.0)
+                add_value(coordinates[static_cast<std::size_t>(i)], coordinate,
+                          result.stiffness(i, j), tangent_);
+        for (int i = 0; i < result.jacobian.rows(); ++i) {
+            const double value = result.jacobian(i, j);
+            values[pattern_.base(own, node) + pattern_.column_offset(node, place) + i] += value;
+            values[pattern_.base(node, own) + pattern_.column_offset(own, i) + place] += value;
+        }
+    }
+}
+
+template <class Scene>
+std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
+    int group_index = 0;
+    std::optional<Fault> fault;
+    for_each_group([&](const auto& group, const auto& slots) {
+        using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
+        int coordinate[Element::dofs];
+        typename Element::Coordinates e;
+        for (std::size_t k = 0; k < slots.size() && !fault; ++k) {
+            element_coordinates<Element>(slots[k], coordinate);
+            for (int i = 0; i < Element::dofs; ++i) e[i] = q[coordinate[i]];
+            const int index = static_cast<int>(k);
+            if (!e.allFinite())
+                fault = Fault{Status::not_finite, group_index, index};
+            else if (!group.element(index).admissible(e))
+                fault = Fault{Status::degenerate, group_index, index};
+        }
+        ++group_index;
+    });
+    return fault;
+}
+
+template <class Scene>
+void Assembly<Scene>::residual(VectorX& out) const {
+    out.resize(numbering_.unknowns());
+    for (int k = 0; k < numbering_.coordinates(); ++k)
+        if (const int equation = numbering_.equation(k); equation >= 0)
+            out[equation] = internal_[k] + constraint_[k] - external_[k];
+    out.tail(numbering_.multipliers()) = violation_;
+}
+
+template <class Scene>
+SparseMatrix Assembly<Scene>::mass() const {
+    SparseMatrix result = pattern_.matrix();
+    for_each_group([&](const auto& group, const auto& slots) {
+        using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
+        std::vector<Matrix<double, Element::dofs>> masses;
+        for (const Element& prototype : group.prototypes) masses.push_back(prototype.mass());
+        for (std::size_t k = 0; k < slots.size(); ++k)
+            scatter<Element>(slots[k],
+                             masses[static_cast<std::size_t>(group.connections[k].prototype)],
+                             result.valuePtr());
+    });
+    for (const PointMass& point : model_.masses())
+        for (int i = 0; i < Scene::dimension; ++i) {
+            const int at = model_.coordinate(point.node, Field::r) + i;
+            add_value(at, at, point.mass, result);
+        }
+    return result;
+}
+
+template <class Scene>
+VectorX Assembly<Scene>::mass_product(const VectorX& a) const {
+    detail::require(a.size() == numbering_.coordinates(), "Assembly::mass_product: expected ",
+                    numbering_.coordinates(), " coordinates, got ", a.size());
+    VectorX result = VectorX::Zero(a.size());
+    for_each_group([&](const auto& group, const auto& slots) {
+        using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
+        std::vector<Matrix<double, Element::dofs>> masses;
+        for (const Element& prototype : group.prototypes) masses.push_back(prototype.mass());
+        int coordinate[Element::dofs];
+        typename Element::Coordinates e;
+        for (std::size_t k = 0; k < slots.size(); ++k) {
+            element_coordinates<Element>(slots[k], coordinate);
+            for (int i = 0; i < Element::dofs; ++i) e[i] = a[coordinate[i]];
+            const typename Element::Coordinates product =
+                masses[static_cast<std::size_t>(group.connections[k].prototype)] * e;
+            for (int i = 0; i < Element::dofs; ++i) result[coordinate[i]] += product[i];
+        }
+    });
+    for (const PointMass& point : model_.masses()) {
+        const int at = model_.coordinate(point.node, Field::r);
+        result.template segment<Scene::dimension>(at) +=
+            point.mass * a.template segment<Scene::dimension>(at);
+    }
+    return result;
+}
+
+template <class Scene>
+void Assembly<Scene>::apply_supports(const Instant& instant, VectorX& q) const {
+    detail::require(q.size() == numbering_.coordinates(), "the state has ", q.size(),
+                    " coordinates, the model has ", numbering_.coordinates());
+    for (const Support& support : model_.supports())
+        if (support.value)
+            q[model_.layout().index({support.node, support.field}) + support.component] =
+                support.value(instant.time);
+}
+
+}  // namespace ancf
