@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Processor time of every run against its error, by element; the line joins the runs that no other beats in both.
+
+cases = "model2 semicircle bend45 twist pendulum link"
+titles = "'Model II' semicircle '45-degree bend' twist pendulum 'link pendulum'"
+errors = "'relative error of the tip' 'relative error of the tip' 'relative error of the tip' 'error of the angle (rad)' 'error of the tip (m)' 'error of the tip (m)'"
+elements = "cross-section cross-section-geodesic cross-section-pointwise continuum torsion cable planar planar-continuum planar-cable"
+rows(scene, element) = sprintf("< awk -F, 'NR == 1 || ($1 == \"%s\" && $2 == \"%s\" && $7 + 0 > 0)' '%s/speed_against_error.csv'", scene, element, data)
+front(scene) = sprintf("< head -n 1 '%s/speed_against_error.csv'; awk -F, '$1 == \"%s\" && $7 + 0 > 0' '%s/speed_against_error.csv' | sort -t, -k8,8g | awk -F, 'NR == 1 || $7 + 0 < best { best = $7 + 0; print }'", data, scene, data)
+
+set multiplot layout 2, 3 title "Processor time against error" font ",18"
+set logscale xy
+set format x "10^{%L}"
+set format y "10^{%L}"
+set grid
+set key top right Left reverse spacing 1.0 samplen 0.6 font ",9"
+do for [k = 1:words(cases)] {
+    scene = word(cases, k)
+    set title word(titles, k)
+    set xlabel word(errors, k)
+    set ylabel "processor time (ms)"
+    if (k > 1) { unset key }
+    plot for [j = 1:words(elements)] rows(scene, word(elements, j)) using "error":"cpu_ms" with points pointtype (j < 7 ? 6 : 4) pointsize 0.5 linecolor ((j - 1) % 6 + 1) title word(elements, j), \
+        front(scene) using "error":"cpu_ms" with lines linecolor rgb "black" linewidth 1.5 title "front"
+}
+unset multiplot
