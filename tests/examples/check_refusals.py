@@ -14,6 +14,17 @@ from programs import report, run_all  # noqa: E402
 
 STATICS = ["cantilever", "semicircle", "twist"]
 ALL = STATICS + ["probe"]
+MOTIONS = ["pendulum", "double_pendulum"]
+OTHERS = {  # further programs: options of a positive number, of a count, of one word
+    "pendulum": (["--length", "--density", "--link", "--tolerance", "--step", "--duration", "--output-interval"],
+                 ["--elements"], ["--element", "--rule", "--integrator", "--preset"]),
+    "double_pendulum": (["--length", "--density", "--tolerance", "--step", "--duration", "--output-interval"],
+                        ["--elements"], ["--element", "--rule", "--integrator", "--preset"]),
+    "bend45": ([], ["--elements", "--steps", "--max-iterations"], ["--element", "--rule", "--solver", "--clamp"]),
+    "four_bar": (["--step", "--duration", "--output-interval"], ["--elements"], []),
+    "hanging_chain": (["--span", "--length", "--stiffness"], ["--elements", "--steps"], ["--element", "--rule", "--solver"]),
+    "princeton": ([], ["--elements", "--steps", "--max-iterations"], ["--rule", "--solver"]),
+}
 
 NO_NUMBER = ["abc", "", " ", "1.5m", "1,5", "nan", "inf", "-inf", "1e999", "--"]
 NOT_POSITIVE = ["0", "-1", "-1e-300", "1e-999"]
@@ -110,6 +121,25 @@ def element_cases():
     yield "cantilever", ["--model", "1", "--element", "cable"], ["equally"]  # a flat section has no place in it
 
 
+def other_cases():
+    """The same mistakes in every other program, and files that cannot be read or written."""
+    for program, (positive, counts, choices) in OTHERS.items():
+        for option in positive:
+            for value in ["nan", "-1", "0", "x", "inf", "1e999"]:
+                yield program, *missing_or_wrong(option, value)
+        for option in counts:
+            for value in ["0", "-4", "2.5", "many", "nan", "99999999999999999999"]:
+                yield program, [option, value], [option, value]
+        for option in choices:
+            for value in ["none of them", "7"]:
+                yield program, [option, value], [option, f'"{value}"']
+        yield program, ["--lenght", "1"], ["--lenght"]
+        yield program, ["stray"], ["stray"]
+    for program in MOTIONS:
+        yield program, ["--restart", "/no/such/folder/state"], ["/no/such/folder/state"]
+        yield program, ["--duration", "1e-3", "--save", "/no/such/folder/state"], ["/no/such/folder/state"]
+
+
 def coordinate_cases():
     """(arguments, stdin, words that stderr must hold) for the probe."""
     whole = " ".join(REFERENCE)
@@ -140,7 +170,7 @@ def coordinate_cases():
 
 def main(folder):
     cases = [(program, arguments, "", words)
-             for program, arguments, words in [*option_cases(), *line_cases(), *element_cases()]]
+             for program, arguments, words in [*option_cases(), *line_cases(), *element_cases(), *other_cases()]]
     cases += [("probe", arguments, text, words) for arguments, text, words in coordinate_cases()]
     findings = []
     runs = run_all(folder, [case[:3] for case in cases])
@@ -152,6 +182,8 @@ def main(folder):
             findings.append(f"{shown}: wrote on stdout: {run.output[:60]!r}")
         elif not run.errors.strip() or not all(word in run.errors for word in words):
             findings.append(f"{shown}: the message lacks {words}: {run.errors.strip()!r}")
+    if len(cases) < 600:
+        findings.append(f"only {len(cases)} wrong calls were made")
     report(findings, len(cases), "wrong calls")
 
 
