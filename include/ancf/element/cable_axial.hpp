@@ -62,7 +62,8 @@ struct GreenAxial {
     /// Returns (n, k) of the stiffness c = EA.
     template <class S>
     static void resultants(const S& c, const S& /*square*/, const S& strain, S& n, S& k) noexcept {
-        n = c * detail::deformation(strain, 0.0);
+        using detail::deformation;  // or that of the scalar
+        n = c * deformation(strain, 0.0);
         k = c;
     }
 };
@@ -84,7 +85,8 @@ struct EngineeringAxial {
     /// Returns (n, k) of the stiffness c = EA: n = c eps/|r'|, k = (c - n)/|r'|^2.
     template <class S>
     static void resultants(const S& c, const S& square, const S& strain, S& n, S& k) noexcept {
-        n = c * detail::deformation(strain, 0.0) / (strain + 1.0);
+        using detail::deformation;
+        n = c * deformation(strain, 0.0) / (strain + 1.0);
         k = (c - n) / square;
     }
 };
