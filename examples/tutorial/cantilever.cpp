@@ -9,6 +9,7 @@
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
+#include <cmath>
 #include <iostream>
 
 int main() {
