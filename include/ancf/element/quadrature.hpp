@@ -10,7 +10,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
-
+#include <ancf/types.hpp>
 #include <array>
 #include <cmath>
 #include <string>
