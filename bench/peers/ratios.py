@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints Exudyn's runs beside ancf's cheapest of an equal or smaller error.
 
-    ratios.py FOLDER [--markdown]    reads FOLDER/exudyn-*.csv and FOLDER/ancf-*.csv
+    ratios.py FOLDER [--markdown]    reads FOLDER/exudyn-*.csv and FOLDER/ancf-*.csv; exits 1 without runs of both
 """
 
 import csv
@@ -32,6 +32,9 @@ def is_planar(element):
 def pairs(folder):
     """Each run of Exudyn that no other of its element beats, with ancf's cheapest of at most its error."""
     exudyn, ours = rows(folder, "exudyn"), rows(folder, "ancf")
+    for code, runs in (("exudyn", exudyn), ("ancf", ours)):
+        if not runs:
+            sys.exit(f"ratios.py: no run in {folder}/{code}-*.csv")
     for peer in exudyn:
         rivals = [row for row in ours if row["case"] == peer["case"] and row["error"] <= peer["error"]
                   and is_planar(row["element"]) == is_planar(peer["element"])]
@@ -40,13 +43,14 @@ def pairs(folder):
 
 def main(folder, *options):
     markdown = "--markdown" in options
+    found_pairs = list(pairs(folder))  # before anything is printed
     line = "| {} | {} | {} | {:.1e} | {:.3f} | {} | {} | {} |" if markdown else \
         "{:11} {:14} {:>3} {:9.1e} {:9.3f}  {:38} {:>9} {:>7}"
     if markdown:
         print("| case | Exudyn's element | n | error | ms | ancf, at most that error | ms | ratio |\n|---|---|---|---|---|---|---|---|")
     else:
         print("case        Exudyn           n     error        ms  ancf, at most that error                      ms   ratio")
-    for peer, own in pairs(folder):
+    for peer, own in found_pairs:
         found = ("none", "", "") if own is None else (
             f"{own['element']} {own['rule']} n={own['elements']} {own['solver']}", f"{own['cpu_ms']:.3f}",
             f"{peer['cpu_ms'] / own['cpu_ms']:.1f}")
