@@ -10,7 +10,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/types.hpp>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -121,10 +121,11 @@ private:
 
 inline Quadrature gauss_quadrature(int points) {
     detail::require(points >= 1 && points <= 16, "points must lie in [1, 16], got ", points);
+    constexpr double pi = 3.14159265358979323846;  // types.hpp would bring all of Eigen here
     Quadrature quadrature(static_cast<std::size_t>(points));
     for (int k = 0; k < points; ++k) {
         // Newton's method on Legendre's polynomial P_n, by its three-term recurrence.
-        double x = -std::cos(detail::pi * (k + 0.75) / (points + 0.5));
+        double x = -std::cos(pi * (k + 0.75) / (points + 0.5));
         double slope = 1.0;
         for (int iteration = 0; iteration < 8; ++iteration) {
             double previous = 1.0;

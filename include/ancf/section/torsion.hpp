@@ -10,7 +10,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/types.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,13 +26,14 @@ namespace ancf {
 [[nodiscard]] inline double rectangle_torsion_constant(double width, double height) {
     detail::require_positive("width", width);
     detail::require_positive("height", height);
+    constexpr double pi = 3.14159265358979323846;  // types.hpp would bring all of Eigen here
     constexpr double zeta5 = 1.03692775514336992633;
     const double a = std::max(width, height);
     const double b = std::min(width, height);
     double sum = 31.0 / 32.0 * zeta5;
     for (int n = 1; n <= 15; n += 2)  // exp(-15 pi) < 1e-20
-        sum -= 2.0 / ((std::exp(n * detail::pi * (a / b)) + 1.0) * std::pow(n, 5));
-    return a * b * b * b * (1.0 / 3.0 - 64.0 * (b / a) / std::pow(detail::pi, 5) * sum);
+        sum -= 2.0 / ((std::exp(n * pi * (a / b)) + 1.0) * std::pow(n, 5));
+    return a * b * b * b * (1.0 / 3.0 - 64.0 * (b / a) / std::pow(pi, 5) * sum);
 }
 
 }  // namespace ancf
