@@ -140,8 +140,8 @@ private:
         const VectorX diagonal = a.diagonal();
         if (!(diagonal.minCoeff() > 0.0)) return false;
         const VectorX scale = diagonal.cwiseSqrt().cwiseInverse();
-        const Eigen::SelfAdjointEigenSolver<MatrixX> metric(scale.asDiagonal() * a *
-                                                            scale.asDiagonal());
+        const MatrixX unit = scale.asDiagonal() * a * scale.asDiagonal();
+        const Eigen::SelfAdjointEigenSolver<MatrixX> metric(unit);
         const VectorX& weights = metric.eigenvalues();
         Eigen::Index first = 0;
         while (first < weights.size() && weights[first] <= 1e-13 * weights[weights.size() - 1])
