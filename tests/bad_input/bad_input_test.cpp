@@ -6,7 +6,6 @@
 /// that names what is wrong, the value and what was expected; none may pass, crash or hang.
 
 #include <ancf/element/quadrature.hpp>
-#include <ancf/model/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/output/state_file.hpp>
@@ -45,8 +44,6 @@ std::string text(double value) {
 /// The calls that one argument makes wrong.
 class Table {
 public:
-    using Numbers = std::vector<double>;
-
     void add(std::function<void()> call, std::vector<std::string> words) {
         calls.push_back({std::move(call), std::move(words)});
     }
@@ -145,8 +142,9 @@ void add_loads(Table& table) {
         table.finite("Moment", [=](double x) { return Moment(node, vector(x)); });
         table.finite("FollowerForce", [=](double x) { return FollowerForce(node, vector(x)); });
         table.finite("TangentMoment", [=](double x) { return TangentMoment(node, vector(x)); });
-        table.finite("axis",
-                     [=](double x) { return SlopeMoment(node, Field::r_y, vector(x), 1.0); });
+        for (const double x : {nan, infinity, -infinity})
+            table.add([=] { SlopeMoment(node, Field::r_y, vector(x), 1.0); },
+                      {"SlopeMoment", "axis", "length", text(x)});
         table.finite("GeneralisedForce", [=](double x) {
             return GeneralisedForce({{node, Field::r}}, vector(x));
         });
@@ -168,7 +166,7 @@ void add_output(Table& table) {
                 std::ostringstream out;
                 ancf::CsvWriter(out, {"x", name});
             },
-            {"CSV"});
+            {"CsvWriter", "comma"});
     table.add(
         [] {
             std::ostringstream out;

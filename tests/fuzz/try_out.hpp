@@ -6,15 +6,13 @@
 ///
 /// What must hold whatever they are: the call returns, and where the coordinates are admissible and
 /// of a size that cannot overflow, energy, force and tangent are finite and the energy is not
-/// negative. Coordinates that are not finite are never admissible.
+/// negative beyond round-off. Coordinates that are not finite are never admissible.
 ///
 /// ANCF_FUZZ_SECONDS sets the time, ANCF_FUZZ_SEED the seed; one second and seed 1 without them.
 
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#pragma once
+
+#include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>
@@ -25,17 +23,16 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
-#include <string>
 
-namespace {
+namespace ancf::test {
 
-double setting(const char* name, double otherwise) {
+inline double setting(const char* name, double otherwise) {
     const char* text = std::getenv(name);
     return text == nullptr ? otherwise : std::strtod(text, nullptr);
 }
 
 /// Returns a number of a random kind; `tame` keeps it of a size whose powers do not overflow.
-double number(ancf::test::Random& random, bool tame) {
+inline double number(Random& random, bool tame) {
     const double size = random.uniform(-1.0, 1.0);
     switch (static_cast<int>(random.uniform(0.0, tame ? 4.0 : 9.0))) {
         case 0: return size;
@@ -53,7 +50,7 @@ double number(ancf::test::Random& random, bool tame) {
 /// Returns coordinates: of a random kind each, or a straight element with some of them changed, a
 /// vector copied over another, or one node on the other.
 template <class Element>
-typename Element::Coordinates coordinates(ancf::test::Random& random, bool tame) {
+typename Element::Coordinates coordinates(Random& random, bool tame) {
     constexpr int dimension = Element::dimension, half = Element::dofs / 2;
     typename Element::Coordinates e = Element::Coordinates::Zero();
     for (int node = 0; node < 2; ++node) {
@@ -76,14 +73,19 @@ typename Element::Coordinates coordinates(ancf::test::Random& random, bool tame)
     return e;
 }
 
-/// Returns how many states were tried.
+/// Tries an element of a steel strip for one seventh of the time (there are seven), or a thousand
+/// states if that is longer.
 template <class Element>
-long try_out(const Element& element, std::uint64_t seed, double seconds) {
+void try_out() {
+    const Element element(Material::isotropic(2e11, 0.3, 7850.0), rectangle(0.01, 0.02), 1.0);
+    const double seconds = setting("ANCF_FUZZ_SECONDS", 1.0) / 7.0;
+    const auto seed = static_cast<std::uint64_t>(setting("ANCF_FUZZ_SEED", 1.0));
+    constexpr double axial = 2e11 * 2e-4;  // E A times the length, J
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-    ancf::test::Random random(seed);
-    long tried = 0, wrong = 0;
-    while (Clock::now() < end && wrong == 0) {
+    Random random(seed);
+    long tried = 0, used = 0, wrong = 0;
+    while (wrong == 0 && (tried < 1000 || Clock::now() < end)) {
         const bool tame = random.uniform(0.0, 1.0) < 0.5;
         const auto e = coordinates<Element>(random, tame);
         const auto result = element.evaluate(e);
@@ -91,33 +93,20 @@ long try_out(const Element& element, std::uint64_t seed, double seconds) {
         const double energy = element.energy(e);
         const bool admissible = element.admissible(e);
         if (admissible && !e.allFinite()) ++wrong;
-        if (admissible && e.template lpNorm<Eigen::Infinity>() < 1e3 &&
-            !(std::isfinite(energy) && energy >= 0.0 && std::isfinite(result.energy) &&
+        const double size = e.template lpNorm<Eigen::Infinity>();
+        const double round_off =
+            1e-15 * axial * (1.0 + std::pow(size, 4));  // Green's strain squared
+        if (admissible && size < 1e3 &&
+            !(std::isfinite(energy) && energy >= -round_off && std::isfinite(result.energy) &&
               force.allFinite() && result.force.allFinite() && result.tangent.allFinite()))
             ++wrong;
         if (wrong > 0) UNSCOPED_INFO("state " << tried << ": " << e.transpose());
         ++tried;
+        used += admissible ? 1 : 0;
     }
     CHECK(wrong == 0);
-    return tried;
+    WARN(tried << " states, " << used << " of them admissible, seed " << seed);
+    CHECK(used > 10);
 }
 
-}  // namespace
-
-TEST_CASE("fuzz: no coordinates crash an element, and admissible ones give finite results",
-          "[fuzz]") {
-    const double seconds = setting("ANCF_FUZZ_SECONDS", 1.0) / 7.0;
-    const auto seed = static_cast<std::uint64_t>(setting("ANCF_FUZZ_SEED", 1.0));
-    const auto steel = ancf::Material::isotropic(2e11, 0.3, 7850.0);
-    const auto section = ancf::rectangle(0.01, 0.02);
-    long tried = 0;
-    tried += try_out(ancf::CrossSectionBeam<3>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::CrossSectionBeam<2>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::ContinuumBeam<3>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::ContinuumBeam<2>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::Cable<3>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::Cable<2>(steel, section, 1.0), seed, seconds);
-    tried += try_out(ancf::TorsionBeam(steel, section, 1.0), seed, seconds);
-    WARN(tried << " states, seed " << seed);
-    CHECK(tried > 100);
-}
+}  // namespace ancf::test
