@@ -180,10 +180,10 @@ public:
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
 
-    /// Returns the twelve generalised strains (eps, k_y, k_z, a_yy/2, a_yz, a_zz/2, g_y, h_yy,
+    /// Returns the twelve generalised strains (eps, b_y, b_z, a_yy/2, a_yz, a_zz/2, g_y, h_yy,
     /// h_zy, g_z, h_yz, h_zz).
     ///
-    /// e_xx = eps + y k_y + z k_z + (y^2 a_yy + 2 y z a_yz + z^2 a_zz)/2, 2e_xy = g_y + y h_yy + z
+    /// e_xx = eps + y b_y + z b_z + (y^2 a_yy + 2 y z a_yz + z^2 a_zz)/2, 2e_xy = g_y + y h_yy + z
     /// h_zy, 2e_xz = g_z + y h_yz + z h_zz; 1, 1/m or 1/m^2.
     template <class S>
     [[nodiscard]] Vector<S, 12> strains(const Vector<S, dofs>& e, double xi) const noexcept;

@@ -98,7 +98,7 @@ public:
     // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect.
     // ---------------------
 
-    /// Returns the generalised strains (eps, k_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
+    /// Returns the generalised strains (eps, b_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
     /// and 2e_xy = e4 + y e5.
     [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept;
 

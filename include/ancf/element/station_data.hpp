@@ -23,7 +23,7 @@ namespace ancf {
 /// The blocks of the section matrix of the twelve generalised strains.
 template <class T>
 struct SectionMatrix {
-    T axial[6][6];    ///< of (eps, k_y, k_z, a_yy/2, a_yz, a_zz/2)
+    T axial[6][6];    ///< of (eps, b_y, b_z, a_yy/2, a_yz, a_zz/2)
     T shear_y[3][3];  ///< of (g_y, h_yy, h_zy)
     T shear_z[3][3];  ///< of (g_z, h_yz, h_zz)
 };

@@ -117,14 +117,14 @@ public:
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
 
-    /// Returns (eps, k_y, k_z, om): e_xx = eps + y k_y + z k_z, 1 and 1/m; om the twist rate, 1/m.
+    /// Returns (eps, b_y, b_z, om): e_xx = eps + y b_y + z b_z, 1 and 1/m; om the twist rate, 1/m.
     [[nodiscard]] Vector<double, 4> strains(const Coordinates& e, double xi) const noexcept;
 
     /// Returns axial force, torque and bending moments; the shear forces follow from equilibrium
     /// alone and are left zero.
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
-    /// Returns the axial stress E (eps + y k_y + z k_z), Pa.
+    /// Returns the axial stress E (eps + y b_y + z b_z), Pa.
     [[nodiscard]] Vector<double, 1> stress(const Coordinates& e, double xi, double y = 0.0,
                                            double z = 0.0) const noexcept {
         const Vector<double, 4> s = strains(e, xi);

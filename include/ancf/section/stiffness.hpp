@@ -6,7 +6,7 @@
 ///
 /// The strain energy of [Dufva2006, Eq. 29] per length is s^T C s/2 for
 ///
-///     e_xx   = eps + y k_y + z k_z + y^2 (a_yy/2) + y z a_yz + z^2 (a_zz/2)
+///     e_xx   = eps + y b_y + z b_z + y^2 (a_yy/2) + y z a_yz + z^2 (a_zz/2)
 ///     2 e_xy = g_y + y h_yy + z h_zy          2 e_xz = g_z + y h_yz + z h_zz
 ///
 /// so that C is three blocks of moments times a modulus, full where the section has odd moments.
@@ -24,7 +24,7 @@ namespace ancf {
 /// The blocks of the section matrix, symmetric. Units: N times m^(degree of the row's + of the
 /// column's monomial).
 struct SectionStiffness {
-    Matrix<double, 6> axial;    ///< E int p p^T dA of (eps, k_y, k_z, a_yy/2, a_yz, a_zz/2)
+    Matrix<double, 6> axial;    ///< E int p p^T dA of (eps, b_y, b_z, a_yy/2, a_yz, a_zz/2)
     Matrix<double, 3> shear_y;  ///< k_y G int p p^T dA, p = (1, y, z), of (g_y, h_yy, h_zy)
     Matrix<double, 3> shear_z;  ///< k_z G int p p^T dA, p = (1, y, z), of (g_z, h_yz, h_zz)
     double transverse_yy;       ///< E A of e_yy, N
