@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Natural frequencies about any state, and linear buckling: docs/theory-modal.md.
+///
+/// Both are the largest eigenvalues th of B x = th A x with A factorised once: A = K - shift M and
+/// B = M for vibration, A = K_0 and B = -dK/df for buckling. Constraints stay in A.
+
+#pragma once
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/subspace.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// What modes are wanted and how well.
+struct ModalOptions {
+    int count = 6;             ///< number of modes
+    double factor = 1.0;       ///< vibration: load factor of the state that the model is in
+    double shift = 0.0;        ///< rad^2/s^2, below all wanted; negative for bodies that can move
+    double tolerance = 1e-10;  ///< relative change of the eigenvalues
+    int max_iterations = 500;
+
+    /// @throws InvalidArgument naming the first value that cannot be meant.
+    void check() const;
+};
+
+/// One mode.
+struct Mode {
+    double value;     ///< vibration: omega^2, rad^2/s^2; buckling: the load factor
+    double residual;  ///< |B x - th A x|/(th |A x|)
+    VectorX shape;    ///< all coordinates; of unit modal mass, or x^T K_0 x = 1
+
+    /// Returns omega/(2 pi), Hz; negative where the square is.
+    [[nodiscard]] double frequency() const noexcept {
+        return std::copysign(std::sqrt(std::abs(value)), value) / 6.283185307179586;
+    }
+};
+
+/// What an eigenvalue analysis reports.
+struct ModalReport {
+    Status status = Status::converged;
+    std::vector<Mode> modes;  ///< by rising value, of buckling by rising magnitude
+    int iterations = 0;
+};
+
+/// Returns the lowest natural modes of small vibrations about the model's state, undamped.
+///
+/// @note  the factorised K - shift M must be positive definite on what constraints allow: status
+///        singular where it is not; lower the shift. Unsymmetric load stiffness is symmetrised.
+template <class Scene, class LinearSolver>
+[[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
+                                        const ModalOptions& options = {});
+
+/// Returns the load factors at which the stresses of a load make the tangent singular; negative
+/// ones are of the reversed load.
+///
+/// The model stands in equilibrium without load. Stresses and multipliers grow with the load factor
+/// as linear theory has it. Elements that evaluate a tangent at given stresses keep their place;
+/// of others the deflection counts as well, which must then be small: docs/theory-modal.md.
+template <class Scene, class LinearSolver>
+[[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
+                                         const ModalOptions& options = {});
+
+namespace detail {
+
+/// Whether the tangent of every element of a model can be taken at given stresses.
+template <class Scene>
+struct TakesStresses;
+template <class... Elements>
+struct TakesStresses<Model<Elements...>> : std::conjunction<EvaluatesMixed<Elements>...> {};
+
+/// The tangent of a scene that a load deflects linearly.
+template <class Scene>
+class Deflected {
+public:
+    Deflected(const Scene& model, Assembly<Scene>& assembly)
+        : model_(model),
+          assembly_(assembly),
+          rest_(VectorX::Zero(model.state().q.size())),
+          deflection_(rest_),
+          forces_(VectorX::Zero(assembly.numbering().multipliers())) {}
+
+    /// Sets the response to one unit of load, from the factorised tangent of the unloaded scene.
+    template <class LinearSolver>
+    void respond(const LinearSolver& solver) {
+        const Numbering& numbering = assembly_.numbering();
+        VectorX load, response;
+        numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0), load);
+        load.conservativeResizeLike(VectorX::Zero(numbering.unknowns()));
+        solver.solve(load, response);
+        numbering.add_free(response.head(numbering.free_coordinates()), 1.0, deflection_);
+        forces_ = response.tail(numbering.multipliers());
+        size_ = ConvergenceMonitor(model_, numbering).correction(response);
+    }
+
+    /// Writes the change of the tangent per unit of load.
+    [[nodiscard]] Status change(const SparseMatrix& unloaded, SparseMatrix& out) {
+        if constexpr (TakesStresses<Scene>::value) {
+            const Correction stresses{model_.state().q, deflection_};
+            const Status status = evaluate(1.0, model_.state().q, &stresses);
+            out = assembly_.tangent() - unloaded;
+            return status;
+        } else {
+            // central, so that the extension due to linearly added rotations, of even order, drops
+            // out; the step leaves the difference ten digits of the tangent
+            const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
+            if (const Status status = evaluate(-step, model_.state().q - step * deflection_);
+                status != Status::converged)
+                return status;
+            out = assembly_.tangent();
+            const Status status = evaluate(step, model_.state().q + step * deflection_);
+            out = (assembly_.tangent() - out) / (2.0 * step);
+            return status;
+        }
+    }
+
+    /// Evaluates the tangent at a load factor.
+    [[nodiscard]] Status evaluate(double factor, const VectorX& q,
+                                  const Correction* stresses = nullptr) {
+        const VectorX multipliers = model_.state().multipliers + factor * forces_;
+        const auto fault = assembly_.evaluate({q, rest_, multipliers, {factor, factor}},
+                                              Request::tangent, nullptr, stresses);
+        return fault ? fault->status : Status::converged;
+    }
+
+private:
+    const Scene& model_;
+    Assembly<Scene>& assembly_;
+    VectorX rest_;
+    VectorX deflection_;  // all coordinates per unit of load
+    VectorX forces_;      // multipliers per unit of load
+    double size_ = 0.0;   // of the deflection: of positions relative to the scene, of slopes
+};
+
+/// Factorises A; what a constraint does not account for must not be negative.
+template <class Scene, class LinearSolver>
+Status factorise(const Assembly<Scene>& assembly, const SparseMatrix& A, LinearSolver& solver) {
+    solver.analyze(A);
+    const FactorReport factor = solver.factorize(A);
+    if (factor.status != Status::converged) return factor.status;
+    return factor.negative_pivots > assembly.numbering().multipliers() ? Status::singular
+                                                                       : Status::converged;
+}
+
+/// Finds the modes of a factorised A and turns th into values.
+template <class Scene, class LinearSolver, class Value>
+ModalReport modes_of(const Assembly<Scene>& assembly, const SparseMatrix& A, const SparseMatrix& B,
+                     LinearSolver& solver, const ModalOptions& options, const Value& value) {
+    ModalReport report;
+    const Numbering& numbering = assembly.numbering();
+    Subspace<LinearSolver> space(A, B, solver);
+    report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
+                              options.max_iterations);
+    report.iterations = space.iterations;
+    const auto count = std::min<Eigen::Index>(options.count, space.values.size());
+    for (Eigen::Index k = 0; k < count; ++k) {
+        if (space.values[k] == 0.0) break;
+        Mode mode;
+        double scale = 1.0;
+        mode.value = value(space.values[k], scale);
+        mode.residual = space.residual(k);
+        mode.shape.setZero(numbering.coordinates());
+        numbering.add_free(space.vectors.col(k).head(numbering.free_coordinates()), scale,
+                           mode.shape);
+        report.modes.push_back(std::move(mode));
+    }
+    return report;
+}
+
+}  // namespace detail
+
+inline void ModalOptions::check() const {
+    detail::require(count >= 1, "ModalOptions: count must be at least 1, got ", count);
+    detail::require(max_iterations >= 1, "ModalOptions: max_iterations must be at least 1, got ",
+                    max_iterations);
+    detail::require_finite("ModalOptions: factor", factor);
+    detail::require_finite("ModalOptions: shift", shift);
+    detail::require_positive("ModalOptions: tolerance", tolerance);
+}
+
+template <class Scene, class LinearSolver>
+ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
+    require_linear_solver<LinearSolver>();
+    options.check();
+    Assembly<Scene> assembly(model, LinearSolver::storage);
+    const State& state = model.state();
+    const VectorX rest = VectorX::Zero(state.q.size());
+    const Instant instant{options.factor, options.factor};
+    if (const auto fault =
+            assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent))
+        return {fault->status, {}, 0};
+    const SparseMatrix mass = assembly.mass();
+    const SparseMatrix A = assembly.tangent() - options.shift * mass;
+    if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
+        return {status, {}, 0};
+    return detail::modes_of(assembly, A, mass, solver, options, [&](double th, double& scale) {
+        scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
+        return options.shift + 1.0 / th;
+    });
+}
+
+template <class Scene, class LinearSolver>
+ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
+    require_linear_solver<LinearSolver>();
+    options.check();
+    Assembly<Scene> assembly(model, LinearSolver::storage);
+    detail::Deflected<Scene> deflected(model, assembly);
+    const auto failed = [](Status status) { return status != Status::converged; };
+    if (const Status status = deflected.evaluate(0.0, model.state().q); failed(status))
+        return {status, {}, 0};
+    const SparseMatrix unloaded = assembly.tangent();
+    if (const Status status = detail::factorise(assembly, unloaded, solver); failed(status))
+        return {status, {}, 0};
+    deflected.respond(solver);
+    SparseMatrix change;
+    if (const Status status = deflected.change(unloaded, change); failed(status))
+        return {status, {}, 0};
+    const SparseMatrix B = -change;
+    return detail::modes_of(assembly, unloaded, B, solver, options,
+                            [](double th, double&) { return 1.0 / th; });
+}
+
+}  // namespace ancf

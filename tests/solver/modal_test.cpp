@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Natural frequencies and buckling loads against beam theory; the estimate of convergence.
+
+#include <ancf/solver/modal.hpp>
+
+#include <ancf/element/cable.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/richardson.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/catch.hpp>
+
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using ancf::Status;
+using Element = ancf::CrossSectionBeam<3>;
+using Scene = ancf::Model<Element>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double young = 2.07e11, poisson = 0.3, density = 7850.0;
+
+ancf::Material steel() { return ancf::Material::isotropic(young, poisson, density); }
+
+ancf::CrossSectionOptions options(ancf::SectionModel model = ancf::SectionModel::paper) {
+    ancf::CrossSectionOptions result;
+    result.rule = ancf::Rule::mixed();
+    result.section_model = model;
+    return result;
+}
+
+/// Returns the first angular frequencies of a cantilever by Timoshenko's theory, L = 1.
+std::vector<double> timoshenko(double height, std::size_t count) {
+    const double G = young / (2.0 * (1.0 + poisson)), k = 5.0 / 6.0;
+    const double gyration = height * height / 12.0;
+    // w = c1 cosh(a x) + c2 sinh(a x) + c3 cos(b x) + c4 sin(b x); columns of the four conditions
+    const auto determinant = [&](double omega) {
+        const double square = density * omega * omega;
+        const double sum = square * (1.0 / young + 1.0 / (k * G));
+        const double product = square / (young * gyration) * (1.0 - gyration * square / (k * G));
+        const double root = std::sqrt(0.25 * sum * sum + product);
+        const double a = std::sqrt(root - 0.5 * sum), b = std::sqrt(root + 0.5 * sum);
+        const double c = square / (k * G);
+        const double p = (a * a + c) / a, q = (b * b - c) / b;  // of psi
+        Eigen::Matrix4d M;
+        const double ch = std::cosh(a), sh = std::sinh(a), co = std::cos(b), si = std::sin(b);
+        M << 1, 0, 1, 0,                                             // w(0)
+            0, p, 0, q,                                              // psi(0)
+            p * a * ch, p * a * sh, -q * b * co, -q * b * si,        // psi'(1)
+            (a - p) * sh, (a - p) * ch, (q - b) * si, (b - q) * co;  // w'(1) - psi(1)
+        return M.determinant();
+    };
+    std::vector<double> roots;
+    const double scale = std::sqrt(young * gyration / density);
+    const double step = 0.01 * scale;
+    for (double low = step; roots.size() < count; low += step) {
+        double from = low, to = low + step;
+        if (determinant(from) * determinant(to) > 0.0) continue;
+        for (int halving = 0; halving < 60; ++halving) {
+            const double middle = 0.5 * (from + to);
+            (determinant(from) * determinant(middle) <= 0.0 ? to : from) = middle;
+        }
+        roots.push_back(from);
+    }
+    return roots;
+}
+
+/// How the first node is held.
+enum class Hold { supports, constraints };
+
+/// A cantilever of length 1 and square section.
+Scene cantilever(int elements, double height, Hold hold = Hold::supports) {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, steel(), ancf::rectangle(height, height),
+                                          {0, 0, 0}, {1, 0, 0}, elements, options());
+    if (hold == Hold::supports) {
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        return scene;
+    }
+    for (int k = 0; k < 3; ++k) {
+        scene.add(ancf::FixedCoordinate<3>(beam.first(), ancf::Field::r, k, 0.0));
+        scene.add(ancf::FixedCoordinate<3>(beam.first(), ancf::Field::r_y, k, k == 1 ? 1.0 : 0.0));
+        scene.add(ancf::FixedCoordinate<3>(beam.first(), ancf::Field::r_z, k, k == 2 ? 1.0 : 0.0));
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("modes: eight elements have Timoshenko's first three pairs of bending", "[modal]") {
+    // measured 6.5e-4, of which the mesh of a cubic Hermite beam accounts for (beta h)^4/1440; at
+    // h/L = 1/20 the linear shear adds to it: 1.46e-3
+    const auto [height, tolerance] =
+        GENERATE(std::pair<double, double>(0.01, 1e-3), std::pair<double, double>(0.05, 1.5e-3));
+    INFO("h/L " << height);
+    const Scene scene = cantilever(8, height);
+    ancf::EigenLdlt solver;
+    const auto report = ancf::natural_modes(scene, solver);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.modes.size() == 6);
+    const auto theory = timoshenko(height, 3);
+    for (std::size_t k = 0; k < 6; ++k) {
+        const double omega = 2.0 * pi * report.modes[k].frequency();
+        CHECK(std::abs(omega / theory[k / 2] - 1.0) <= tolerance);
+        CHECK(report.modes[k].residual <= 1e-5);  // the root of the tolerance; measured 7e-7
+    }
+}
+
+TEST_CASE("modes: 32 elements have Timoshenko's first five pairs, of fourth order", "[modal]") {
+    const auto theory = timoshenko(0.01, 5);
+    std::array<std::array<double, 5>, 2> errors{};
+    for (const std::size_t fine : {0U, 1U}) {
+        ancf::EigenLdlt solver;
+        ancf::ModalOptions ten;
+        ten.count = 10;
+        const auto report = ancf::natural_modes(cantilever(fine == 1 ? 32 : 16, 0.01), solver, ten);
+        REQUIRE(report.status == Status::converged);
+        for (std::size_t k = 0; k < 5; ++k)
+            errors[fine][k] = 2.0 * pi * report.modes.at(2 * k).frequency() / theory[k] - 1.0;
+    }
+    // measured 1.7e-8, 6.5e-7, 5.1e-6, 1.9e-5, 5.2e-5, and orders from 3.2 to 3.3
+    for (std::size_t k = 0; k < 5; ++k) {
+        INFO("pair " << k + 1 << ": " << errors[0][k] << ", " << errors[1][k]);
+        CHECK(errors[1][k] > 0.0);
+        CHECK(errors[1][k] <= 6e-5);
+        CHECK(std::log2(errors[0][k] / errors[1][k]) >= 3.0);
+    }
+}
+
+TEST_CASE("modes: an estimate from three meshes contains Timoshenko's frequency", "[modal]") {
+    const double theory = timoshenko(0.05, 1)[0];
+    const auto first = ancf::richardson(
+        [](int elements) {
+            ancf::EigenLdlt solver;
+            return 2.0 * pi *
+                   ancf::natural_modes(cantilever(elements, 0.05), solver).modes.at(0).frequency();
+        },
+        4);
+    CHECK(first.settles);
+    CHECK(first.order >= 3.0);  // measured 3.2
+    CHECK(std::abs(first.values[2] / theory - 1.0) <= 2e-6);
+    CHECK(std::abs(first.estimate / theory - 1.0) <= 1e-6);
+}
+
+TEST_CASE("modes: shapes are orthonormal in the mass and belong to their frequencies", "[modal]") {
+    const Scene scene = cantilever(4, 0.05);
+    ancf::EigenLdlt solver;
+    const auto report = ancf::natural_modes(scene, solver);
+    REQUIRE(report.modes.size() == 6);
+    const ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            CHECK(report.modes[i].shape.dot(assembly.mass_product(report.modes[j].shape)) ==
+                  Approx(i == j ? 1.0 : 0.0).margin(1e-6));
+}
+
+TEST_CASE("modes: a free beam has six motions without frequency, then bending", "[modal]") {
+    Scene scene;
+    ancf::straight_beam(scene, steel(), ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8,
+                        options());
+    const double unit = young * 0.02 * 0.02 / 12.0 / density;  // (omega/(beta L)^2)^2
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions wanted;
+    wanted.count = 8;
+    wanted.shift = -unit;
+    const auto report = ancf::natural_modes(scene, solver, wanted);
+    REQUIRE(report.status == Status::converged);
+    for (std::size_t k = 0; k < 6; ++k) CHECK(std::abs(report.modes[k].value) <= 1e-6 * unit);
+    // Euler's 4.730041; the shear of this slenderness takes 0.2 percent
+    for (std::size_t k = 6; k < 8; ++k)
+        CHECK(std::sqrt(report.modes[k].value / unit) == Approx(22.3733).epsilon(5e-3));
+    SECTION("without a shift that is said, not answered") {
+        wanted.shift = 0.0;
+        CHECK(ancf::natural_modes(scene, solver, wanted).status == Status::singular);
+    }
+}
+
+TEST_CASE("modes: tension raises and constraints keep the frequencies of theory", "[modal]") {
+    SECTION("constraints that clamp") {
+        const Scene clamped = cantilever(4, 0.05);
+        const Scene welded = cantilever(4, 0.05, Hold::constraints);
+        ancf::EigenLu full;
+        ancf::EigenLdlt lower;
+        const auto expected = ancf::natural_modes(clamped, lower);
+        const auto found = ancf::natural_modes(welded, full);
+        REQUIRE(found.status == Status::converged);
+        for (std::size_t k = 0; k < 4; ++k)
+            CHECK(found.modes[k].value == Approx(expected.modes[k].value).epsilon(1e-7));
+    }
+    SECTION("a pulled column") {
+        Scene scene = cantilever(8, 0.01);
+        const ancf::NodeId tip{8};
+        const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0;
+        ancf::EigenLdlt solver;
+        const double rest = ancf::natural_modes(scene, solver).modes.at(0).value;
+        scene.add(ancf::Force<3>(tip, {euler, 0, 0}));
+        REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
+        const double pulled = ancf::natural_modes(scene, solver).modes.at(0).value;
+        // root of the frequency equation of a pulled cantilever at P = pi^2 E I/(4 L^2)
+        CHECK(pulled / rest == Approx(1.87521).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", "[modal]") {
+    ancf::EigenLdlt solver;
+    SECTION("column") {
+        Scene scene = cantilever(8, 0.01);
+        const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0;
+        scene.add(ancf::Force<3>({8}, {-euler, 0, 0}));
+        ancf::ModalOptions wanted;
+        wanted.count = 2;
+        const auto report = ancf::buckling_modes(scene, solver, wanted);
+        REQUIRE(report.status == Status::converged);
+        // strain and shear of this slenderness change the load by 1e-4
+        CHECK(report.modes[0].value == Approx(1.0).epsilon(1e-3));
+        CHECK(report.modes[1].value == Approx(1.0).epsilon(1e-3));
+    }
+    SECTION("column held by constraints") {
+        Scene scene = cantilever(8, 0.01, Hold::constraints);
+        scene.add(ancf::Force<3>({8}, {-pi * pi / 4.0 * young * 1e-8 / 12.0, 0, 0}));
+        ancf::EigenLu full;
+        const auto report = ancf::buckling_modes(scene, full);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.modes.at(0).value == Approx(1.0).epsilon(1e-3));
+        CHECK(report.modes.at(1).value == Approx(1.0).epsilon(1e-3));
+    }
+    SECTION("column of cable, which takes no stresses") {
+        ancf::Model<ancf::Cable<2>> scene;
+        const auto beam =
+            ancf::straight_beam(scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0}, {1, 0}, 8);
+        scene.pin(beam.first());
+        scene.fix(beam.first(), ancf::Field::r_x, 1);
+        scene.add(ancf::Force<2>(beam.last(), {-pi * pi / 4.0 * young * 1e-8 / 12.0, 0}));
+        ancf::ModalOptions one;
+        one.count = 1;
+        const auto report = ancf::buckling_modes(scene, solver, one);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.modes.at(0).value == Approx(1.0).epsilon(1e-3));
+    }
+    SECTION("a scene without load does not buckle") {
+        const auto report = ancf::buckling_modes(cantilever(2, 0.01), solver);
+        CHECK(report.status == Status::singular);
+        CHECK(report.modes.empty());
+    }
+    SECTION("lateral buckling under a dead tip load") {
+        Scene scene;
+        const auto beam =
+            ancf::straight_beam(scene, steel(), ancf::rectangle(0.002, 0.1), {0, 0, 0}, {1, 0, 0},
+                                32, options(ancf::SectionModel::saint_venant));
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::Force<3>(beam.last(), {0, -1, 0}));
+        ancf::ModalOptions wanted;
+        wanted.count = 2;
+        const auto report = ancf::buckling_modes(scene, solver, wanted);
+        REQUIRE(report.status == Status::converged);
+        // 4.0126 sqrt(E I GJ)/L^2 = 68.2486 N; either sense of the load
+        CHECK(std::abs(report.modes[0].value) == Approx(68.2486).epsilon(1e-3));
+        CHECK(std::abs(report.modes[1].value) == Approx(68.2486).epsilon(1e-3));
+        CHECK(report.modes[0].value * report.modes[1].value < 0.0);
+    }
+}
+
+TEST_CASE("modes: options that cannot be meant are refused", "[modal][bad-input]") {
+    const Scene scene = cantilever(1, 0.05);
+    const auto refused = [&](auto change) {
+        ancf::ModalOptions wanted;
+        change(wanted);
+        ancf::EigenLdlt solver;
+        CHECK_THROWS_AS(ancf::natural_modes(scene, solver, wanted), ancf::InvalidArgument);
+    };
+    refused([](auto& o) { o.count = 0; });
+    refused([](auto& o) { o.max_iterations = 0; });
+    refused([](auto& o) { o.tolerance = 0.0; });
+    refused([](auto& o) { o.shift = std::numeric_limits<double>::quiet_NaN(); });
+}
+
+TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[richardson]") {
+    const auto power = [](int n) { return 3.0 - 2.0 * std::pow(n, -2.5); };
+    const auto result = ancf::richardson(power, 4);
+    CHECK(result.settles);
+    CHECK(result.elements == std::array<int, 3>{4, 8, 16});
+    CHECK(result.order == Approx(2.5));
+    CHECK(result.estimate == Approx(3.0));
+    CHECK(result.error == Approx(2.0 * std::pow(16.0, -2.5)));
+    SECTION("says so where values do not settle") {
+        const auto wild = ancf::richardson([](int n) { return n == 8 ? 1.0 : -1.0; }, 4);
+        CHECK_FALSE(wild.settles);
+        CHECK(wild.estimate == wild.values[2]);
+        CHECK(wild.error == 2.0);
+    }
+    SECTION("a value that no mesh changes is exact") {
+        const auto constant = ancf::richardson([](int) { return 7.0; }, 1);
+        CHECK(constant.settles);
+        CHECK(constant.estimate == 7.0);
+        CHECK(constant.error == 0.0);
+    }
+    CHECK_THROWS_AS(ancf::richardson(power, 0), ancf::InvalidArgument);
+}
