@@ -107,6 +107,7 @@ private:
     [[nodiscard]] bool advance();
     void shift_algorithmic(double width);
     [[nodiscard]] Status newton(double h);
+    [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
     [[nodiscard]] Status factorise(double h);
     void predict(double h);
@@ -278,14 +279,23 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
 
 /// Solves one step by Newton's method.
 ///
-/// The matrix at hand, of an earlier step or iterate, stays while it converges fast enough.
+/// A stiff body that has turned since the matrix at hand was made can be thrown far off by it: the
+/// step then starts again, with a matrix of its own.
 template <class Scene, class LinearSolver>
 Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
+    if (linearised_width_ == h && iterate(h, false) == Status::converged) return Status::converged;
+    return iterate(h, true);
+}
+
+/// Iterates from the prediction, with a new matrix or the one at hand.
+///
+/// A matrix, of an earlier step or iterate, stays while it converges fast enough.
+template <class Scene, class LinearSolver>
+Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     predict(h);
     rhs_.resize(n + m);
-    bool renew = linearised_width_ != h;
     bool fresh = false;  // whether the matrix is of this step
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
@@ -315,6 +325,7 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
         // at the round-off of the residual the corrections no longer shrink
         const bool small = change <= 1e3 * options_.newton_tolerance;
         if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
+        if (!fresh && ratio > 1.0) return Status::diverged;
         // so slow that a new matrix is cheaper
         const bool slow = std::log(wanted / change) / std::log(ratio) > 6.0;
         renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));

@@ -47,10 +47,12 @@ class GeneralisedForce {
 public:
     static constexpr bool constant_force = true;  ///< it has no derivatives
 
-    /// @param force  in the order of the coupling; N and N m.
+    /// @param force  in the order of the coupling; N and N m. A model refuses one of another size.
+    /// @throws InvalidArgument unless the force is finite.
     GeneralisedForce(Coupling coupling, VectorX force)
         : coupling_(std::move(coupling)), force_(std::move(force)) {
-        detail::require(force_.allFinite(), "GeneralisedForce: the force must be finite");
+        detail::require(force_.allFinite(), "GeneralisedForce: components must be finite, got ",
+                        force_.transpose());
     }
 
     /// Returns the nodal vectors it acts on.

@@ -117,6 +117,7 @@ public:
     void release(NodeId node, Field field);
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
+    /// @throws InvalidArgument for a node that does not exist or a force of another size.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
     void add(Load load, Amplitude amplitude = {});
 
@@ -209,12 +210,16 @@ public:
     }
 
     /// Sets one vector of a node.
+    /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
     void set_value(NodeId node, Field field, const Point& value) {
+        check_finite("set_value", node, field, value);
         state().q.template segment<dimension>(coordinate(node, field)) = value;
     }
 
     /// Sets the rate of one vector of a node.
+    /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
     void set_rate(NodeId node, Field field, const Point& rate) {
+        check_finite("set_rate", node, field, rate);
         state().v.template segment<dimension>(coordinate(node, field)) = rate;
     }
 
@@ -250,6 +255,10 @@ private:
     void refresh() const;
     void check(NodeId node) const;
     void check_component(int component) const;
+    static void check_finite(const char* call, NodeId node, Field field, const Point& value) {
+        detail::require(value.allFinite(), "Model::", call, ": ", to_string(field), " of node ",
+                        node.index, " must be finite, got ", value.transpose());
+    }
 
     /// Returns a number of its own for every component of every vector that a node may carry.
     [[nodiscard]] static long component_of(NodeId node, Field field, int component) {
@@ -373,6 +382,11 @@ void Model<Elements...>::add(Load load, Amplitude amplitude) {
     constexpr int of = detail::load_dimension<Load>::value;
     static_assert(of == 0 || of == dimension, "the load is of another dimension than the model");
     for (const NodeField& at : load.coupling()) check(at.node);
+    if constexpr (detail::has_constant_force<Load>::value) {  // wrong sizes show wherever it stands
+        const VectorX zero = VectorX::Zero(dimension * static_cast<int>(load.coupling().size()));
+        LoadResult result{zero, {}, {}, 0.0};
+        load.evaluate({zero, zero, 0.0, false}, result);
+    }
     loads_.push_back({AnyLoad(std::move(load)), std::move(amplitude)});
 }
 
