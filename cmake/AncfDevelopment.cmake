@@ -10,6 +10,8 @@
 add_library(ancf_core_development INTERFACE)
 target_compile_options(ancf_core_development INTERFACE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall -Wextra -Wconversion -Wshadow>
+    # g++ does not count signs among conversions: Eigen's indices are signed, the sizes of std are not.
+    $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
     $<$<CXX_COMPILER_ID:MSVC>:/W4>)
 if(ANCF_WARNINGS_AS_ERRORS)
     target_compile_options(ancf_core_development INTERFACE

@@ -88,30 +88,30 @@ inline void energy_gradient(const StrainJacobian<S>& J, const S* sigma, S* U) no
 }
 
 /// Writes D[i][j] = J[i] . f for i <= j, where f = C J[j].
-template <class Measure, int J_, int I = 0, class S>
+template <class Measure, int Column, int I = 0, class S>
 inline void hessian_column(const StrainJacobian<S>& J, const S* f,
                            S (&D)[invariant_count][invariant_count]) noexcept {
-    if constexpr (I <= J_) {
-        constexpr unsigned pattern = Measure::pattern[I] & block_closure(Measure::pattern[J_]);
+    if constexpr (I <= Column) {
+        constexpr unsigned pattern = Measure::pattern[I] & block_closure(Measure::pattern[Column]);
         if constexpr (pattern != 0) {
-            D[I][J_] = sparse_dot<pattern>(J[I], f);
+            D[I][Column] = sparse_dot<pattern>(J[I], f);
         } else {
-            D[I][J_] = S(0.0);
+            D[I][Column] = S(0.0);
         }
-        hessian_column<Measure, J_, I + 1>(J, f, D);
+        hessian_column<Measure, Column, I + 1>(J, f, D);
     }
 }
 
 /// Writes the upper triangle of D = J C J^T, the material part of the Hessian with respect to the
 /// invariants.
-template <class Measure, int J_ = 0, class T, class S>
+template <class Measure, int Column = 0, class T, class S>
 inline void material_hessian(const StrainJacobian<S>& J, const SectionMatrix<T>& C,
                              S (&D)[invariant_count][invariant_count]) noexcept {
-    if constexpr (J_ < invariant_count) {
+    if constexpr (Column < invariant_count) {
         S f[strain_count];
-        stress<Measure::pattern[J_]>(C, J[J_], f);
-        hessian_column<Measure, J_>(J, f, D);
-        material_hessian<Measure, J_ + 1>(J, C, D);
+        stress<Measure::pattern[Column]>(C, J[Column], f);
+        hessian_column<Measure, Column>(J, f, D);
+        material_hessian<Measure, Column + 1>(J, C, D);
     }
 }
 

@@ -177,6 +177,7 @@ void Turning<Scene>::factorize() {
                 numbering_.equation(layout_.first(node) + k) >= 0)
                 unknown[static_cast<std::size_t>(node)] = count++;
         std::vector<Eigen::Triplet<double>> entries;
+        entries.reserve(static_cast<std::size_t>(count) + 4 * chords_.size());
         for (int i = 0; i < count; ++i) entries.emplace_back(i, i, tether);
         for (const auto& chord : chords_) {
             const int i = unknown[static_cast<std::size_t>(chord[0])];
