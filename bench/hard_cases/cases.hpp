@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The table of hard cases: its rows, and the lists of cases that its sources give.
+
+#pragma once
+
+#include <ancf/solver/statics.hpp>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hard_cases {
+
+/// One line of the table.
+struct Row {
+    std::string name;
+    std::string element;
+    std::string rule;
+    int elements = 0;
+    double error = 0.0;  ///< relative to length, load, angle or frequency of the reference
+    int iterations = 0;
+    int steps = 0;
+    std::string status;
+    double seconds = 0.0;
+    double limit = 0.0;  ///< largest error of an answer that may call itself converged
+};
+
+using Rows = std::vector<Row>;
+
+/// A case of one element: runs its meshes.
+struct Case {
+    std::string name;
+    std::function<void(Rows&, bool quick)> run;
+};
+
+/// The cases of each element type; one source each, as instantiations are what compiles slowly.
+[[nodiscard]] std::vector<Case> projected_cases();
+[[nodiscard]] std::vector<Case> geodesic_cases();
+[[nodiscard]] std::vector<Case> engineering_cases();
+[[nodiscard]] std::vector<Case> planar_cases();
+[[nodiscard]] std::vector<Case> planar_motion_cases();
+
+/// Returns seconds since the first call.
+[[nodiscard]] inline double now() {
+    using Clock = std::chrono::steady_clock;
+    static const Clock::time_point start = Clock::now();
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Fills in what a static report tells.
+inline void set(Row& row, const ancf::StaticsReport& report) {
+    row.iterations = report.iterations();
+    row.steps = static_cast<int>(report.steps.size());
+    row.status = std::string(to_string(report.status));
+}
+
+}  // namespace hard_cases

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <hard_cases/spatial.hpp>
+
+std::vector<hard_cases::Case> hard_cases::engineering_cases() {
+    using Element =
+        ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
+    const Spatial<Element> spatial("geodesic-engineering", "mixed", engineering_tip);
+    std::vector<Case> all = spatial.cases();
+    all.push_back({"helix", [spatial](Rows& rows, bool quick) { spatial.helix(rows, quick); }});
+    return all;
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What hard cases in the plane share: the element with engineering strains and its rows.
+
+#pragma once
+
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/model.hpp>
+
+#include <hard_cases/cases.hpp>
+
+#include <string>
+#include <utility>
+
+namespace hard_cases::planar {
+
+using Beam =
+    ancf::CrossSectionBeam<2, ancf::Projected, ancf::LinearShear, ancf::EngineeringMeasure>;
+using Scene = ancf::Model<Beam>;
+using Plane = ancf::Vector<double, 2>;
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline Row make(std::string name, int elements, double limit) {
+    Row row;
+    row.name = std::move(name);
+    row.element = "planar-engineering";
+    row.rule = "mixed";
+    row.elements = elements;
+    row.limit = limit;
+    return row;
+}
+
+inline ancf::CrossSectionOptions mixed() {
+    ancf::CrossSectionOptions options;
+    options.rule = ancf::Rule::mixed();
+    return options;
+}
+
+}  // namespace hard_cases::planar

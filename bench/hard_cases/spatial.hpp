@@ -1,0 +1,442 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Hard cases of spatial beams, for any element type.
+///
+/// Reference values are those of beam theory by independent solvers: inextensible elastica,
+/// Green-strain and Reissner's limits, Saint-Venant's torsion.
+
+#pragma once
+
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/curve.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/modal.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <hard_cases/cases.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hard_cases {
+
+constexpr double pi = 3.14159265358979323846;
+using Point = ancf::Vector<double, 3>;
+
+/// What the cases of one element type and rule share.
+template <class Element>
+class Spatial {
+public:
+    using Scene = ancf::Model<Element>;
+
+    /// @param tip  limit of the slender cantilever: that of the element's measure of strain
+    Spatial(std::string element, std::string rule, ancf::Vector<double, 2> tip)
+        : element_(std::move(element)), rule_(std::move(rule)), tip_(std::move(tip)) {}
+
+    /// Returns the cases whose answer does not depend on the measure of strain at this accuracy.
+    [[nodiscard]] std::vector<Case> cases() const {
+        const Spatial self = *this;
+        return {
+            {"slender_cantilever",
+             [self](Rows& rows, bool quick) { self.cantilever(rows, quick, 0.0); }},
+            {"slender_cantilever_45",
+             [self](Rows& rows, bool quick) { self.cantilever(rows, quick, 0.25 * pi); }},
+            {"slenderness", [self](Rows& rows, bool quick) { self.slenderness(rows, quick); }},
+            {"random_mesh", [self](Rows& rows, bool quick) { self.random_mesh(rows, quick); }},
+            {"semicircle", [self](Rows& rows, bool quick) { self.rolled(rows, quick, 0.5); }},
+            {"two_circles", [self](Rows& rows, bool quick) { self.rolled(rows, quick, 2.0); }},
+            {"four_circles", [self](Rows& rows, bool quick) { self.rolled(rows, quick, 4.0); }},
+            {"twist_180", [self](Rows& rows, bool quick) { self.twisted(rows, quick, 0.5); }},
+            {"twist_720", [self](Rows& rows, bool quick) { self.twisted(rows, quick, 2.0); }},
+            {"poisson", [self](Rows& rows, bool quick) { self.poisson(rows, quick); }},
+            {"bend_45", [self](Rows& rows, bool quick) { self.bend(rows, quick); }},
+            {"princeton", [self](Rows& rows, bool quick) { self.princeton(rows, quick); }},
+            {"pretwisted", [self](Rows& rows, bool quick) { self.pretwisted(rows, quick); }},
+            {"lateral_buckling", [self](Rows& rows, bool quick) { self.lateral(rows, quick); }},
+            {"frequencies", [self](Rows& rows, bool quick) { self.frequencies(rows, quick); }},
+        };
+    }
+
+    /// Ibrahimbegovic's helix: ten turns by an end moment and a force fixed in space.
+    void helix(Rows& rows, bool quick) const {
+        for (const double load : {0.05, 1.0}) {
+            if (quick && load == 1.0) continue;
+            Row row = make(load == 1.0 ? "helix_ten_turns" : "helix", 100, 0.02);
+            const double start = now();
+            Scene scene;
+            ancf::Moments moments;
+            moments.area = 1.0;
+            moments.yy = moments.zz = 0.01;
+            const auto section = ancf::Section::from_moments(moments)
+                                     .with_shear_correction(1.0, 1.0)
+                                     .with_torsion_constant(0.01);
+            const auto beam = ancf::straight_beam(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
+                                                  section, {0, 0, 0}, {10, 0, 0}, row.elements,
+                                                  options(ancf::SectionModel::saint_venant));
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            scene.add(ancf::Moment(beam.last(), {0, 0, 200.0 * pi * load}));
+            scene.add(ancf::Force<3>(beam.last(), {0, 0, 50.0 * load}));
+            solve(scene, row, ancf::NewtonKind::plain, load == 1.0 ? 400 : 20, false);
+            const Point tip = scene.position(beam.last());
+            const Point theory(0.711481028872, 6.285664430813, 2.750736205012);
+            const double turned = turns(scene, beam, ancf::Field::r_x);
+            row.error = load == 1.0 ? std::abs(turned / 10.0 - 1.0) : (tip - theory).norm() / 10.0;
+            finish(rows, row, start);
+        }
+    }
+
+private:
+    [[nodiscard]] ancf::CrossSectionOptions options(
+        ancf::SectionModel model = ancf::SectionModel::paper) const {
+        ancf::CrossSectionOptions result;
+        result.rule = ancf::Rule::named(rule_);
+        result.section_model = model;
+        return result;
+    }
+
+    [[nodiscard]] Row make(std::string name, int elements, double limit) const {
+        Row row;
+        row.name = std::move(name);
+        row.element = element_;
+        row.rule = rule_;
+        row.elements = elements;
+        row.limit = limit;
+        return row;
+    }
+
+    static void finish(Rows& rows, Row& row, double start) {
+        row.seconds = now() - start;
+        rows.push_back(row);
+    }
+
+    /// Solves in steps; a moment fixed in space has an unsymmetric stiffness.
+    static void solve(Scene& scene, Row& row, ancf::NewtonKind newton, int steps = 1,
+                      bool symmetric = true) {
+        ancf::StaticsOptions how;
+        how.newton = newton;
+        how.steps = steps;
+        how.adaptive = true;
+        ancf::EigenLdlt lower;
+        ancf::EigenLu full;
+        set(row, symmetric ? ancf::solve_statics(scene, lower, how)
+                           : ancf::solve_statics(scene, full, how));
+    }
+
+    /// Returns the turns of a slope from node to node, summed along the beam.
+    template <class Beam>
+    static double turns(const Scene& scene, const Beam& beam, ancf::Field slope) {
+        double sum = 0.0;
+        for (int k = beam.first().index; k < beam.last().index; ++k) {
+            const Point a = value(scene, {k}, slope), b = value(scene, {k + 1}, slope);
+            sum += std::atan2(ancf::cross<double>(a, b).norm(), a.dot(b));
+        }
+        return sum / (2.0 * pi);
+    }
+
+    static Point value(const Scene& scene, ancf::NodeId node, ancf::Field field) {
+        return scene.state().q.template segment<3>(scene.coordinate(node, field));
+    }
+
+    /// The paper's slender cantilever, its load turned against the section.
+    void cantilever(Rows& rows, bool quick, double angle) const {
+        const double length = 2.0, height = 0.01, young = 2.07e11;
+        const double force = 1.5 * young * std::pow(height, 4) / 12.0 / (length * length);
+        for (const int elements : {1, 2, 4, 8, 16}) {
+            if (quick && elements > 4) break;
+            // the paper's rule, or projected directors off the axes
+            Row row = make(angle == 0.0 ? "slender_cantilever" : "slender_cantilever_45", elements,
+                           0.12 / (elements * elements));
+            const double start = now();
+            Scene scene;
+            const auto beam = ancf::straight_beam(
+                scene, ancf::Material::from_moduli(young, 7.9615e10, 7850.0),
+                ancf::rectangle(height, height), {0, 0, 0}, {length, 0, 0}, elements, options());
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            const Point across(0.0, std::cos(angle), std::sin(angle));
+            scene.add(ancf::Force<3>(beam.last(), force * across));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            const Point tip = scene.position(beam.last());
+            row.error = std::hypot(tip[0] - tip_[0], tip.dot(across) - tip_[1]) / length;
+            finish(rows, row, start);
+        }
+    }
+
+    /// The elastica of P L^2/E I = 10 for sections of 1/10 to 1/10^6 of the length.
+    void slenderness(Rows& rows, bool quick) const {
+        for (const double height : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+            if (quick && height < 1e-3) break;
+            // the beam's own extension and shear, and the mesh
+            Row row = make("slenderness_" + std::to_string(std::lround(1.0 / height)),
+                           quick ? 8 : 64, 2.0 * height * height + (quick ? 2e-2 : 1e-4));
+            const double start = now();
+            Scene scene;
+            const double bending = 1e9 * std::pow(height, 4) / 12.0;
+            const auto beam = ancf::straight_beam(
+                scene, ancf::Material::from_moduli(1e9, 4e8, 1000.0),
+                ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0}, row.elements, options());
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            scene.add(ancf::Force<3>(beam.last(), {0, 10.0 * bending, 0}));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            row.error =
+                (scene.position(beam.last()) - Point(0.445004402246, 0.810609024880, 0)).norm();
+            finish(rows, row, start);
+        }
+    }
+
+    /// The paper's slender cantilever of a nearly incompressible material, which must not lock.
+    void poisson(Rows& rows, bool quick) const {
+        for (const double nu : {0.49, 0.4999}) {
+            Row row = make(nu == 0.49 ? "poisson_0.49" : "poisson_0.4999", quick ? 4 : 8,
+                           quick ? 6e-3 : 1e-3);
+            const double start = now();
+            Scene scene;
+            const double length = 2.0, height = 0.01, young = 2.07e11;
+            const auto beam =
+                ancf::straight_beam(scene, ancf::Material::isotropic(young, nu, 7850.0),
+                                    ancf::rectangle(height, height), {0, 0, 0}, {length, 0, 0},
+                                    row.elements, options());
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            const double force = 1.5 * young * std::pow(height, 4) / 12.0 / (length * length);
+            scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            // its softer shear moves the tip by 1e-5 of the length
+            row.error = (scene.position(beam.last()) - Point(tip_[0], tip_[1], 0)).norm() / length;
+            finish(rows, row, start);
+        }
+    }
+
+    /// The slender cantilever of elements whose lengths differ by up to 1e4.
+    void random_mesh(Rows& rows, bool quick) const {
+        for (std::uint64_t seed = 1; seed <= (quick ? 1U : 3U); ++seed) {
+            constexpr int elements = 32;  // the longest a third of the beam
+            Row row = make("random_mesh_" + std::to_string(seed), elements, 0.01);
+            const double start = now();
+            std::vector<double> lengths;
+            double sum = 0.0;
+            std::uint64_t state = 0x9e3779b97f4a7c15ULL * seed;
+            for (int k = 0; k < elements; ++k) {
+                state = 6364136223846793005ULL * state + 1442695040888963407ULL;
+                const double uniform = static_cast<double>(state >> 11) * 0x1p-53;
+                // both ends of the range are there
+                const double exponent = k == 0 ? -4.0 : k == 1 ? 0.0 : -4.0 * uniform;
+                lengths.push_back(std::pow(10.0, exponent));
+                sum += lengths.back();
+            }
+            Scene scene;
+            const double length = 2.0, height = 0.01, young = 2.07e11;
+            const auto material = ancf::Material::from_moduli(young, 7.9615e10, 7850.0);
+            double x = 0.0;
+            const ancf::NodeId root = scene.add_node({0, 0, 0});
+            ancf::NodeId last = root;
+            for (const double part : lengths) {
+                const double own = part / sum * length;
+                const ancf::NodeId next = scene.add_node({x += own, 0, 0});
+                scene.connect(scene.add_prototype(Element(material, ancf::rectangle(height, height),
+                                                          own, options())),
+                              last, next);
+                last = next;
+            }
+            scene.clamp(root, ancf::Clamp::free_slope);
+            const double force = 1.5 * young * std::pow(height, 4) / 12.0 / (length * length);
+            scene.add(ancf::Force<3>(last, {0, force, 0}));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            row.error = (scene.position(last) - Point(tip_[0], tip_[1], 0)).norm() / length;
+            finish(rows, row, start);
+        }
+    }
+
+    /// An end moment that rolls the beam up.
+    void rolled(Rows& rows, bool quick, double circles) const {
+        const bool semicircle = circles == 0.5;
+        const int elements = semicircle ? 8 : static_cast<int>(10.0 * circles);
+        if (quick && circles > 2.0) return;
+        Row row = make(semicircle       ? "semicircle"
+                       : circles == 2.0 ? "two_circles"
+                                        : "four_circles",
+                       elements, 0.01);
+        const double start = now();
+        Scene scene;
+        const double height = semicircle ? 0.035 : 0.005;
+        const auto beam = ancf::straight_beam(scene, ancf::Material::from_moduli(2e8, 1e8, 1000.0),
+                                              ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0},
+                                              elements, options());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        const double bending = 2e8 * std::pow(height, 4) / 12.0;
+        scene.add(ancf::Moment(beam.last(), {0, 0, 2.0 * pi * circles * bending}));
+        solve(scene, row, ancf::NewtonKind::turned,
+              semicircle ? 1 : static_cast<int>(2.5 * circles), false);
+        row.error = (scene.position(beam.last()) - Point(0, semicircle ? 2.0 / pi : 0.0, 0)).norm();
+        finish(rows, row, start);
+    }
+
+    /// The paper's twisted bar; angle against k G Ip.
+    void twisted(Rows& rows, bool quick, double revolutions) const {
+        (void)quick;
+        const int elements = revolutions < 1.0 ? 5 : 20;
+        Row row = make(revolutions < 1.0 ? "twist_180" : "twist_720", elements, 0.02);
+        const double start = now();
+        Scene scene;
+        const double length = 0.254, width = 0.00254, height = 0.00635, shear = 3.17159e10;
+        const auto beam = ancf::straight_beam(
+            scene, ancf::Material::from_moduli(8.27371e10, shear, 2700.0),
+            ancf::rectangle(width, height), {0, 0, 0}, {length, 0, 0}, elements, options());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        const double polar = width * height * (width * width + height * height) / 12.0;
+        const double torque = 5.0 / 6.0 * shear * polar * 2.0 * pi * revolutions / length;
+        scene.add(ancf::Moment(beam.last(), {torque, 0, 0}));
+        solve(scene, row, ancf::NewtonKind::mixed, revolutions < 1.0 ? 1 : 8, false);
+        row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / revolutions - 1.0);
+        finish(rows, row, start);
+    }
+
+    /// Bathe and Bolourchi's bend of 45 degrees.
+    void bend(Rows& rows, bool quick) const {
+        for (const int elements : {8, 16}) {
+            if (quick && elements > 8) break;
+            Row row = make("bend_45", elements, 0.12 / (elements * elements));
+            const double start = now();
+            Scene scene;
+            const auto beam =
+                ancf::arc(scene, ancf::Material::from_moduli(1e7, 5e6, 1.0),
+                          ancf::rectangle(1.0, 1.0).with_shear_correction(1.0, 1.0), {0, 0, 0},
+                          {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options());
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            const Point theory(47.150438573629, 15.684800534039, 53.474858791825);
+            row.error = (scene.position(beam.last()) - theory).norm() / 100.0;
+            finish(rows, row, start);
+        }
+    }
+
+    /// The Princeton beam at 45 degrees, torsion by Saint-Venant.
+    void princeton(Rows& rows, bool quick) const {
+        const int elements = quick ? 8 : 16;
+        Row row = make("princeton", elements, quick ? 2e-3 : 1e-3);
+        const double start = now();
+        Scene scene;
+        const double length = 0.508, thin = 3.2024e-3, high = 12.377e-3, load = 8.896;
+        const auto beam = ancf::straight_beam(
+            scene, ancf::Material::isotropic(71.7e9, 0.31, 2700.0), ancf::rectangle(thin, high),
+            {0, 0, 0}, {length, 0, 0}, elements, options(ancf::SectionModel::saint_venant));
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        const double part = load * std::sqrt(0.5);
+        scene.add(ancf::Force<3>(beam.last(), {0, part, part}));
+        solve(scene, row, ancf::NewtonKind::mixed);
+        const Point tip = scene.position(beam.last());
+        row.error = std::hypot(tip[1] - 0.00888886, tip[2] - 0.10904157) / 0.10904157;
+        finish(rows, row, start);
+    }
+
+    /// MacNeal and Harder's beam with 90 degrees of twist, load along the root's width.
+    void pretwisted(Rows& rows, bool quick) const {
+        const int elements = quick ? 12 : 24;
+        Row row = make("pretwisted", elements, quick ? 0.01 : 3e-3);
+        const double start = now();
+        Scene scene;
+        std::vector<ancf::CurvePoint<3>> points;
+        for (int k = 0; k <= elements; ++k) {
+            const double part = static_cast<double>(k) / elements, angle = 0.5 * pi * part;
+            ancf::Matrix<double, 3> slopes = ancf::Matrix<double, 3>::Identity();
+            slopes.col(1) << 0.0, std::cos(angle), std::sin(angle);
+            slopes.col(2) << 0.0, -std::sin(angle), std::cos(angle);
+            points.push_back({{12.0 * part, 0.0, 0.0}, slopes});
+        }
+        const auto beam = ancf::beam_through(scene, ancf::Material::isotropic(29e6, 0.22, 1.0),
+                                             ancf::rectangle(0.32, 1.1), points,
+                                             std::vector<double>{12.0 / elements}, options());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::Force<3>(beam.last(), {0, 1, 0}));
+        solve(scene, row, ancf::NewtonKind::plain);
+        row.error = std::abs(scene.position(beam.last())[1] / 1.74962334e-3 - 1.0);
+        finish(rows, row, start);
+    }
+
+    /// Lateral buckling of a narrow cantilever, both torsion constants, against the theory without
+    /// deflection before buckling.
+    void lateral(Rows& rows, bool quick) const {
+        for (const bool saint_venant : {true, false}) {
+            const int elements = quick ? 8 : 32;
+            Row row = make(saint_venant ? "lateral_buckling" : "lateral_buckling_polar", elements,
+                           quick ? 1e-2 : 1e-3);
+            const double start = now();
+            Scene scene;
+            const auto material = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
+            const auto section = ancf::rectangle(0.002, 0.1);
+            const auto beam =
+                ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements,
+                                    options(saint_venant ? ancf::SectionModel::saint_venant
+                                                         : ancf::SectionModel::paper));
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            scene.add(ancf::Force<3>(beam.last(), {0, -1, 0}));
+            ancf::ModalOptions how;
+            how.count = 2;
+            ancf::EigenLdlt solver;
+            const auto report = ancf::buckling_modes(scene, solver, how);
+            row.iterations = report.iterations;
+            row.steps = 1;
+            row.status = std::string(to_string(report.status));
+            const double bending = material.young * section.moments().zz;
+            const double torsion = material.shear * (saint_venant ? section.torsion_constant()
+                                                                  : section.shear_correction_y() *
+                                                                        section.moments().polar());
+            const double theory = 4.012599343579 * std::sqrt(bending * torsion);
+            row.error = report.modes.empty()
+                            ? 1.0
+                            : std::abs(std::abs(report.modes[0].value) / theory - 1.0);
+            finish(rows, row, start);
+        }
+    }
+
+    /// The third pair of bending frequencies of a slender cantilever.
+    void frequencies(Rows& rows, bool quick) const {
+        (void)quick;
+        Row row = make("frequencies", 8, 1e-3);
+        const double start = now();
+        Scene scene;
+        const double height = 0.005, young = 2.07e11, density = 7850.0;
+        const auto beam = ancf::straight_beam(scene, ancf::Material::isotropic(young, 0.3, density),
+                                              ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0},
+                                              8, options());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        ancf::EigenLdlt solver;
+        const auto report = ancf::natural_modes(scene, solver);
+        row.iterations = report.iterations;
+        row.steps = 1;
+        row.status = std::string(to_string(report.status));
+        // Euler's 7.854757; rotary inertia and shear take 3e-4 at this slenderness
+        const double theory =
+            std::pow(7.85475744, 2) * height * std::sqrt(young / (12.0 * density)) / (2.0 * pi);
+        row.error =
+            report.modes.size() == 6 ? std::abs(report.modes[4].frequency() / theory - 1.0) : 1.0;
+        finish(rows, row, start);
+    }
+
+    std::string element_;
+    std::string rule_;
+    ancf::Vector<double, 2> tip_;
+};
+
+/// The slender cantilever's tip in the limits of Green's and of engineering strains, m.
+inline const ancf::Vector<double, 2> green_tip(1.784108719196, 0.821973318973);
+inline const ancf::Vector<double, 2> engineering_tip(1.784113323480, 0.821971481194);
+
+/// Returns the cases of several rules with Green's strains.
+template <class Element>
+std::vector<Case> spatial_cases(const std::string& element, const std::vector<std::string>& rules) {
+    std::vector<Case> all;
+    for (const std::string& rule : rules)
+        for (Case& one : Spatial<Element>(element, rule, green_tip).cases())
+            all.push_back(std::move(one));
+    return all;
+}
+
+}  // namespace hard_cases
