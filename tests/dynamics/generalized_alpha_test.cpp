@@ -73,11 +73,12 @@ TEST_CASE("generalized-alpha: free fall is exact for every damping", "[dynamics]
     }
 }
 
-TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers", "[dynamics]") {
+TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers",
+          "[dynamics][long]") {
     const double rho = GENERATE(0.2, 0.8, 1.0);
     INFO("rho " << rho);
     double before[3] = {0.0, 0.0, 0.0};
-    const int kinds = rho == 1.0 ? 2 : 3;  // rho 1 damps no error of a multiplier
+    const int kinds = rho == 1.0 ? 2 : 3;     // rho 1 damps no error of a multiplier
     for (const double step : {2e-4, 1e-4}) {  // w h < 0.04
         Chain scene = swing();
         REQUIRE(run(scene.model, fixed(step, rho), until(0.5)).status == Status::converged);

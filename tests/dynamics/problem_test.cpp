@@ -324,8 +324,7 @@ TEST_CASE("problem: velocity-level terms are derivatives of G^T mu and of G v", 
     CHECK(dense.bottomRows(m).norm() > 0.1);
 }
 
-TEST_CASE("problem: energies change by the powers of loads, drives and constraints",
-          "[dynamics]") {
+TEST_CASE("problem: energies change by the powers of loads, drives and constraints", "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
     BarProblem problem(model);

@@ -30,6 +30,11 @@ ANCF_NOINLINE void* operator new(std::size_t size) {
     throw std::bad_alloc();
 }
 
+ANCF_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(size);
+}
+
 ANCF_NOINLINE void operator delete(void* memory) noexcept { std::free(memory); }
 ANCF_NOINLINE void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 

@@ -108,7 +108,8 @@ TEST_CASE("Ida: index 3 keeps a nonlinear constraint, and outputs lie on it", "[
     CHECK(got.report.energy_drift <= 1e-4 * got.report.kinetic_largest);
 }
 
-TEST_CASE("Ida: both forms reach the same link pendulum as the tolerance falls", "[ida][link]") {
+TEST_CASE("Ida: both forms reach the same link pendulum as the tolerance falls",
+          "[ida][link][long]") {
     ancf::Schedule schedule;
     schedule.end = 1.2;
     schedule.times = {1.2};
