@@ -33,7 +33,7 @@ struct ModalOptions {
     double factor = 1.0;       ///< vibration: load factor of the state that the model is in
     double shift = 0.0;        ///< rad^2/s^2, below all wanted; negative for bodies that can move
     double tolerance = 1e-10;  ///< relative change of the eigenvalues
-    int max_iterations = 500;
+    int max_iterations = 500;  ///< of the subspace
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const;
@@ -53,9 +53,9 @@ struct Mode {
 
 /// What an eigenvalue analysis reports.
 struct ModalReport {
-    Status status = Status::converged;
-    std::vector<Mode> modes;  ///< by rising value, of buckling by rising magnitude
-    int iterations = 0;
+    Status status = Status::converged;  ///< why it ended
+    std::vector<Mode> modes;            ///< by rising value, of buckling by rising magnitude
+    int iterations = 0;                 ///< solutions with the whole subspace
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
