@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Random coordinates for the beams with a cross-section frame.
+
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
+
+#include <fuzz/try_out.hpp>
+
+TEMPLATE_TEST_CASE("fuzz: no coordinates crash an element, and admissible ones give finite results",
+                   "[fuzz]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>) {
+    ancf::test::try_out<TestType>();
+}
