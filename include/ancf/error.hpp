@@ -10,10 +10,12 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ancf {
 
@@ -56,13 +58,51 @@ enum class Status {
 
 namespace detail {
 
-/// Throws InvalidArgument with all parts streamed into one message.
+/// One part of a message as text, numbers with 17 digits.
+///
+/// Texts and numbers are written by functions that are not templates, so that a message of them
+/// costs a program little to compile.
+class MessagePart {
+public:
+    MessagePart(const char* text) : text_(text) {}
+    MessagePart(std::string_view text) : text_(text) {}
+    MessagePart(std::string text) : text_(std::move(text)) {}
+    MessagePart(double value) : text_(streamed(value)) {}
+    MessagePart(int value) : text_(std::to_string(value)) {}
+    MessagePart(long value) : text_(std::to_string(value)) {}
+    MessagePart(long long value) : text_(std::to_string(value)) {}
+    MessagePart(unsigned long value) : text_(std::to_string(value)) {}
+    MessagePart(unsigned long long value) : text_(std::to_string(value)) {}
+    /// Anything else that can be written to a stream: a row of a matrix.
+    template <class Value>
+    MessagePart(const Value& value) : text_(streamed(value)) {}
+
+    /// Returns the text.
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+private:
+    template <class Value>
+    [[gnu::cold]] static std::string streamed(const Value& value) {
+        std::ostringstream stream;
+        stream.precision(17);
+        stream << value;
+        return stream.str();
+    }
+
+    std::string text_;
+};
+
+/// Throws InvalidArgument with all parts in one message.
+[[noreturn, gnu::cold]] inline void reject_parts(std::initializer_list<MessagePart> parts) {
+    std::string message;
+    for (const MessagePart& part : parts) message += part.text();
+    throw InvalidArgument(message);
+}
+
+/// Throws InvalidArgument with all parts in one message.
 template <class... Parts>
-[[noreturn]] void reject(const Parts&... parts) {
-    std::ostringstream message;
-    message.precision(17);
-    (message << ... << parts);
-    throw InvalidArgument(message.str());
+[[noreturn, gnu::cold, gnu::noinline]] void reject(const Parts&... parts) {
+    reject_parts({MessagePart(parts)...});
 }
 
 /// Throws unless the condition holds.

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/model.hpp>
@@ -29,8 +30,8 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
     for (std::size_t k = 0; k < load_coordinates_.size(); ++k) {
         const std::vector<int>& coordinates = load_coordinates_[k];
         const auto size = static_cast<Eigen::Index>(coordinates.size());
-        local.q = q(coordinates);
-        local.v = v(coordinates);
+        detail::gather(q, coordinates, local.q);
+        detail::gather(v, coordinates, local.v);
         const AnyLoad& load = model_.loads()[k].load;
         const Eigen::Index rows = load.constant() ? 0 : size;
         result.force.setZero(size);
@@ -103,8 +104,8 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
         const std::vector<int>& coordinates = constraint_coordinates_[k];
         const auto size = static_cast<Eigen::Index>(coordinates.size());
         const int equations = constraint.equations();
-        local.q = at.q(coordinates);
-        local.v = at.v(coordinates);
+        detail::gather(at.q, coordinates, local.q);
+        detail::gather(at.v, coordinates, local.v);
         local.multipliers = at.multipliers.segment(first, equations);
         result.violation.setZero(equations);
         result.jacobian.setZero(equations, size);
@@ -123,8 +124,9 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
         violation_rate_.segment(first, equations) = result.rate;
         convection_.segment(first, equations) = result.convection;
         for (Eigen::Index i = 0; i < size; ++i)
-            constraint_[coordinates[static_cast<std::size_t>(i)]] +=
-                result.jacobian.col(i).dot(local.multipliers);
+            for (int e = 0; e < equations; ++e)
+                constraint_[coordinates[static_cast<std::size_t>(i)]] +=
+                    result.jacobian(e, i) * local.multipliers[e];
         if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
         first += equations;
     }

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/block_pattern.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/model/constraint.hpp>
@@ -16,6 +17,7 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -145,8 +147,8 @@ void ConstraintSet<Scene>::evaluate(double time, const VectorX& q, const VectorX
         const auto size = static_cast<Eigen::Index>(coordinates_[k].size());
         const int equations = constraint.equations();
         local_.time = time;
-        local_.q = q(coordinates_[k]);
-        local_.v = v(coordinates_[k]);
+        detail::gather(q, coordinates_[k], local_.q);
+        detail::gather(v, coordinates_[k], local_.v);
         local_.multipliers.setZero(equations);
         ConstraintResult& result = results_[k];
         result.violation.setZero(equations);
@@ -156,7 +158,8 @@ void ConstraintSet<Scene>::evaluate(double time, const VectorX& q, const VectorX
         result.convection.setZero(equations);
         constraint.evaluate(local_, result);
         violation_.segment(first_[k], equations) = result.violation;
-        full_rate_.segment(first_[k], equations) = result.jacobian * local_.v + result.rate;
+        full_rate_.segment(first_[k], equations) =
+            detail::multiply(result.jacobian, local_.v) + result.rate;
         convection_.segment(first_[k], equations) = result.convection;
     }
     rate_ = full_rate_;
@@ -168,8 +171,9 @@ template <class Scene>
 VectorX ConstraintSet<Scene>::product(const VectorX& a) const {
     VectorX out = VectorX::Zero(size());
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        const VectorX local = a(at);
-        out.segment(first, result.jacobian.rows()) = result.jacobian * local;
+        VectorX local;
+        detail::gather(a, at, local);
+        out.segment(first, result.jacobian.rows()) = detail::multiply(result.jacobian, local);
     });
     for (int i = 0; i < size(); ++i)
         if (left_out(i)) out[i] = 0.0;
@@ -180,8 +184,10 @@ template <class Scene>
 VectorX ConstraintSet<Scene>::magnitude(const VectorX& x) const {
     VectorX out = VectorX::Zero(size());
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        const VectorX local = x(at);
-        out.segment(first, result.jacobian.rows()) = result.jacobian.cwiseAbs() * local;
+        for (Eigen::Index j = 0; j < result.jacobian.cols(); ++j)
+            for (Eigen::Index i = 0; i < result.jacobian.rows(); ++i)
+                out[first + i] +=
+                    std::abs(result.jacobian(i, j)) * x[at[static_cast<std::size_t>(j)]];
     });
     return out;
 }
@@ -245,19 +251,20 @@ void ConstraintSet<Scene>::add_velocity_level(const BlockPattern& pattern, const
         const auto size = static_cast<Eigen::Index>(at.size());
         const int equations = constraint.equations();
         const int own = numbering_.constraint_block(static_cast<int>(k));
-        local.q = q_(at);
-        local.v = v_(at);
+        detail::gather(q_, at, local.q);
+        detail::gather(v_, at, local.v);
         for (int e = 0; e < equations; ++e) {
             if (left_out(first_[k] + e)) continue;
             // with one multiplier 1 the stiffness is the Hessian of that equation
-            local.multipliers = VectorX::Unit(equations, e);
+            local.multipliers.setZero(equations);
+            local.multipliers[e] = 1.0;
             result.violation.setZero(equations);
             result.jacobian.setZero(equations, size);
             result.stiffness.setZero(size, size);
             result.rate.setZero(equations);
             result.convection.setZero(equations);
             constraint.evaluate(local, result);
-            const VectorX row = result.stiffness * local.v;
+            const VectorX row = detail::multiply(result.stiffness, local.v);
             const double weight = mu[first_[k] + e];
             for (Eigen::Index j = 0; j < size; ++j) {
                 const int coordinate = at[static_cast<std::size_t>(j)];

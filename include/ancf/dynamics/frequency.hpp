@@ -10,12 +10,12 @@
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <random>
+#include <vector>
 
 namespace ancf::detail {
 
@@ -50,6 +50,45 @@ template <class Stiffness, class Mass, class SolveMass>
     return estimate;
 }
 
+/// Turns the symmetric matrix into the diagonal one of its eigenvalues by cyclic Jacobi rotations.
+///
+/// For the few rows of a projected problem: Eigen's solver costs a program 9 s of compilation.
+/// @return the rotations, whose columns are the eigenvectors.
+[[nodiscard]] inline MatrixX diagonalize(MatrixX& matrix) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const Eigen::Index size = matrix.rows();
+    MatrixX vectors = MatrixX::Zero(size, size);
+    for (Eigen::Index k = 0; k < size; ++k) vectors(k, k) = 1.0;
+    const auto rotate = [](double& a, double& b, double c, double s) {
+        const double kept = a;
+        a = c * kept - s * b;
+        b = s * kept + c * b;
+    };
+    for (int sweep = 0; sweep < 30; ++sweep) {
+        bool diagonal = true;
+        for (Eigen::Index p = 0; p < size; ++p)
+            for (Eigen::Index q = p + 1; q < size; ++q) {
+                const double off = matrix(p, q);
+                if (std::abs(off) <=
+                    epsilon * std::sqrt(std::abs(matrix(p, p) * matrix(q, q))))
+                    continue;
+                diagonal = false;
+                const double half = (matrix(q, q) - matrix(p, p)) / (2.0 * off);
+                const double root = std::sqrt(1.0 + half * half);
+                const double tangent = half < 0.0 ? 1.0 / (half - root) : 1.0 / (half + root);
+                const double c = 1.0 / std::sqrt(1.0 + tangent * tangent);
+                const double s = tangent * c;
+                for (Eigen::Index k = 0; k < size; ++k) {
+                    rotate(matrix(k, p), matrix(k, q), c, s);
+                    rotate(vectors(k, p), vectors(k, q), c, s);
+                }
+                for (Eigen::Index k = 0; k < size; ++k) rotate(matrix(p, k), matrix(q, k), c, s);
+            }
+        if (diagonal) break;
+    }
+    return vectors;
+}
+
 /// Returns the lowest eigenvalue above `threshold` of K x = omega^2 M x, 0 where there is none
 /// among those that the subspace finds.
 /// @param freedom        number of independent motions that the constraints leave.
@@ -59,35 +98,41 @@ template <class Stiffness, class Mass, class Solve>
                                        const Stiffness& stiffness, const Mass& mass,
                                        const Solve& shifted_solve, double threshold,
                                        int iterations = 12) {
-    const Eigen::Index width = std::min<Eigen::Index>(freedom, 14);
-    if (width <= 0) return 0.0;
-    MatrixX basis(size, width);
-    for (Eigen::Index k = 0; k < width; ++k) basis.col(k) = scattered(size, static_cast<int>(k));
-    VectorX values;
+    const auto width = static_cast<std::size_t>(std::min<Eigen::Index>(freedom, 14));
+    if (freedom <= 0) return 0.0;
+    std::vector<VectorX> basis(width), mass_basis(width), stiff_basis(width), turned(width);
+    for (std::size_t k = 0; k < width; ++k) basis[k] = scattered(size, static_cast<int>(k));
+    MatrixX reduced(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(width));
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        MatrixX mass_basis(size, width), stiff_basis(size, width);
-        for (Eigen::Index k = 0; k < width; ++k) {
-            basis.col(k) = shifted_solve(mass(VectorX(basis.col(k))));
+        for (std::size_t k = 0; k < width; ++k) {
+            basis[k] = shifted_solve(mass(basis[k]));
             // Gram-Schmidt in the mass norm, twice
             for (int pass = 0; pass < 2; ++pass)
-                for (Eigen::Index j = 0; j < k; ++j)
-                    basis.col(k) -= mass_basis.col(j).dot(basis.col(k)) * basis.col(j);
-            VectorX product = mass(VectorX(basis.col(k)));
-            const double norm = std::sqrt(basis.col(k).dot(product));
+                for (std::size_t j = 0; j < k; ++j)
+                    basis[k] -= mass_basis[j].dot(basis[k]) * basis[j];
+            mass_basis[k] = mass(basis[k]);
+            const double norm = std::sqrt(basis[k].dot(mass_basis[k]));
             if (!(norm > 0.0)) return 0.0;
-            basis.col(k) /= norm;
-            mass_basis.col(k) = product / norm;
-            stiff_basis.col(k) = stiffness(VectorX(basis.col(k)));
+            basis[k] /= norm;
+            mass_basis[k] /= norm;
+            stiff_basis[k] = stiffness(basis[k]);
         }
-        MatrixX reduced = basis.transpose() * stiff_basis;
-        reduced = 0.5 * (reduced + reduced.transpose().eval());
-        const Eigen::SelfAdjointEigenSolver<MatrixX> solver(reduced);
-        values = solver.eigenvalues();
-        basis *= solver.eigenvectors();
+        for (std::size_t i = 0; i < width; ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                reduced.data()[i * width + j] = reduced.data()[j * width + i] =
+                    0.5 * (basis[i].dot(stiff_basis[j]) + basis[j].dot(stiff_basis[i]));
+        const MatrixX vectors = diagonalize(reduced);
+        for (std::size_t k = 0; k < width; ++k) {
+            turned[k].setZero(size);
+            for (std::size_t j = 0; j < width; ++j)
+                turned[k] += vectors.data()[k * width + j] * basis[j];
+        }
+        basis.swap(turned);
     }
-    for (Eigen::Index k = 0; k < values.size(); ++k)
-        if (values[k] > threshold) return values[k];
-    return 0.0;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (Eigen::Index k = 0; k < reduced.rows(); ++k)
+        if (reduced(k, k) > threshold) lowest = std::min(lowest, reduced(k, k));
+    return std::isfinite(lowest) ? lowest : 0.0;
 }
 
 }  // namespace ancf::detail

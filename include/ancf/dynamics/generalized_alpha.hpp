@@ -113,7 +113,7 @@ private:
     void predict(double h);
     void correct(double h);
     [[nodiscard]] double scaled(const VectorX& q) const {
-        return q.size() == 0 ? 0.0 : (q.array().abs() / problem_.scales().array()).maxCoeff();
+        return largest_ratio(q, problem_.scales());
     }
     void fail(Status status, std::string message) {
         report_.status = status;
@@ -307,8 +307,9 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
             if (const Status status = factorise(h); status != Status::converged) return status;
             fresh = true;
         }
-        rhs_.head(n) = -problem_.force();
-        rhs_.head(n).noalias() -= problem_.compact_mass() * next_.acceleration;
+        product_ = -problem_.force();
+        add_product(problem_.compact_mass(), Storage::full, -1.0, next_.acceleration, product_);
+        rhs_.head(n) = product_;
         rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
         solver_.solve(rhs_, solution_);
         ++report_.iterations;
@@ -345,14 +346,13 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::evaluate(const MotionPoint& at,
 /// it.
 template <class Scene, class LinearSolver>
 Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
-    const auto values = [](const SparseMatrix& matrix) {
-        return Eigen::Map<const Eigen::ArrayXd>(matrix.valuePtr(), matrix.nonZeros());
-    };
-    Eigen::Map<Eigen::ArrayXd> system(system_.valuePtr(), system_.nonZeros());
-    system =
-        values(problem_.mass()) +
-        values(problem_.tangent()) * (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_.array()) +
-        h * gamma_hat_ * values(problem_.damping());
+    const double* mass = problem_.mass().valuePtr();
+    const double* tangent = problem_.tangent().valuePtr();
+    const double* damping = problem_.damping().valuePtr();
+    double* system = system_.valuePtr();
+    for (Eigen::Index k = 0; k < system_.nonZeros(); ++k)
+        system[k] = mass[k] + (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_[k]) * tangent[k] +
+                    h * gamma_hat_ * damping[k];
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;
@@ -375,7 +375,7 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::predict(double h) {
 /// Adds the solution (dv', dlambda).
 template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::correct(double h) {
-    const auto change = solution_.head(problem_.size());
+    const VectorX change = solution_.head(problem_.size());
     next_.acceleration += change;
     next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
     next_.q += h * h * beta_hat_ * change;

@@ -243,6 +243,7 @@ private:
     [[nodiscard]] std::string check_supports(double t) const;
     [[nodiscard]] std::string check_constraints();
     void find_redundant(Start& start);
+    void minimize_multipliers(VectorX& multipliers);
     [[nodiscard]] Status factorize_kkt();
     bool project_positions(double t, VectorX& q, const VectorX& v);
     bool project_rates(double t, const VectorX& q, VectorX& v);

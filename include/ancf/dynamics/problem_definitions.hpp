@@ -6,10 +6,9 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -33,17 +32,14 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
     full_v_.setZero(full_q_.size());
     full_a_.setZero(full_q_.size());
     measure();
-    SparseMatrix block = mass_.topLeftCorner(size(), size());
-    if (options_.storage == Storage::lower)
-        block = SparseMatrix(block.selfadjointView<Eigen::Lower>());
-    compact_mass_ = block.pruned();
+    compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
     mass_factor_.compute(compact_mass_);
     detail::require(size() == 0 || (mass_factor_.info() == Eigen::Success &&
                                     mass_factor_.vectorD().minCoeff() > 0.0),
                     "DynamicProblem: the mass matrix is not positive definite; every node needs an "
                     "element of positive density");
     kkt_matrix_ = mass_;
-    kkt_.analyze(kkt_matrix_, options_.storage);
+    kkt_.analyze(kkt_matrix_, size());
 }
 
 template <class Scene>
@@ -142,8 +138,7 @@ template <class Scene>
 std::string DynamicProblem<Scene>::check_constraints() {
     constraints_.evaluate(time_, full_q_, full_v_);
     const VectorX lengths = constraints_.magnitude(full_scales_);
-    const double fastest =
-        full_v_.size() == 0 ? 0.0 : (full_v_.array().abs() / full_scales_.array()).maxCoeff();
+    const double fastest = detail::largest_ratio(full_v_, full_scales_);
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
         std::ostringstream message;
@@ -264,16 +259,10 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
             evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
         return fault->status;
     VectorX b = VectorX::Zero(numbering().unknowns());
-    const auto apply = [&](const SparseMatrix& matrix, const VectorX& x) {
-        VectorX whole = VectorX::Zero(matrix.cols());
-        whole.head(size()) = x;
-        if (options_.storage == Storage::lower)
-            whole = matrix.selfadjointView<Eigen::Lower>() * whole;
-        else
-            whole = matrix * whole;
-        return VectorX(whole.head(size()));
-    };
-    b.head(size()) = -apply(tangent(), at.v) - apply(damping(), at.acceleration);
+    VectorX sum = VectorX::Zero(size());
+    detail::add_product(tangent(), options_.storage, -1.0, at.v, sum);
+    detail::add_product(damping(), options_.storage, -1.0, at.acceleration, sum);
+    b.head(size()) = sum;
     VectorX whole = VectorX::Zero(full_a_.size());
     for (const double sign : {1.0, -1.0}) {
         const double t = at.time + sign * step;
@@ -345,12 +334,14 @@ Energies DynamicProblem<Scene>::energies() const {
     if (driven_.empty()) {
         VectorX v;
         numbering().gather_free(full_v_, v);
-        result.kinetic = 0.5 * v.dot(compact_mass_ * v);
+        result.kinetic = 0.5 * v.dot(detail::multiply(compact_mass_, Storage::full, v));
         return result;
     }
     result.kinetic = 0.5 * full_v_.dot(assembly_.mass_product(full_v_));
     VectorX acceleration = full_a_;
-    numbering().add_free(mass_factor_.solve(-force_), 1.0, acceleration);
+    VectorX change;
+    solve_mass(force_, change);
+    numbering().add_free(change, -1.0, acceleration);
     const VectorX inertia = assembly_.mass_product(acceleration);
     for (const Driven& driven : driven_) {
         const int k = driven.coordinate;
@@ -447,15 +438,31 @@ State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v,
     result.q = full_q_;
     result.v = full_v_;
     result.multipliers = lambda;
-    if (left_out_.empty()) return result;
-    constraints_.evaluate(t, full_q_, full_v_);
-    VectorX force = VectorX::Zero(size());
-    constraints_.add_transpose_product(lambda, 1.0, force);
-    Eigen::CompleteOrthogonalDecomposition<MatrixX> decomposition;
-    decomposition.setThreshold(options_.redundancy_tolerance);
-    decomposition.compute(MatrixX(constraints_.free_jacobian().transpose()));
-    result.multipliers = decomposition.solve(force);
+    if (!left_out_.empty()) minimize_multipliers(result.multipliers);
     return result;
+}
+
+// Takes from the multipliers what does no work, the null space of G^T: row e of G, left out, is the
+// sum of d_i times the others, so that its basis are the columns d - unit vector e.
+template <class Scene>
+void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
+    constraints_.evaluate(time_, full_q_, full_v_);
+    if (factorize_kkt() != Status::converged) return;
+    const SparseMatrix rows = constraints_.free_jacobian().transpose();
+    std::vector<VectorX> basis;
+    for (const int equation : left_out_) {
+        VectorX b = VectorX::Zero(numbering().unknowns()), x;
+        for (SparseMatrix::InnerIterator entry(rows, equation); entry; ++entry)
+            b[entry.row()] = entry.value();
+        kkt_.solve(b, x);
+        VectorX silent = x.tail(multipliers.size());
+        silent[equation] = -1.0;
+        for (int pass = 0; pass < 2; ++pass)  // Gram-Schmidt, twice
+            for (const VectorX& earlier : basis) silent -= earlier.dot(silent) * earlier;
+        silent /= silent.norm();
+        basis.push_back(silent);
+        multipliers -= silent.dot(multipliers) * silent;
+    }
 }
 
 template <class Scene>
@@ -482,7 +489,8 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
         return value;
     };
     VectorX inertia = VectorX::Zero(full_q_.size());
-    numbering().add_free(compact_mass_ * start.acceleration, 1.0, inertia);
+    numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
+                         inertia);
     double scale = std::max({largest(assembly_.external_force()),
                              largest(assembly_.internal_force()), largest(inertia)});
     if (scale > 0.0) return scale;
@@ -496,11 +504,12 @@ template <class Scene>
 double DynamicProblem<Scene>::highest_frequency(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
-    SparseMatrix k = assembly_.tangent().topLeftCorner(size(), size());
-    if (options_.storage == Storage::lower) k = SparseMatrix(k.selfadjointView<Eigen::Lower>());
     return std::sqrt(detail::largest_eigenvalue(
-        size(), [&](const VectorX& x) { return VectorX(k * x); },
-        [&](const VectorX& x) { return VectorX(compact_mass_ * x); },
+        size(),
+        [&](const VectorX& x) {
+            return detail::multiply(assembly_.tangent(), options_.storage, x);
+        },
+        [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); },
         [&](const VectorX& x) { return VectorX(mass_factor_.solve(x)); }));
 }
 
@@ -509,15 +518,13 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     const double highest = highest_frequency(t, q);
     if (highest == 0.0) return 0.0;
     const double square = highest * highest;
-    SparseMatrix k = tangent().topLeftCorner(size(), size());
-    if (options_.storage == Storage::lower) k = SparseMatrix(k.selfadjointView<Eigen::Lower>());
     // far above the round-off of K, far below any elastic frequency
     const double shift = 1e-12 * square;
     SparseMatrix shifted = tangent();
-    Eigen::Map<VectorX>(shifted.valuePtr(), shifted.nonZeros()) +=
-        shift * Eigen::Map<const VectorX>(mass_.valuePtr(), mass_.nonZeros());
+    for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
+        shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     KktSystem system;
-    system.analyze(shifted, options_.storage);
+    system.analyze(shifted, size());
     if (system.factorize(shifted) != Status::converged) return 0.0;
     const auto solve = [&](const VectorX& b) {
         VectorX whole = VectorX::Zero(numbering().unknowns()), x;
@@ -527,8 +534,10 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     };
     const int freedom = size() - multipliers() + static_cast<int>(left_out_.size());
     return std::sqrt(detail::lowest_eigenvalue(
-        size(), freedom, [&](const VectorX& x) { return VectorX(k * x); },
-        [&](const VectorX& x) { return VectorX(compact_mass_ * x); }, solve, 10.0 * shift));
+        size(), freedom,
+        [&](const VectorX& x) { return detail::multiply(tangent(), options_.storage, x); },
+        [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); }, solve,
+        10.0 * shift));
 }
 
 }  // namespace ancf

@@ -8,7 +8,7 @@
 
 #include <ancf/element/mass.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/loads.hpp>
+#include <ancf/model/loads_forces.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/moments.hpp>
@@ -42,13 +42,27 @@ struct Beam {
     }
 };
 
+namespace detail {
+
+/// Returns the length of a vector of any size between the smallest and the largest number.
+template <int Dimension>
+[[nodiscard]] double span(const Vector<double, Dimension>& v) {
+    if constexpr (Dimension == 2) {
+        return std::hypot(v[0], v[1]);
+    } else {
+        return std::hypot(v[0], v[1], v[2]);
+    }
+}
+
+}  // namespace detail
+
 /// Returns orthonormal reference slopes (columns) of a beam along a direction.
 ///
 /// Three dimensions: r_y is the part of `y_axis` normal to the direction.
 /// @throws InvalidArgument where the direction has no length or `y_axis` is parallel to it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
                                                         const Vector<double, 3>& y_axis) {
-    const double length = direction.stableNorm();
+    const double length = detail::span(direction);
     detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
@@ -70,10 +84,10 @@ struct Beam {
 /// Where the direction leans towards -X by more than 154 degrees r_y is instead the part of global
 /// Y normal to it: there the section turns at once by up to half a turn. Give a y axis to avoid it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
-    detail::require(direction.allFinite() && direction.stableNorm() > 0.0,
+    detail::require(direction.allFinite() && detail::span(direction) > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
-    const Vector<double, 3> t = direction.stableNormalized();
+    const Vector<double, 3> t = direction / detail::span(direction);
     if (t[0] < -0.9) return reference_slopes(direction, Vector<double, 3>::UnitY());
     const Vector<double, 3> sum = Vector<double, 3>::UnitX() + t;
     const Vector<double, 3> y = Vector<double, 3>::UnitY() - t[1] / (1.0 + t[0]) * sum;
@@ -82,10 +96,10 @@ struct Beam {
 
 /// The plane: r_y is the direction turned by a right angle counterclockwise.
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
-    detail::require(direction.allFinite() && direction.stableNorm() > 0.0,
+    detail::require(direction.allFinite() && detail::span(direction) > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
-    const Vector<double, 2> t = direction.stableNormalized();
+    const Vector<double, 2> t = direction / detail::span(direction);
     Matrix<double, 2> slopes;
     slopes << t[0], -t[1], t[1], t[0];
     return slopes;
@@ -106,7 +120,7 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
     using Chosen =
         std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
-    const double length = (to - from).stableNorm();
+    const double length = detail::span(typename Scene::Point(to - from));
     detail::require(std::isfinite(length) && length > 0.0,
                     "straight_beam: the ends must be finite and apart, got a length of ", length);
     Beam<Chosen> beam;

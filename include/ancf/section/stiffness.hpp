@@ -63,16 +63,17 @@ namespace detail {
 inline Matrix<double, 3> saint_venant_block(const Moments& moments, double shear, double torsion,
                                             int twist) noexcept {
     Matrix<double, 3> centred = shear * moment_matrix<3>(centroidal(moments));
-    centred.row(twist).setZero();
-    centred.col(twist).setZero();
+    for (int k = 0; k < 3; ++k) {
+        centred(twist, k) = centred(k, twist) = 0.0;
+        if (k > 0) centred(0, k) = centred(k, 0) = 0.0;  // round-off about the centroid
+    }
     centred(twist, twist) = torsion;
-    // Round-off of the first moments about the centroid.
-    centred.row(0).tail<2>().setZero();
-    centred.col(0).tail<2>().setZero();
-    Matrix<double, 3> transport = Matrix<double, 3>::Identity();
-    transport(0, 1) = moments.y / moments.area;
-    transport(0, 2) = moments.z / moments.area;
-    return transport.transpose() * centred * transport;
+    // T^T centred T with T = I + e_0 c^T
+    const double c[3] = {0.0, moments.y / moments.area, moments.z / moments.area};
+    Matrix<double, 3> block = centred;
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) block(i, j) += c[i] * centred(0, 0) * c[j];
+    return block;
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 /// Eigen's sparse direct solvers, for a build that has nothing else.
 ///
 /// Both estimate the condition, so that a matrix that is singular but for round-off is found out.
+/// They are templates of the order of elimination, so that a program compiles only those it uses.
 
 #pragma once
 
@@ -13,6 +14,7 @@
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
@@ -23,19 +25,20 @@
 
 namespace ancf {
 
-/// L D L^T of a symmetric matrix without pivoting, ordered by minimum degree.
+/// L D L^T of a symmetric matrix without pivoting.
 ///
 /// For positive definite matrices, and for indefinite ones that are far from singular in every
 /// leading part of that order; saddle points are for EigenLu. `negative_pivots` counts the negative
 /// eigenvalues.
-class EigenLdlt {
+template <class Ordering>
+class EigenLdltWith {
 public:
     static constexpr Storage storage = Storage::lower;  ///< the lower half is read
 
-    EigenLdlt() = default;
+    EigenLdltWith() = default;
 
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit EigenLdlt(double singular_rcond) : singular_rcond_(singular_rcond) {
+    explicit EigenLdltWith(double singular_rcond) : singular_rcond_(singular_rcond) {
         detail::require_singular_rcond(singular_rcond);
     }
 
@@ -53,7 +56,7 @@ public:
     [[nodiscard]] static constexpr std::string_view name() noexcept { return "eigen-ldlt"; }
 
 private:
-    using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
+    using Ldlt = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering>;
 
     [[nodiscard]] FactorReport examine(const SparseMatrix& lower) const;
 
@@ -62,15 +65,16 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-/// L U of any square matrix with partial pivoting, columns ordered by COLAMD, rows scaled first.
-class EigenLu {
+/// L U of any square matrix with partial pivoting, rows scaled first.
+template <class Ordering>
+class EigenLuWith {
 public:
     static constexpr Storage storage = Storage::full;  ///< all entries are read
 
-    EigenLu() = default;
+    EigenLuWith() = default;
 
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit EigenLu(double singular_rcond) : singular_rcond_(singular_rcond) {
+    explicit EigenLuWith(double singular_rcond) : singular_rcond_(singular_rcond) {
         detail::require_singular_rcond(singular_rcond);
     }
 
@@ -88,7 +92,7 @@ public:
     [[nodiscard]] static constexpr std::string_view name() noexcept { return "eigen-lu"; }
 
 private:
-    using Lu = Eigen::SparseLU<SparseMatrix, Eigen::COLAMDOrdering<int>>;
+    using Lu = Eigen::SparseLU<SparseMatrix, Ordering>;
 
     void scale_rows(const SparseMatrix& matrix);
     void substitute(const VectorX& b, VectorX& x) const;
@@ -100,7 +104,11 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-inline void EigenLdlt::analyze(const SparseMatrix& lower) {
+using EigenLdlt = EigenLdltWith<Eigen::AMDOrdering<int>>;  ///< ordered by minimum degree
+using EigenLu = EigenLuWith<Eigen::COLAMDOrdering<int>>;   ///< ordered by COLAMD
+
+template <class Ordering>
+void EigenLdltWith<Ordering>::analyze(const SparseMatrix& lower) {
     detail::require_storage(name(), lower, storage);
     stage_.reset();
     ldlt_ = std::make_unique<Ldlt>();
@@ -108,7 +116,8 @@ inline void EigenLdlt::analyze(const SparseMatrix& lower) {
     stage_.analysed(lower);
 }
 
-inline FactorReport EigenLdlt::factorize(const SparseMatrix& lower) {
+template <class Ordering>
+FactorReport EigenLdltWith<Ordering>::factorize(const SparseMatrix& lower) {
     stage_.begin_factorisation(name(), lower);
     FactorReport report;
     if (!detail::all_finite(lower)) {
@@ -123,7 +132,8 @@ inline FactorReport EigenLdlt::factorize(const SparseMatrix& lower) {
     return stage_.finished(report);
 }
 
-inline FactorReport EigenLdlt::examine(const SparseMatrix& lower) const {
+template <class Ordering>
+FactorReport EigenLdltWith<Ordering>::examine(const SparseMatrix& lower) const {
     FactorReport report;
     report.negative_pivots = 0;
     const auto& pivots = ldlt_->vectorD();
@@ -139,12 +149,14 @@ inline FactorReport EigenLdlt::examine(const SparseMatrix& lower) const {
     return report;
 }
 
-inline void EigenLdlt::solve(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void EigenLdltWith<Ordering>::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
     x = b.size() > 0 ? VectorX(ldlt_->solve(b)) : b;
 }
 
-inline void EigenLu::analyze(const SparseMatrix& matrix) {
+template <class Ordering>
+void EigenLuWith<Ordering>::analyze(const SparseMatrix& matrix) {
     detail::require_storage(name(), matrix, storage);
     stage_.reset();
     lu_ = std::make_unique<Lu>();
@@ -153,7 +165,8 @@ inline void EigenLu::analyze(const SparseMatrix& matrix) {
     stage_.analysed(matrix);
 }
 
-inline FactorReport EigenLu::factorize(const SparseMatrix& matrix) {
+template <class Ordering>
+FactorReport EigenLuWith<Ordering>::factorize(const SparseMatrix& matrix) {
     stage_.begin_factorisation(name(), matrix);
     FactorReport report;
     if (!detail::all_finite(matrix)) {
@@ -175,7 +188,8 @@ inline FactorReport EigenLu::factorize(const SparseMatrix& matrix) {
     return stage_.finished(report);
 }
 
-inline void EigenLu::scale_rows(const SparseMatrix& matrix) {
+template <class Ordering>
+void EigenLuWith<Ordering>::scale_rows(const SparseMatrix& matrix) {
     row_scale_ = VectorX::Zero(matrix.rows());
     for (int column = 0; column < matrix.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
@@ -184,12 +198,14 @@ inline void EigenLu::scale_rows(const SparseMatrix& matrix) {
     scaled_ = row_scale_.asDiagonal() * matrix;
 }
 
-inline void EigenLu::substitute(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void EigenLuWith<Ordering>::substitute(const VectorX& b, VectorX& x) const {
     const VectorX scaled = row_scale_.cwiseProduct(b);
     x = lu_->solve(scaled);
 }
 
-inline void EigenLu::solve(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void EigenLuWith<Ordering>::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
     if (b.size() > 0) {
         substitute(b, x);

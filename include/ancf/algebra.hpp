@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Products and parts of vectors and sparse matrices as plain loops.
+///
+/// Each says what one expression of Eigen would, and costs a program far less to compile: for what
+/// runs once, or costs little beside the elements and the factorisation.
+
+#pragma once
+
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ancf::detail {
+
+/// Writes the entries of x at these places.
+inline void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
+    out.resize(static_cast<Eigen::Index>(at.size()));
+    double* to = out.data();
+    for (const int k : at) *to++ = x[k];
+}
+
+/// Returns the largest |x_i| / scale_i, 0 of nothing and NaN where an entry is NaN.
+[[nodiscard]] inline double largest_ratio(const VectorX& x, const VectorX& scale) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double ratio = std::abs(x[i]) / scale[i];
+        if (!(ratio <= largest)) largest = ratio;
+        if (ratio != ratio) break;
+    }
+    return largest;
+}
+
+/// Returns A x.
+[[nodiscard]] inline VectorX multiply(const MatrixX& A, const VectorX& x) {
+    VectorX out = VectorX::Zero(A.rows());
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+        for (Eigen::Index i = 0; i < A.rows(); ++i) out[i] += A(i, j) * x[j];
+    return out;
+}
+
+/// Adds scale A x; of a symmetric matrix of lower storage only that half is read.
+///
+/// x may be longer or shorter than A is wide: what it lacks is zero, and `out` gets as many rows as
+/// it has.
+inline void add_product(const SparseMatrix& A, Storage storage, double scale, const VectorX& x,
+                        VectorX& out) {
+    const int* row = A.innerIndexPtr();
+    const double* value = A.valuePtr();
+    const auto columns = static_cast<int>(std::min<Eigen::Index>(A.cols(), x.size()));
+    const auto rows = static_cast<int>(out.size());
+    for (int j = 0; j < columns; ++j)
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+            const int i = row[k];
+            if (i < rows) out[i] += scale * value[k] * x[j];
+            if (storage == Storage::lower && i != j && i < x.size() && j < rows)
+                out[j] += scale * value[k] * x[i];
+        }
+}
+
+/// Returns A x, of as many rows as x; see add_product.
+[[nodiscard]] inline VectorX multiply(const SparseMatrix& A, Storage storage, const VectorX& x) {
+    VectorX out = VectorX::Zero(x.size());
+    add_product(A, storage, 1.0, x, out);
+    return out;
+}
+
+/// Returns both halves of the first rows and columns of a compressed matrix, without the zeros.
+[[nodiscard]] inline SparseMatrix leading_block(const SparseMatrix& A, int size, Storage storage) {
+    // Two passes over the entries kept: count each column, then fill it. Rows ascend, since the
+    // mirror images of a column come from columns before it.
+    std::vector<int> next(static_cast<std::size_t>(size) + 1, 0);
+    const auto visit = [&](const auto& keep) {
+        for (int j = 0; j < size; ++j)
+            for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+                const int i = A.innerIndexPtr()[k];
+                const double value = A.valuePtr()[k];
+                if (i >= size || value == 0.0) continue;
+                keep(i, j, value);
+                if (storage == Storage::lower && i != j) keep(j, i, value);
+            }
+    };
+    visit([&](int, int j, double) { ++next[static_cast<std::size_t>(j) + 1]; });
+    for (std::size_t j = 0; j < static_cast<std::size_t>(size); ++j) next[j + 1] += next[j];
+    SparseMatrix block(size, size);
+    block.resizeNonZeros(next.back());
+    std::copy(next.begin(), next.end(), block.outerIndexPtr());
+    visit([&](int i, int j, double value) {
+        const int slot = next[static_cast<std::size_t>(j)]++;
+        block.innerIndexPtr()[slot] = i;
+        block.valuePtr()[slot] = value;
+    });
+    return block;
+}
+
+/// Returns the lower half of a compressed matrix, with its zeros.
+[[nodiscard]] inline SparseMatrix lower_half(const SparseMatrix& A) {
+    const auto size = static_cast<int>(A.cols());
+    SparseMatrix lower(size, size);
+    lower.reserve(A.nonZeros());
+    for (int j = 0; j < size; ++j) {
+        lower.startVec(j);
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k)
+            if (const int i = A.innerIndexPtr()[k]; i >= j)
+                lower.insertBack(i, j) = A.valuePtr()[k];
+    }
+    lower.finalize();
+    return lower;
+}
+
+}  // namespace ancf::detail

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Moments on one slope of a node, with their exact stiffness.
+///
+/// A moment acts on slopes, so its generalised force depends on them. docs/theory-statics.md
+/// derives each.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+namespace ancf {
+
+/// A moment m about a fixed unit axis n that works through the angle of one slope a, N m.
+///
+///     Q_a = m (n x a_p)/|a_p|^2,    a_p = a - (a.n) n
+///
+/// It is a moment about n while the slope stays normal to n: in planar bending and in pure twist.
+class SlopeMoment {
+public:
+    static constexpr int dimension = 3;                ///< of the model it belongs to
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+
+    /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not
+    ///         finite.
+    SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis, double moment);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
+
+    /// Returns the generalised force on the slope, 3 x 1, N m.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    NodeId node_;
+    Field slope_;
+    Vector<double, 3> axis_;
+    double moment_;
+};
+
+/// The moment of SlopeMoment in the plane: counterclockwise positive, N m.
+class PlanarSlopeMoment {
+public:
+    static constexpr int dimension = 2;                ///< of the model it belongs to
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+
+    /// @throws InvalidArgument for the field r or a moment that is not finite.
+    PlanarSlopeMoment(NodeId node, Field slope, double moment);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
+
+    /// Returns the generalised force on the slope, 2 x 1, N m.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 2> force(const Vector<Scalar, 2>& slope) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    NodeId node_;
+    Field slope_;
+    double moment_;
+};
+
+/// A moment vector fixed in space on a node that has no slope but r_x, N m.
+///
+/// Only the part of m normal to the tangent does work: Q_rx = (m x t)/|r_x|.
+class TangentMoment {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument unless the moment is finite.
+    TangentMoment(NodeId node, const Vector<double, 3>& moment);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}}; }
+
+    /// Returns the generalised force on r_x, 3 x 1, N m.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    NodeId node_;
+    Vector<double, 3> moment_;
+};
+
+namespace detail {
+
+inline void require_slope(const char* load, Field slope) {
+    require(slope != Field::r, load, " acts on a slope r_x, r_y or r_z, got the position r");
+}
+
+}  // namespace detail
+
+inline SlopeMoment::SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis,
+                                double moment)
+    : node_(node), slope_(slope), axis_(axis.normalized()), moment_(moment) {
+    detail::require_slope("SlopeMoment", slope);
+    detail::require(axis.allFinite() && axis.norm() > 0.0,
+                    "SlopeMoment: the axis must have a length, got ", axis.transpose());
+    detail::require_finite("SlopeMoment: moment", moment);
+}
+
+template <class Scalar>
+Vector<Scalar, 3> SlopeMoment::force(const Vector<Scalar, 3>& slope) const {
+    const Vector<Scalar, 3> n = axis_.cast<Scalar>();
+    const Vector<Scalar, 3> ap = slope - Scalar(n.transpose() * slope) * n;
+    return moment_ / Scalar(ap.transpose() * ap) * cross(n, ap);
+}
+
+inline void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
+    const Matrix<double, 3> projector = Matrix<double, 3>::Identity() - axis_ * axis_.transpose();
+    const Vector<double, 3> ap = projector * state.q;
+    const double square = ap.squaredNorm();
+    const Vector<double, 3> turned = cross(axis_, ap);
+    out.force = moment_ / square * turned;
+    out.stiffness = moment_ / square *
+                    (cross_matrix(axis_) - 2.0 / square * turned * ap.transpose()) * projector;
+}
+
+inline PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, double moment)
+    : node_(node), slope_(slope), moment_(moment) {
+    detail::require_slope("PlanarSlopeMoment", slope);
+    detail::require_finite("PlanarSlopeMoment: moment", moment);
+}
+
+template <class Scalar>
+Vector<Scalar, 2> PlanarSlopeMoment::force(const Vector<Scalar, 2>& slope) const {
+    return moment_ / Scalar(slope.transpose() * slope) * Vector<Scalar, 2>(-slope[1], slope[0]);
+}
+
+inline void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
+    const Vector<double, 2> slope = state.q;
+    const double x = slope[0];
+    const double y = slope[1];
+    const double scale = moment_ / (slope.squaredNorm() * slope.squaredNorm());
+    out.force = force(slope);
+    out.stiffness << 2.0 * scale * x * y, scale * (y * y - x * x), scale * (y * y - x * x),
+        -2.0 * scale * x * y;
+}
+
+inline TangentMoment::TangentMoment(NodeId node, const Vector<double, 3>& moment)
+    : node_(node), moment_(moment) {
+    detail::require(moment.allFinite(), "TangentMoment: components must be finite, got ",
+                    moment.transpose());
+}
+
+template <class Scalar>
+Vector<Scalar, 3> TangentMoment::force(const Vector<Scalar, 3>& slope) const {
+    return cross(Vector<Scalar, 3>(moment_.cast<Scalar>()), slope) /
+           Scalar(slope.transpose() * slope);
+}
+
+inline void TangentMoment::evaluate(const LoadState& state, LoadResult& out) const {
+    const Vector<double, 3> slope = state.q;
+    const double square = slope.squaredNorm();
+    const Vector<double, 3> turned = cross(moment_, slope);
+    out.force = turned / square;
+    out.stiffness = (cross_matrix(moment_) - 2.0 / square * turned * slope.transpose()) / square;
+}
+
+}  // namespace ancf
