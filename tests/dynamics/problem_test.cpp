@@ -9,6 +9,8 @@
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 
+#include <Eigen/Cholesky>
+
 #include <cmath>
 #include <limits>
 

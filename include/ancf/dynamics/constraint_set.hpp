@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -73,8 +74,8 @@ public:
     void add_velocity_level(const BlockPattern& pattern, const VectorX& mu,
                             SparseMatrix& matrix) const;
 
-    /// Returns G of the free coordinates, all equations included, as m x n.
-    [[nodiscard]] SparseMatrix free_jacobian() const;
+    /// Returns G^T of the free coordinates, all equations included, as n x m.
+    [[nodiscard]] SparseMatrix transposed_jacobian() const;
 
     /// Returns the constraint that an equation belongs to.
     [[nodiscard]] int constraint_of(int equation) const;
@@ -287,18 +288,20 @@ void ConstraintSet<Scene>::add_velocity_level(const BlockPattern& pattern, const
 }
 
 template <class Scene>
-SparseMatrix ConstraintSet<Scene>::free_jacobian() const {
-    std::vector<Eigen::Triplet<double, int>> entries;
+SparseMatrix ConstraintSet<Scene>::transposed_jacobian() const {
+    SparseMatrix columns(numbering_.free_coordinates(), size());
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        for (std::size_t j = 0; j < at.size(); ++j)
-            for (int i = 0; i < result.jacobian.rows(); ++i)
-                if (numbering_.equation(at[j]) >= 0)
-                    entries.emplace_back(first + i, numbering_.equation(at[j]),
-                                         result.jacobian(i, static_cast<Eigen::Index>(j)));
+        for (int i = 0; i < result.jacobian.rows(); ++i) {
+            std::map<int, double> column;  // a vector listed twice in a coupling is summed
+            for (std::size_t j = 0; j < at.size(); ++j)
+                if (const int equation = numbering_.equation(at[j]); equation >= 0)
+                    column[equation] += result.jacobian(i, static_cast<Eigen::Index>(j));
+            columns.startVec(first + i);
+            for (const auto& [row, value] : column) columns.insertBack(row, first + i) = value;
+        }
     });
-    SparseMatrix jacobian(size(), numbering_.free_coordinates());
-    jacobian.setFromTriplets(entries.begin(), entries.end());
-    return jacobian;
+    columns.finalize();
+    return columns;
 }
 
 template <class Scene>

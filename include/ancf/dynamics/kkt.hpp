@@ -111,18 +111,23 @@ private:
 
 /// Returns the rows of G that depend on the rows before them, ascending.
 ///
-/// Each row is measured with the columns scaled and against its own length: a row is dependent when
-/// what remains of it off the span of the earlier ones is shorter than the tolerance, relative.
-[[nodiscard]] inline std::vector<int> dependent_rows(const SparseMatrix& jacobian,
-                                                     const VectorX& scales, double tolerance) {
-    SparseMatrix columns = (jacobian * scales.asDiagonal()).transpose();
+/// Each row is measured with the coordinates scaled and against its own length: a row is dependent
+/// when what remains of it off the span of the earlier ones is shorter than the tolerance, relative.
+/// @param columns  G^T, compressed.
+[[nodiscard]] inline std::vector<int> dependent_rows(SparseMatrix columns, const VectorX& scales,
+                                                     double tolerance) {
     std::vector<int> dependent;
-    for (int j = 0; j < columns.cols(); ++j) {
-        const double length = columns.col(j).norm();
-        if (length > 0.0) columns.col(j) /= length;
-    }
-    columns.makeCompressed();
     if (columns.cols() == 0) return dependent;
+    for (int j = 0; j < columns.cols(); ++j) {
+        double square = 0.0;
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
+            entry.valueRef() *= scales[entry.row()];
+            square += entry.value() * entry.value();
+        }
+        if (square == 0.0) continue;
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry)
+            entry.valueRef() /= std::sqrt(square);
+    }
     // In the natural order the factorisation moves a column to the end when it depends on those
     // before it.
     Eigen::SparseQR<SparseMatrix, Eigen::NaturalOrdering<int>> qr;

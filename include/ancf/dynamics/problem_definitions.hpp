@@ -174,7 +174,7 @@ void DynamicProblem<Scene>::find_redundant(Start& start) {
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
     const std::vector<int> dependent =
-        dependent_rows(constraints_.free_jacobian(), scales_, options_.redundancy_tolerance);
+        dependent_rows(constraints_.transposed_jacobian(), scales_, options_.redundancy_tolerance);
     if (dependent.empty()) return;
     if (options_.redundancy == Redundancy::minimum_norm) {
         left_out_ = dependent;
@@ -448,7 +448,7 @@ template <class Scene>
 void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
     constraints_.evaluate(time_, full_q_, full_v_);
     if (factorize_kkt() != Status::converged) return;
-    const SparseMatrix rows = constraints_.free_jacobian().transpose();
+    const SparseMatrix rows = constraints_.transposed_jacobian();
     std::vector<VectorX> basis;
     for (const int equation : left_out_) {
         VectorX b = VectorX::Zero(numbering().unknowns()), x;

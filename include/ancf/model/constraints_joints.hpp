@@ -88,10 +88,12 @@ struct JointSide {
 
 /// Returns two unit vectors normal to a unit vector and to each other.
 [[nodiscard]] inline std::array<Vector<double, 3>, 2> normals_of(const Vector<double, 3>& axis) {
-    Eigen::Index smallest = 0;
-    axis.cwiseAbs().minCoeff(&smallest);
-    const Vector<double, 3> other = Vector<double, 3>::Unit(smallest);
-    const Vector<double, 3> u = cross(axis, other).normalized();
+    int smallest = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(axis[k]) < std::abs(axis[smallest])) smallest = k;
+    Vector<double, 3> other = Vector<double, 3>::Zero();
+    other[smallest] = 1.0;
+    const Vector<double, 3> normal = cross(axis, other), u = normal / normal.norm();
     return {u, cross(axis, u)};
 }
 
@@ -102,6 +104,24 @@ struct JointSide {
     return axis / length;
 }
 
+/// Returns R^T v: the components of v in a frame.
+[[nodiscard]] inline Vector<double, 3> turned_back(const Matrix<double, 3>& axes,
+                                                   const Vector<double, 3>& v) {
+    Vector<double, 3> out;
+    for (int k = 0; k < 3; ++k)
+        out[k] = axes(0, k) * v[0] + axes(1, k) * v[1] + axes(2, k) * v[2];
+    return out;
+}
+
+/// Returns u v^T.
+[[nodiscard]] inline Matrix<double, 3> outer(const Vector<double, 3>& u,
+                                             const Vector<double, 3>& v) {
+    Matrix<double, 3> out;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) out(i, j) = u[i] * v[j];
+    return out;
+}
+
 /// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q.
 template <class Scalar>
 [[nodiscard]] std::vector<Matrix<Scalar, 3>> turn_forms(const Matrix<Scalar, 3>& relative) {
@@ -109,8 +129,10 @@ template <class Scalar>
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 2) % 3;
         const int j = (k + 1) % 3;
-        forms[static_cast<std::size_t>(k)].row(i) = 0.5 * relative.row(j);
-        forms[static_cast<std::size_t>(k)].row(j) = -0.5 * relative.row(i);
+        for (int l = 0; l < 3; ++l) {
+            forms[static_cast<std::size_t>(k)](i, l) = 0.5 * relative(j, l);
+            forms[static_cast<std::size_t>(k)](j, l) = -0.5 * relative(i, l);
+        }
     }
     return forms;
 }
@@ -238,9 +260,9 @@ public:
 private:
     void hold(const Vector<double, 3>& axis) {
         const Vector<double, 3> unit = detail::unit_axis("Revolute", axis);
-        const Vector<double, 3> w = a().axes.transpose() * unit;
+        const Vector<double, 3> w = detail::turned_back(a().axes, unit);
         for (const Vector<double, 3>& normal : detail::normals_of(unit))
-            add_form(w * (b().axes.transpose() * normal).transpose());
+            add_form(detail::outer(w, detail::turned_back(b().axes, normal)));
     }
 };
 
@@ -292,7 +314,7 @@ public:
 private:
     void hold(const Vector<double, 3>& axis, Motion angle) {
         angle.check("DrivenRevolute");
-        hold_turn(a().axes.transpose() * detail::unit_axis("DrivenRevolute", axis),
+        hold_turn(detail::turned_back(a().axes, detail::unit_axis("DrivenRevolute", axis)),
                   std::move(angle));
     }
 };
@@ -326,7 +348,8 @@ private:
         const Vector<double, 3> w = detail::unit_axis("Universal", axis_of_b);
         detail::require(cross(u, w).norm() > 1e-3, "Universal: the axes must not be parallel, got ",
                         axis_of_a.transpose(), " and ", axis_of_b.transpose());
-        add_form((a().axes.transpose() * u) * (b().axes.transpose() * w).transpose(), u.dot(w));
+        add_form(detail::outer(detail::turned_back(a().axes, u), detail::turned_back(b().axes, w)),
+                 u.dot(w));
     }
 };
 
@@ -354,7 +377,7 @@ private:
     void hold() {
         const Vector<double, 3> t = b().axes.col(0);
         for (const Vector<double, 3>& normal : detail::normals_of(t))
-            add_form((a().axes.transpose() * normal) * Vector<double, 3>::UnitX().transpose());
+            add_form(detail::outer(detail::turned_back(a().axes, normal), {1.0, 0.0, 0.0}));
     }
 };
 
@@ -376,9 +399,8 @@ DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q,
                                             const Scalar& time) const {
     DynamicVector<Scalar> g(equations());
     if (pinned_) {
-        Vector<Scalar, 3> other = b_.place.template cast<Scalar>();
-        if (b_.kind != SideKind::space) other = q.template segment<3>(3);
-        g.template head<3>() = q.template head<3>() - other;
+        for (int k = 0; k < 3; ++k)
+            g[k] = q[k] - (b_.kind == SideKind::space ? Scalar(b_.place[k]) : q[3 + k]);
     }
     const Frames<Scalar> f = frames(q);
     int row = positions();
@@ -395,16 +417,19 @@ DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
                                            const Scalar& time) const {
     DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(equations(), q.size());
     if (pinned_) {
-        g.template topLeftCorner<3, 3>().diagonal().setConstant(Scalar(1.0));
-        if (b_.kind != SideKind::space)
-            g.template block<3, 3>(0, 3).diagonal().setConstant(Scalar(-1.0));
+        for (int k = 0; k < 3; ++k) {
+            g(k, k) = Scalar(1.0);
+            if (b_.kind != SideKind::space) g(k, 3 + k) = Scalar(-1.0);
+        }
     }
     const Frames<Scalar> f = frames(q);
     const int width = 3 * (a_.vectors() + b_.vectors());
     int row = positions();
-    for (const Matrix<Scalar, 3>& form : forms(time))
-        g.row(row++).segment(first_slope(), width) =
-            FrameForm<Scalar>(form, f.a, f.b).gradient(f.a, f.b);
+    for (const Matrix<Scalar, 3>& form : forms(time)) {
+        const Vector<Scalar, 12> gradient = FrameForm<Scalar>(form, f.a, f.b).gradient(f.a, f.b);
+        for (int k = 0; k < width; ++k) g(row, first_slope() + k) = gradient[k];
+        ++row;
+    }
     return g;
 }
 
@@ -426,12 +451,15 @@ inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& ou
     const Frames<double> f = frames(at.q);
     const int first = first_slope();
     const int width = 3 * (a_.vectors() + b_.vectors());
-    const VectorX v = at.v.segment(first, width);
     int row = positions();
     for (const Matrix<double, 3>& form : forms(at.time)) {
-        const MatrixX hessian = frame_form_hessian(form, f.a, f.b);
-        out.stiffness.block(first, first, width, width) += at.multipliers[row] * hessian;
-        out.convection[row] = v.dot(hessian * v);
+        const Matrix<double, 12> hessian = frame_form_hessian(form, f.a, f.b);
+        out.convection[row] = 0.0;
+        for (int j = 0; j < width; ++j)
+            for (int i = 0; i < width; ++i) {
+                out.stiffness(first + i, first + j) += at.multipliers[row] * hessian(i, j);
+                out.convection[row] += at.v[first + i] * hessian(i, j) * at.v[first + j];
+            }
         ++row;
     }
     if (!angle_) return;
@@ -444,10 +472,12 @@ inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& ou
     const auto first_rate = turn_forms<double>(speed * turn_ * turned);
     const auto second_rate = turn_forms<double>(bend * turned);
     row = positions();
-    for (std::size_t k = 0; k < 3; ++k, ++row)
-        out.convection[row] +=
-            2.0 * FrameForm<double>(first_rate[k], f.a, f.b).gradient(f.a, f.b).dot(v) +
-            FrameForm<double>(second_rate[k], f.a, f.b).value;
+    for (std::size_t k = 0; k < 3; ++k, ++row) {
+        const Vector<double, 12> gradient =
+            FrameForm<double>(first_rate[k], f.a, f.b).gradient(f.a, f.b);
+        for (int i = 0; i < width; ++i) out.convection[row] += 2.0 * gradient[i] * at.v[first + i];
+        out.convection[row] += FrameForm<double>(second_rate[k], f.a, f.b).value;
+    }
 }
 
 }  // namespace detail

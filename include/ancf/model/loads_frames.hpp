@@ -12,9 +12,8 @@
 #include <ancf/error.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
-
-#include <cmath>
 
 namespace ancf {
 
@@ -45,6 +44,12 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 3> moment_in_space(const detail::Triad<Scalar>& frame) const {
+        if (attachment_ == Attachment::frame) return frame.in_space(moment_);
+        return moment_.template cast<Scalar>();
+    }
+
     NodeId node_;
     Vector<double, 3> moment_;
     Attachment attachment_;
@@ -75,65 +80,6 @@ private:
     Vector<double, 3> force_;
 };
 
-namespace detail {
-
-/// The frame (t, n, c) of a node from its slopes (r_x, r_y).
-template <class Scalar>
-struct NodeFrame {
-    explicit NodeFrame(const Vector<Scalar, 6>& slopes) {
-        using std::sqrt;
-        const Vector<Scalar, 3> p = slopes.template head<3>();
-        const Vector<Scalar, 3> a = slopes.template tail<3>();
-        lam = sqrt(Scalar(p.transpose() * p));
-        t = p / lam;
-        const Scalar along = a.transpose() * t;
-        const Vector<Scalar, 3> normal = a - along * t;
-        nu = sqrt(Scalar(normal.transpose() * normal));
-        n = normal / nu;
-        c = ancf::cross(t, n);
-        al = along / nu;
-    }
-
-    Scalar lam;  ///< |r_x|
-    Scalar nu;   ///< length of r_y normal to t
-    Scalar al;   ///< r_y along t, relative to nu
-    Vector<Scalar, 3> t, n, c;
-};
-
-/// The differential of a node's frame; each row stands against (dr_x, dr_y).
-///
-/// With u = R^T dr_x/lam and A = R^T dr_y/nu the frame turns by (th, -u_c, u_n) in (t, n, c),
-/// where th = A_c - al u_c.
-struct NodeFrameDifferential {
-    using Row = Matrix<double, 1, 6>;
-
-    explicit NodeFrameDifferential(const NodeFrame<double>& frame) {
-        const Row u_t = row(frame.t, 0) / frame.lam;
-        const Row a_n = row(frame.n, 3) / frame.nu;
-        u_n = row(frame.n, 0) / frame.lam;
-        u_c = row(frame.c, 0) / frame.lam;
-        th = row(frame.c, 3) / frame.nu - frame.al * u_c;
-        lam = frame.lam * u_t;
-        nu = frame.nu * (a_n - frame.al * u_n);
-        al = row(frame.t, 3) / frame.nu + u_n - frame.al * (a_n - frame.al * u_n);
-        t = frame.n * u_n + frame.c * u_c;
-        n = frame.c * th - frame.t * u_n;
-        c = -frame.n * th - frame.t * u_c;
-    }
-
-    Row u_n, u_c, th, lam, nu, al;
-    Matrix<double, 3, 6> t, n, c;
-
-private:
-    static Row row(const Vector<double, 3>& direction, int first) {
-        Row result = Row::Zero();
-        result.segment<3>(first) = direction.transpose();
-        return result;
-    }
-};
-
-}  // namespace detail
-
 inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment)
     : node_(node), moment_(moment), attachment_(attachment) {
     detail::require(moment.allFinite(), "Moment: components must be finite, got ",
@@ -142,42 +88,27 @@ inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment a
 
 template <class Scalar>
 Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
-    const detail::NodeFrame<Scalar> frame(slopes);
-    Vector<Scalar, 3> m = moment_.cast<Scalar>();
-    if (attachment_ == Attachment::space)
-        m = Vector<Scalar, 3>(Scalar(frame.t.transpose() * m), Scalar(frame.n.transpose() * m),
-                              Scalar(frame.c.transpose() * m));
+    const auto frame = detail::Triad<Scalar>::of_slopes(slopes);
+    const Vector<Scalar, 3> m = moment_in_space(frame);
     Vector<Scalar, 6> result;
-    result << (m[2] * frame.n - (m[1] + frame.al * m[0]) * frame.c) / frame.lam,
-        m[0] / frame.nu * frame.c;
+    for (int k = 0; k < 6; ++k)
+        result[k] =
+            frame.spin(0, k) * m[0] + frame.spin(1, k) * m[1] + frame.spin(2, k) * m[2];
     return result;
 }
 
 inline void Moment::evaluate(const LoadState& state, LoadResult& out) const {
-    using Row = detail::NodeFrameDifferential::Row;
-    const detail::NodeFrame<double> frame(state.q);
-    const detail::NodeFrameDifferential d(frame);
-
-    Vector<double, 3> m = moment_;
-    Row d_mt = Row::Zero();
-    Row d_mn = Row::Zero();
-    Row d_mc = Row::Zero();
-    if (attachment_ == Attachment::space) {
-        m << moment_.dot(frame.t), moment_.dot(frame.n), moment_.dot(frame.c);
-        d_mt = m[1] * d.u_n + m[2] * d.u_c;
-        d_mn = m[2] * d.th - m[0] * d.u_n;
-        d_mc = -m[1] * d.th - m[0] * d.u_c;
+    const Vector<double, 6> slopes = state.q;
+    const auto frame = detail::Triad<double>::of_slopes(slopes);
+    const Vector<double, 3> m = moment_in_space(frame);
+    out.force = force(slopes);
+    out.stiffness = detail::spin_derivative(frame, m);
+    if (attachment_ == Attachment::space) return;
+    for (int j = 0; j < 6; ++j) {  // the moment turns too: dm = w x m
+        const Vector<double, 3> turned = cross(Vector<double, 3>(frame.spin.col(j)), m);
+        for (int i = 0; i < 6; ++i)
+            out.stiffness(i, j) += turned.dot(Vector<double, 3>(frame.spin.col(i)));
     }
-    const double along_n = m[2] / frame.lam;
-    const double along_c = -(m[1] + frame.al * m[0]) / frame.lam;
-    const double twisting = m[0] / frame.nu;
-    const Row d_along_n = (d_mc - along_n * d.lam) / frame.lam;
-    const Row d_along_c = -(d_mn + frame.al * d_mt + m[0] * d.al + along_c * d.lam) / frame.lam;
-    const Row d_twisting = (d_mt - twisting * d.nu) / frame.nu;
-
-    out.force << along_n * frame.n + along_c * frame.c, twisting * frame.c;
-    out.stiffness << frame.n * d_along_n + along_n * d.n + frame.c * d_along_c + along_c * d.c,
-        frame.c * d_twisting + twisting * d.c;
 }
 
 inline FollowerForce::FollowerForce(NodeId node, const Vector<double, 3>& force)
@@ -188,15 +119,18 @@ inline FollowerForce::FollowerForce(NodeId node, const Vector<double, 3>& force)
 
 template <class Scalar>
 Vector<Scalar, 3> FollowerForce::force(const Vector<Scalar, 6>& slopes) const {
-    const detail::NodeFrame<Scalar> frame(slopes);
-    return force_[0] * frame.t + force_[1] * frame.n + force_[2] * frame.c;
+    return detail::Triad<Scalar>::of_slopes(slopes).in_space(force_);
 }
 
 inline void FollowerForce::evaluate(const LoadState& state, LoadResult& out) const {
     const Vector<double, 6> slopes = state.q.tail<6>();
-    const detail::NodeFrameDifferential d{detail::NodeFrame<double>(slopes)};
-    out.force.head<3>() = force(slopes);
-    out.stiffness.topRightCorner<3, 6>() = force_[0] * d.t + force_[1] * d.n + force_[2] * d.c;
+    const auto frame = detail::Triad<double>::of_slopes(slopes);
+    const Vector<double, 3> f = frame.in_space(force_);
+    for (int k = 0; k < 3; ++k) out.force[k] = f[k];
+    for (int j = 0; j < 6; ++j) {  // df = w x f
+        const Vector<double, 3> turned = cross(Vector<double, 3>(frame.spin.col(j)), f);
+        for (int i = 0; i < 3; ++i) out.stiffness(i, 3 + j) = turned[i];
+    }
 }
 
 }  // namespace ancf

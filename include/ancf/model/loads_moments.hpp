@@ -122,13 +122,16 @@ Vector<Scalar, 3> SlopeMoment::force(const Vector<Scalar, 3>& slope) const {
 }
 
 inline void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
-    const Matrix<double, 3> projector = Matrix<double, 3>::Identity() - axis_ * axis_.transpose();
-    const Vector<double, 3> ap = projector * state.q;
-    const double square = ap.squaredNorm();
+    const Vector<double, 3> slope = state.q, ap = slope - axis_.dot(slope) * axis_;
+    const double square = ap.squaredNorm(), scale = moment_ / square;
     const Vector<double, 3> turned = cross(axis_, ap);
-    out.force = moment_ / square * turned;
-    out.stiffness = moment_ / square *
-                    (cross_matrix(axis_) - 2.0 / square * turned * ap.transpose()) * projector;
+    // ap and turned are normal to the axis: n x dap - 2 turned (ap.dap)/|ap|^2
+    const Matrix<double, 3> turn = cross_matrix(axis_);
+    for (int i = 0; i < 3; ++i) {
+        out.force[i] = scale * turned[i];
+        for (int j = 0; j < 3; ++j)
+            out.stiffness(i, j) = scale * (turn(i, j) - 2.0 / square * turned[i] * ap[j]);
+    }
 }
 
 inline PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, double moment)
@@ -168,8 +171,12 @@ inline void TangentMoment::evaluate(const LoadState& state, LoadResult& out) con
     const Vector<double, 3> slope = state.q;
     const double square = slope.squaredNorm();
     const Vector<double, 3> turned = cross(moment_, slope);
-    out.force = turned / square;
-    out.stiffness = (cross_matrix(moment_) - 2.0 / square * turned * slope.transpose()) / square;
+    const Matrix<double, 3> turn = cross_matrix(moment_);
+    for (int i = 0; i < 3; ++i) {
+        out.force[i] = turned[i] / square;
+        for (int j = 0; j < 3; ++j)
+            out.stiffness(i, j) = (turn(i, j) - 2.0 / square * turned[i] * slope[j]) / square;
+    }
 }
 
 }  // namespace ancf

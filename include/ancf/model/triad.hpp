@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The frame of a node and how it turns with the slopes.
+///
+/// A frame R = [t n c] of two slopes p, a turns by the spin w = O (dp, da):
+///
+///     t = p/|p|,  n = unit(a - (a.t) t),  c = t x n,
+///     O = [ [t]x/lam - (al/lam) t c^T,  t c^T/nu ],
+///
+/// lam = |p|, nu = |a - (a.t) t|, al = a.t/nu. Only directions count, never the slopes' lengths.
+/// A cable's node has p alone: R = [t 0 0], O = [t]x/lam. docs/theory-dynamics.md derives the rest.
+
+#pragma once
+
+#include <ancf/types.hpp>
+
+#include <cmath>
+
+namespace ancf::detail {
+
+/// A frame with its spin map at given slopes.
+template <class Scalar>
+struct Triad {
+    Matrix<Scalar, 3> axes;     ///< columns t, n, c; n and c zero for a tangent
+    Matrix<Scalar, 3, 6> spin;  ///< w = spin (dp, da); only the first `width` columns are there
+    int width = 0;              ///< 0 of space, 3 of a tangent, 6 of two slopes
+    Scalar lam{}, nu{}, al{};
+
+    /// The frame of two slopes.
+    static Triad of_slopes(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a) {
+        using std::sqrt;
+        Triad f;
+        f.lam = sqrt(Scalar(p.transpose() * p));
+        const Vector<Scalar, 3> t = p / f.lam;
+        const Scalar along = a.transpose() * t;
+        const Vector<Scalar, 3> normal = a - along * t;
+        f.nu = sqrt(Scalar(normal.transpose() * normal));
+        const Vector<Scalar, 3> n = normal / f.nu;
+        const Vector<Scalar, 3> c = cross(t, n);
+        f.al = along / f.nu;
+        f.width = 6;
+        const Matrix<Scalar, 3> turn = cross_matrix(t);
+        for (int i = 0; i < 3; ++i) {
+            f.axes(i, 0) = t[i], f.axes(i, 1) = n[i], f.axes(i, 2) = c[i];
+            for (int k = 0; k < 3; ++k) {
+                f.spin(i, k) = (turn(i, k) - f.al * t[i] * c[k]) / f.lam;
+                f.spin(i, 3 + k) = t[i] * c[k] / f.nu;
+            }
+        }
+        return f;
+    }
+
+    /// The frame of (p, a).
+    static Triad of_slopes(const Vector<Scalar, 6>& slopes) {
+        return of_slopes({slopes[0], slopes[1], slopes[2]}, {slopes[3], slopes[4], slopes[5]});
+    }
+
+    /// The direction of one slope.
+    static Triad of_tangent(const Vector<Scalar, 3>& p) {
+        using std::sqrt;
+        Triad f;
+        f.lam = sqrt(Scalar(p.transpose() * p));
+        const Vector<Scalar, 3> t = p / f.lam;
+        f.width = 3;
+        f.axes.setZero();
+        const Matrix<Scalar, 3> turn = cross_matrix(t);
+        for (int i = 0; i < 3; ++i) {
+            f.axes(i, 0) = t[i];
+            for (int k = 0; k < 3; ++k) f.spin(i, k) = turn(i, k) / f.lam;
+        }
+        return f;
+    }
+
+    /// A frame that rests.
+    static Triad at_rest(const Matrix<double, 3>& axes) {
+        Triad f;
+        f.axes = axes.template cast<Scalar>();
+        return f;
+    }
+
+    /// Returns R v: global components of a vector given in the frame.
+    [[nodiscard]] Vector<Scalar, 3> in_space(const Vector<double, 3>& v) const {
+        Vector<Scalar, 3> out;
+        for (int k = 0; k < 3; ++k)
+            out[k] = axes(k, 0) * v[0] + axes(k, 1) * v[1] + axes(k, 2) * v[2];
+        return out;
+    }
+};
+
+/// Returns d(spin^T m)/d(p, a) at fixed m: what the load stiffness of a moment is. Only the first
+/// `width` rows and columns are there.
+///
+///     spin^T m = ((m x t)/lam - (al m_t/lam) c,  (m_t/nu) c),    m_t = m.t
+[[nodiscard]] inline Matrix<double, 6> spin_derivative(const Triad<double>& f,
+                                                       const Vector<double, 3>& m) {
+    using Vec = Vector<double, 3>;
+    Matrix<double, 6> out = Matrix<double, 6>::Zero();
+    const Vec t = f.axes.col(0), n = f.axes.col(1), c = f.axes.col(2);
+    const Vec mt = cross(m, t);
+    const double twist = m.dot(t), bent = f.al * twist / f.lam;
+    for (int k = 0; k < f.width; ++k) {  // by p_k, then by a_k
+        const Vec spin = f.spin.col(k), dt = cross(spin, t);
+        const double d_lam = k < 3 ? t[k] : 0.0;
+        Vec by_p = (cross(m, dt) - d_lam / f.lam * mt) / f.lam;
+        if (f.width == 6) {
+            const Vec dc = cross(spin, c);
+            const double d_twist = m.dot(dt), u_n = n.dot(dt);
+            // d(a.t) with a = al nu t + nu n
+            const double d_along = (k < 3 ? 0.0 : t[k - 3]) + f.nu * u_n;
+            const double d_nu = (k < 3 ? 0.0 : n[k - 3]) - f.al * f.nu * u_n;
+            const double d_al = (d_along - f.al * d_nu) / f.nu;
+            const double d_bent = (f.al * d_twist + twist * d_al - bent * d_lam) / f.lam;
+            const double d_turn = (d_twist - twist / f.nu * d_nu) / f.nu;
+            by_p -= d_bent * c + bent * dc;
+            for (int i = 0; i < 3; ++i) out(3 + i, k) = d_turn * c[i] + twist / f.nu * dc[i];
+        }
+        for (int i = 0; i < 3; ++i) out(i, k) = by_p[i];
+    }
+    return out;
+}
+
+}  // namespace ancf::detail
