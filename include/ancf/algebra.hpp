@@ -44,6 +44,38 @@ inline void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
     return out;
 }
 
+/// L L^T of a small matrix that is symmetric and positive definite.
+template <int Size>
+class SmallCholesky {
+public:
+    SmallCholesky() = default;
+
+    explicit SmallCholesky(const Matrix<double, Size>& matrix) : lower_(matrix) {
+        for (int k = 0; k < Size; ++k)
+            for (int i = k; i < Size; ++i) {
+                for (int j = 0; j < k; ++j) lower_(i, k) -= lower_(i, j) * lower_(k, j);
+                lower_(i, k) = i == k ? std::sqrt(lower_(k, k)) : lower_(i, k) / lower_(k, k);
+            }
+    }
+
+    /// Returns the solution of matrix x = b.
+    [[nodiscard]] Vector<double, Size> solve(const Vector<double, Size>& b) const {
+        Vector<double, Size> x = b;
+        for (int i = 0; i < Size; ++i) {
+            for (int j = 0; j < i; ++j) x[i] -= lower_(i, j) * x[j];
+            x[i] /= lower_(i, i);
+        }
+        for (int i = Size - 1; i >= 0; --i) {
+            for (int j = i + 1; j < Size; ++j) x[i] -= lower_(j, i) * x[j];
+            x[i] /= lower_(i, i);
+        }
+        return x;
+    }
+
+private:
+    Matrix<double, Size> lower_;
+};
+
 /// Adds scale A x; of a symmetric matrix of lower storage only that half is read.
 ///
 /// x may be longer or shorter than A is wide: what it lacks is zero, and `out` gets as many rows as

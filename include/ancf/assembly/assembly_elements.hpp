@@ -108,7 +108,11 @@ double Assembly<Scene>::add_element(const Element& element, const Slots& slots,
                 return element.evaluate(e, gathered(last->before), gathered(last->change));
         return element.evaluate(e);
     }();
-    if (increment != nullptr) result.force.noalias() += result.tangent * gathered(*increment);
+    if (increment != nullptr) {
+        const typename Element::Coordinates change = gathered(*increment);
+        for (int j = 0; j < Element::dofs; ++j)
+            for (int i = 0; i < Element::dofs; ++i) result.force[i] += result.tangent(i, j) * change[j];
+    }
     for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += result.force[i];
     if (request != Request::force) scatter<Element>(slots, result.tangent, tangent_.valuePtr());
     return result.energy;

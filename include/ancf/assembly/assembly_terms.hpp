@@ -222,15 +222,14 @@ VectorX Assembly<Scene>::mass_product(const VectorX& a) const {
         for (std::size_t k = 0; k < slots.size(); ++k) {
             element_coordinates<Element>(slots[k], coordinate);
             for (int i = 0; i < Element::dofs; ++i) e[i] = a[coordinate[i]];
-            const typename Element::Coordinates product =
-                masses[static_cast<std::size_t>(group.connections[k].prototype)] * e;
-            for (int i = 0; i < Element::dofs; ++i) result[coordinate[i]] += product[i];
+            const auto& mass = masses[static_cast<std::size_t>(group.connections[k].prototype)];
+            for (int j = 0; j < Element::dofs; ++j)
+                for (int i = 0; i < Element::dofs; ++i) result[coordinate[i]] += mass(i, j) * e[j];
         }
     });
     for (const PointMass& point : model_.masses()) {
         const int at = model_.coordinate(point.node, Field::r);
-        result.template segment<Scene::dimension>(at) +=
-            point.mass * a.template segment<Scene::dimension>(at);
+        for (int i = 0; i < Scene::dimension; ++i) result[at + i] += point.mass * a[at + i];
     }
     return result;
 }

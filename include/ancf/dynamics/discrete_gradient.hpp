@@ -71,10 +71,14 @@ template <class Element>
         const Coordinates end = element.force(e1);
         const auto rest_rate = modes.derivative_of_without(change, rest);
         // d(U_1 - f.De)/de_1 = grad U(e_1) - f - K De/2, and K is symmetric
-        const Coordinates top = end - out.force - out.tangent * change;
-        const Coordinates rate = (top - 2.0 * s * (rest_rate.transpose() * weighted)) / square;
-        out.tangent += weighted * rate.transpose();
-        out.tangent += s * modes.weights().asDiagonal() * rest_rate;
+        Coordinates rate = end - out.force;
+        for (int j = 0; j < Element::dofs; ++j)
+            for (int i = 0; i < Element::dofs; ++i)
+                rate[j] -= out.tangent(i, j) * change[i] + 2.0 * s * rest_rate(i, j) * weighted[i];
+        for (int j = 0; j < Element::dofs; ++j)
+            for (int i = 0; i < Element::dofs; ++i)
+                out.tangent(i, j) += weighted[i] * rate[j] / square +
+                                     s * modes.weights()[i] * rest_rate(i, j);
     }
     out.force += s * weighted;
     return out;

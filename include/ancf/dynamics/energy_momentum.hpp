@@ -195,11 +195,12 @@ Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
         solver_.solve(rhs_, solution_);
         ++report_.iterations;
-        increment_ += solution_.head(n);
+        const VectorX correction = solution_.head(n);
+        increment_ += correction;
         next_.q = now_.q + increment_;
         next_.lambda += 2.0 / (h * h) * solution_.tail(m);
         const double change =
-            n == 0 ? 0.0 : (solution_.head(n).array().abs() / problem_.scales().array()).maxCoeff();
+            largest_ratio(correction, problem_.scales());
         if (!std::isfinite(change)) return Status::not_finite;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual

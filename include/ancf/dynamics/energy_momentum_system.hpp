@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraint.hpp>
@@ -135,10 +136,11 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
         return out.violation;
     };
     // two finite turns about different axes, each with a shift
-    const VectorX q = state.q(local.at);
+    VectorX q;
+    gather(state.q, local.at, q);
     const VectorX rest = value(q);
     for (int trial = 0; trial < 2; ++trial) {
-        Point shift = Point::Constant(0.3 + 0.4 * trial) * problem_.length_scale();
+        const Point shift = Point::Constant((0.3 + 0.4 * trial) * problem_.length_scale());
         Matrix<double, dimension> turn = Matrix<double, dimension>::Identity();
         const int a = trial;
         const int b = trial == 0 || dimension == 2 ? 1 - trial : 2;
@@ -147,9 +149,11 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
         turn(b, a) = 0.6;
         VectorX moved = q;
         for (std::size_t k = 0; k < local.is_position.size(); ++k) {
-            auto part = moved.template segment<dimension>(dimension * static_cast<int>(k));
-            part = (turn * part).eval();
-            if (local.is_position[k] != 0) part += shift;
+            const int first = dimension * static_cast<int>(k);
+            for (int i = 0; i < dimension; ++i) {
+                moved[first + i] = local.is_position[k] != 0 ? shift[i] : 0.0;
+                for (int j = 0; j < dimension; ++j) moved[first + i] += turn(i, j) * q[first + j];
+            }
         }
         if (!((value(moved) - rest).norm() <= 1e-10 * std::max(1.0, moved.norm()))) return false;
     }
@@ -182,8 +186,8 @@ bool EnergyMomentumSystem<Scene>::evaluate(const VectorX& q1, const VectorX& v1,
     add_loads(q1, matrix);
     add_constraints(q1, lambda, matrix);
     if (matrix)
-        Eigen::Map<VectorX>(matrix_.valuePtr(), matrix_.nonZeros()) +=
-            Eigen::Map<const VectorX>(problem_.mass().valuePtr(), matrix_.nonZeros());
+        for (Eigen::Index k = 0; k < matrix_.nonZeros(); ++k)
+            matrix_.valuePtr()[k] += problem_.mass().valuePtr()[k];
     add_inertia(v1);
     VectorX free;
     numbering_.gather_free(force_, free);
@@ -195,13 +199,14 @@ bool EnergyMomentumSystem<Scene>::evaluate(const VectorX& q1, const VectorX& v1,
 
 template <class Scene>
 void EnergyMomentumSystem<Scene>::add_inertia(const VectorX& v1) {
+    const VectorX mean = (v1 - v0_) / h_;
     if (driven_) {
-        force_ += problem_.assembly().mass_product((v1 - v0_) / h_);
+        force_ += problem_.assembly().mass_product(mean);
         return;
     }
     VectorX free;
-    numbering_.gather_free((v1 - v0_) / h_, free);
-    numbering_.add_free(problem_.compact_mass() * free, 1.0, force_);
+    numbering_.gather_free(mean, free);
+    numbering_.add_free(multiply(problem_.compact_mass(), Storage::full, free), 1.0, force_);
 }
 
 template <class Scene>
@@ -238,17 +243,21 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
     for (std::size_t k = 0; k < loads_.size(); ++k) {
         const ScaledLoad& load = model.loads()[k];
         const LocalLoad& place = loads_[k];
-        const VectorX change = change_(place.at);
+        VectorX change, middle_q, end;
+        gather(change_, place.at, change);
+        gather(middle_, place.at, middle_q);
         const VectorX rate = change / h_;
-        LoadResult result = evaluate(load, middle_(place.at), rate);
+        LoadResult result = evaluate(load, middle_q, rate);
         if (result.potential != 0.0) {
             // a conservative load does the work by which its potential falls
-            const double later = evaluate(load, q1(place.at), rate).potential;
-            const double earlier = evaluate(load, q0_(place.at), rate).potential;
+            gather(q1, place.at, end);
+            const double later = evaluate(load, end, rate).potential;
+            gather(q0_, place.at, end);
+            const double earlier = evaluate(load, end, rate).potential;
             const double rest = earlier - later - result.force.dot(change);
             if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                 correct_gradient<Scene::dimension>(
-                    earlier - later, middle_(place.at), change, false,
+                    earlier - later, middle_q, change, false,
                     [&](int i) { return place.is_position[static_cast<std::size_t>(i)] != 0; },
                     length_, result.force);
         }
@@ -275,8 +284,8 @@ void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const Vecto
         const auto size = static_cast<Eigen::Index>(place.at.size());
         const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
             state.time = time;
-            state.q = q(place.at);
-            state.v = VectorX::Zero(size);
+            gather(q, place.at, state.q);
+            state.v.setZero(size);
             state.multipliers = lambda.segment(first, equations);
             out.violation.setZero(equations);
             out.jacobian.setZero(equations, size);
@@ -291,29 +300,33 @@ void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const Vecto
         evaluate(middle_time, q0_, ends[1]);
         evaluate(middle_time, q1, ends[2]);
         const VectorX difference = ends[2].violation - ends[1].violation;
-        const VectorX change = change_(place.at);
+        VectorX change, middle_q, gradient(size);
+        gather(change_, place.at, change);
+        gather(middle_, place.at, middle_q);
         for (int i = 0; i < equations; ++i) {
-            if (left_out_[static_cast<std::size_t>(first + i)] != 0) {
-                middle.jacobian.row(i).setZero();
-                continue;
+            const bool out = left_out_[static_cast<std::size_t>(first + i)] != 0;
+            double size_of_terms = 0.0;
+            for (Eigen::Index j = 0; j < size; ++j) {
+                gradient[j] = out ? 0.0 : middle.jacobian(i, j);
+                size_of_terms += std::abs(gradient[j] * middle_q[j]);
             }
-            VectorX gradient = middle.jacobian.row(i).transpose();
             const double rest = difference[i] - gradient.dot(change);
-            if (std::abs(rest) > 1e-15 * gradient.cwiseAbs().dot(middle_(place.at).cwiseAbs()))
+            if (!out && std::abs(rest) > 1e-15 * size_of_terms)
                 correct_gradient<Scene::dimension>(
-                    difference[i], middle_(place.at), change, invariant_[k] != 0,
+                    difference[i], middle_q, change, invariant_[k] != 0,
                     [&](int j) { return place.is_position[static_cast<std::size_t>(j)] != 0; },
                     length_, gradient);
-            middle.jacobian.row(i) = gradient.transpose();
+            for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
         }
         for (Eigen::Index j = 0; j < size; ++j)
-            force_[place.at[static_cast<std::size_t>(j)]] +=
-                middle.jacobian.col(j).dot(lambda.segment(first, equations));
+            for (int i = 0; i < equations; ++i)
+                force_[place.at[static_cast<std::size_t>(j)]] +=
+                    middle.jacobian(i, j) * lambda[first + i];
         evaluate(t0_ + h_, q1, ends[2]);
         for (int i = 0; i < equations; ++i) {
             const bool out = left_out_[static_cast<std::size_t>(first + i)] != 0;
             violation_[first + i] = out ? lambda[first + i] : ends[2].violation[i];
-            if (out) ends[2].jacobian.row(i).setZero();
+            for (Eigen::Index j = 0; out && j < size; ++j) ends[2].jacobian(i, j) = 0.0;
         }
         if (matrix) {
             add_block(place.at, middle.stiffness, 0.25 * h_ * h_);

@@ -9,9 +9,8 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/types.hpp>
-
-#include <Eigen/Cholesky>
 
 #include <cstdint>
 
@@ -58,27 +57,28 @@ public:
         centroid_.setZero();
         for (int k = 0; k < count_; ++k) {
             if (is_position(k)) position_ |= std::uint64_t{1} << static_cast<unsigned>(k);
-            weight_.template segment<Dimension>(Dimension * k)
-                .setConstant(is_position(k) ? 1.0 : slope_weight);
+            for (int i = 0; i < Dimension; ++i)
+                weight_[Dimension * k + i] = is_position(k) ? 1.0 : slope_weight;
             if (!is_position(k)) continue;
-            centroid_ += e.template segment<Dimension>(Dimension * k);
+            centroid_ += vector(e, k);
             ++positions_;
         }
         if (positions_ > 0) centroid_ /= positions_;
         Matrix<double, turns> inertia = Matrix<double, turns>::Zero();
         for (int k = 0; k < count_; ++k) {
-            if (at_position(k)) relative_.template segment<Dimension>(Dimension * k) -= centroid_;
+            if (at_position(k)) subtract(relative_, k, centroid_);
             const Point x = vector(relative_, k);
-            if constexpr (Dimension == 3)
-                inertia += weight(k) *
-                           (x.squaredNorm() * Matrix<double, 3>::Identity() - x * x.transpose());
-            else
-                inertia(0, 0) += weight(k) * x.squaredNorm();
+            const double square = weight(k) * x.squaredNorm();
+            for (int i = 0; i < turns; ++i) {
+                inertia(i, i) += square;
+                if constexpr (Dimension == 3)
+                    for (int j = 0; j < 3; ++j) inertia(i, j) -= weight(k) * x[i] * x[j];
+            }
         }
         // a turn that moves nothing (a straight cable's about itself) has no inertia
         const double floor = 1e-15 * inertia.trace();
-        inertia.diagonal().array() += floor > 0.0 ? floor : 1.0;
-        inertia_.compute(inertia);
+        for (int i = 0; i < turns; ++i) inertia(i, i) += floor > 0.0 ? floor : 1.0;
+        inertia_ = SmallCholesky<turns>(inertia);
     }
 
     [[nodiscard]] const Coordinates& weights() const noexcept { return weight_; }
@@ -100,9 +100,8 @@ public:
         if (positions_ > 0) shift /= positions_;
         const Turn turn = turn_of(change);
         for (int k = 0; k < count_; ++k) {
-            auto part = rest.template segment<Dimension>(Dimension * k);
-            part -= turned(turn, vector(relative_, k));
-            if (at_position(k)) part -= shift;
+            subtract(rest, k, turned(turn, vector(relative_, k)));
+            if (at_position(k)) subtract(rest, k, shift);
         }
         return rest;
     }
@@ -122,12 +121,12 @@ public:
             unit.setZero();
             unit[column] = 1.0;
             const Point direction = vector(unit, k);
-            unit.template segment<Dimension>(Dimension * k) -= 0.5 * turned(y, direction);
-            out.col(column) = without(unit);
+            subtract(unit, k, 0.5 * turned(y, direction));
+            Coordinates derivative = without(unit);
             const Turn turn = inertia_.solve(weight(k) * moment_of(direction, vector(rest, k)));
             for (int j = 0; j < count_; ++j)
-                out.col(column).template segment<Dimension>(Dimension * j) -=
-                    0.5 * turned(turn, vector(relative_, j));
+                subtract(derivative, j, 0.5 * turned(turn, vector(relative_, j)));
+            for (int i = 0; i < change.size(); ++i) out(i, column) = derivative[i];
         }
         return out;
     }
@@ -135,6 +134,9 @@ public:
 private:
     [[nodiscard]] static Point vector(const Coordinates& x, int k) {
         return x.template segment<Dimension>(Dimension * k);
+    }
+    static void subtract(Coordinates& x, int k, const Point& part) {
+        for (int i = 0; i < Dimension; ++i) x[Dimension * k + i] -= part[i];
     }
     [[nodiscard]] double weight(int k) const { return weight_[Dimension * k]; }
     [[nodiscard]] bool at_position(int k) const {
@@ -146,7 +148,7 @@ private:
     std::uint64_t position_ = 0;  // one bit per vector
     Coordinates relative_, weight_;
     Point centroid_;
-    Eigen::LDLT<Matrix<double, turns>> inertia_;
+    SmallCholesky<turns> inertia_;
 };
 
 }  // namespace ancf::detail

@@ -14,7 +14,6 @@
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -52,6 +51,8 @@ private:
     /// Returns v + change with the part of the change across v as an angle.
     [[nodiscard]] static Point turned(const Point& v, const Point& change);
     [[nodiscard]] static Frame rotation(const Frame& skew);
+    [[nodiscard]] static Frame product(const Frame& a, const Frame& b);
+    [[nodiscard]] static bool invert(const Frame& a, Frame& inverse);
 
     /// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
     /// @param tangent_only  W keeps the part about r_x
@@ -98,28 +99,67 @@ auto Turning<Scene>::rotation(const Frame& skew) -> Frame {
     const bool small = angle < 1e-4;  // where the series is exact to round-off
     const double first = small ? 1.0 - square / 6.0 : std::sin(angle) / angle;
     const double second = small ? 0.5 - square / 24.0 : (1.0 - std::cos(angle)) / square;
-    return Frame::Identity() + first * skew + second * skew * skew;
+    Frame result = product(skew, skew);
+    for (int j = 0; j < dimension; ++j)
+        for (int i = 0; i < dimension; ++i)
+            result(i, j) =
+                (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
+    return result;
+}
+
+template <class Scene>
+auto Turning<Scene>::product(const Frame& a, const Frame& b) -> Frame {
+    Frame result = Frame::Zero();
+    for (int j = 0; j < dimension; ++j)
+        for (int k = 0; k < dimension; ++k)
+            for (int i = 0; i < dimension; ++i) result(i, j) += a(i, k) * b(k, j);
+    return result;
+}
+
+/// Returns whether the matrix has an inverse.
+template <class Scene>
+bool Turning<Scene>::invert(const Frame& a, Frame& inverse) {
+    if constexpr (dimension == 2) {
+        const double determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+        if (!(std::abs(determinant) > 1e-12)) return false;
+        inverse(0, 0) = a(1, 1) / determinant, inverse(0, 1) = -a(0, 1) / determinant;
+        inverse(1, 0) = -a(1, 0) / determinant, inverse(1, 1) = a(0, 0) / determinant;
+    } else {
+        double determinant = 0.0;
+        for (int k = 0; k < 3; ++k) {  // row k is the vector product of the other two columns
+            const Point p = a.col((k + 1) % 3), q = a.col((k + 2) % 3);
+            const Point row = cross(p, q);
+            for (int j = 0; j < 3; ++j) inverse(k, j) = row[j];
+            if (k == 0) determinant = row[0] * a(0, 0) + row[1] * a(1, 0) + row[2] * a(2, 0);
+        }
+        if (!(std::abs(determinant) > 1e-12)) return false;
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) inverse(i, j) /= determinant;
+    }
+    return true;
 }
 
 template <class Scene>
 void Turning<Scene>::turn_frame(const double* before, const double* change, bool tangent_only,
                                 double* after) {
-    const Eigen::Map<const Frame> G(before), dG(change);
-    Frame inverse = Frame::Zero();
-    bool regular = false;
-    G.computeInverseWithCheck(inverse, regular);
-    if (!regular) return;
-    const Frame rate = dG * inverse;
-    Frame skew = 0.5 * (rate - rate.transpose());
+    Frame G, dG, inverse, skew;
+    std::copy_n(before, G.size(), G.data());
+    std::copy_n(change, G.size(), dG.data());
+    if (!invert(G, inverse)) return;
+    Frame rate = product(dG, inverse);
+    for (int j = 0; j < dimension; ++j)
+        for (int i = 0; i < dimension; ++i) skew(i, j) = 0.5 * (rate(i, j) - rate(j, i));
     if constexpr (dimension == 3) {
         if (tangent_only) {
-            const Point t = G.col(0).normalized();
+            const Point t = G.col(0);
             const Point spin(skew(2, 1), skew(0, 2), skew(1, 0));
-            skew = cross_matrix<double>(spin.dot(t) * t);
+            skew = cross_matrix(Point(spin.dot(t) / t.squaredNorm() * t));
         }
     }
-    Eigen::Map<Frame> result(after);
-    result = rotation(skew) * (G + (rate - skew) * G);
+    for (int j = 0; j < dimension; ++j)  // I + D
+        for (int i = 0; i < dimension; ++i) rate(i, j) += (i == j ? 1.0 : 0.0) - skew(i, j);
+    const Frame result = product(rotation(skew), product(rate, G));
+    std::copy_n(result.data(), result.size(), after);
 }
 
 /// Calls visit(first slope coordinate, number of slopes, whether they are a frame and all free).
