@@ -8,6 +8,7 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
+#include <support/instances/bar.hpp>
 
 #include <cmath>
 #include <limits>

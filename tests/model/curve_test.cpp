@@ -15,6 +15,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <functional>

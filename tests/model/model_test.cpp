@@ -9,6 +9,7 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/instances/continuum.hpp>
 
 #include <Eigen/LU>
 

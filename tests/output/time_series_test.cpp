@@ -15,6 +15,8 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/instances/cable.hpp>
+#include <support/instances/planar.hpp>
 
 #include <sstream>
 #include <string>

@@ -7,6 +7,7 @@
 
 #include <solver/linear_solver_cases.hpp>
 #include <support/catch.hpp>
+#include <support/instances/solvers.hpp>
 
 #include <Eigen/Eigenvalues>
 

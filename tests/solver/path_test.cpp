@@ -8,6 +8,7 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/instances/solvers.hpp>
 
 #include <cmath>
 #include <limits>

@@ -10,6 +10,7 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/instances/continuum.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,9 @@
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
+#include <support/instances/cross_section.hpp>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
+#include <support/instances/cross_section.hpp>
 
 #include <unistd.h>
 

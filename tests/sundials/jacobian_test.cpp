@@ -10,6 +10,7 @@
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
+#include <support/instances/cross_section.hpp>
 #include <support/random_state.hpp>
 
 using ancf::MatrixX;

@@ -14,6 +14,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/instances/solvers.hpp>
 
 #include <cmath>
 

@@ -13,6 +13,7 @@
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <support/catch.hpp>
+#include <support/instances/cross_section.hpp>
 
 #include <cmath>
 #include <vector>
