@@ -33,18 +33,18 @@
 #include <ancf/solver/statics.hpp>
 
 /// Eigen's sparse direct solvers.
-#define ANCF_SOLVER_INSTANCES(KIND)                                                                \
-    KIND template class Eigen::SparseLU<ancf::SparseMatrix, Eigen::COLAMDOrdering<int>>;           \
-    KIND template class Eigen::SimplicialLDLT<ancf::SparseMatrix, Eigen::Lower,                    \
-                                              Eigen::AMDOrdering<int>>;                            \
-    KIND template class ancf::EigenLuWith<Eigen::COLAMDOrdering<int>>;                             \
+#define ANCF_SOLVER_INSTANCES(KIND)                                                      \
+    KIND template class Eigen::SparseLU<ancf::SparseMatrix, Eigen::COLAMDOrdering<int>>; \
+    KIND template class Eigen::SimplicialLDLT<ancf::SparseMatrix, Eigen::Lower,          \
+                                              Eigen::AMDOrdering<int>>;                  \
+    KIND template class ancf::EigenLuWith<Eigen::COLAMDOrdering<int>>;                   \
     KIND template class ancf::EigenLdltWith<Eigen::AMDOrdering<int>>
 
 /// An element, the model of such elements and what assembles and corrects it.
-#define ANCF_ELEMENT_INSTANCES(KIND, ...)                          \
-    KIND template class __VA_ARGS__;                               \
-    KIND template class ancf::Model<__VA_ARGS__>;                  \
-    KIND template class ancf::Assembly<ancf::Model<__VA_ARGS__>>;  \
+#define ANCF_ELEMENT_INSTANCES(KIND, ...)                         \
+    KIND template class __VA_ARGS__;                              \
+    KIND template class ancf::Model<__VA_ARGS__>;                 \
+    KIND template class ancf::Assembly<ancf::Model<__VA_ARGS__>>; \
     KIND template class ancf::Turning<ancf::Model<__VA_ARGS__>>
 
 /// Newton's method with one linear solver.
@@ -52,9 +52,9 @@
     KIND template class ancf::detail::StaticsRun<ancf::Model<__VA_ARGS__>, SOLVER>
 
 /// The equations of motion.
-#define ANCF_PROBLEM_INSTANCES(KIND, ...)                              \
-    KIND template class ancf::ConstraintSet<ancf::Model<__VA_ARGS__>>;  \
-    KIND template class ancf::DynamicProblem<ancf::Model<__VA_ARGS__>>; \
+#define ANCF_PROBLEM_INSTANCES(KIND, ...)                                 \
+    KIND template class ancf::ConstraintSet<ancf::Model<__VA_ARGS__>>;    \
+    KIND template class ancf::DynamicProblem<ancf::Model<__VA_ARGS__>>;   \
     KIND template class ancf::detail::Recorder<ancf::Model<__VA_ARGS__>>; \
     KIND template class ancf::detail::EnergyMomentumSystem<ancf::Model<__VA_ARGS__>>
 

@@ -13,8 +13,9 @@ import tempfile
 
 LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
 COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all of them, never each other
-COMMON = ["error.hpp", "types.hpp", "version.hpp"]
+COMMON = ["algebra.hpp", "error.hpp", "types.hpp", "version.hpp"]
 UMBRELLA = "ancf.hpp"
+ABOVE = [UMBRELLA, "instances.hpp"]  # include any layer, no header includes them
 LICENCE = ("// SPDX-FileCopyrightText: 2026 The ancf authors\n"
            "// SPDX-License-Identifier: BSD-3-Clause\n")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -23,9 +24,9 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 def may_include(includer, included):
     """Whether the header `includer` may include `included`, both relative to include/ancf."""
     source, target = includer.split("/")[0], included.split("/")[0]
-    if included == UMBRELLA:
+    if included in ABOVE:
         return False
-    if includer == UMBRELLA:
+    if includer in ABOVE:
         return target not in COMPONENTS
     if included in COMMON:
         return True
@@ -38,7 +39,7 @@ def may_include(includer, included):
 
 def place_findings(name):
     folder = name.split("/")[0]
-    if "/" not in name and name not in COMMON + [UMBRELLA]:
+    if "/" not in name and name not in COMMON + ABOVE:
         yield "stands in no layer"
     if "/" in name and folder not in LAYERS + COMPONENTS:
         yield f"stands in the unknown layer {folder}"
@@ -75,7 +76,7 @@ def umbrella_findings(texts):
             waiting += [path[len("ancf/"):] for _, path in INCLUDE.findall(texts[name])
                         if path.startswith("ancf/")]
     for name in sorted(set(texts) - reached):
-        if name.split("/")[0] not in COMPONENTS:
+        if name.split("/")[0] not in COMPONENTS and name not in ABOVE:
             yield f"include/ancf/{UMBRELLA}: does not reach {name}"
 
 

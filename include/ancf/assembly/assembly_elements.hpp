@@ -111,7 +111,8 @@ double Assembly<Scene>::add_element(const Element& element, const Slots& slots,
     if (increment != nullptr) {
         const typename Element::Coordinates change = gathered(*increment);
         for (int j = 0; j < Element::dofs; ++j)
-            for (int i = 0; i < Element::dofs; ++i) result.force[i] += result.tangent(i, j) * change[j];
+            for (int i = 0; i < Element::dofs; ++i)
+                result.force[i] += result.tangent(i, j) * change[j];
     }
     for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += result.force[i];
     if (request != Request::force) scatter<Element>(slots, result.tangent, tangent_.valuePtr());

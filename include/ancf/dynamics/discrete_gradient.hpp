@@ -77,8 +77,8 @@ template <class Element>
                 rate[j] -= out.tangent(i, j) * change[i] + 2.0 * s * rest_rate(i, j) * weighted[i];
         for (int j = 0; j < Element::dofs; ++j)
             for (int i = 0; i < Element::dofs; ++i)
-                out.tangent(i, j) += weighted[i] * rate[j] / square +
-                                     s * modes.weights()[i] * rest_rate(i, j);
+                out.tangent(i, j) +=
+                    weighted[i] * rate[j] / square + s * modes.weights()[i] * rest_rate(i, j);
     }
     out.force += s * weighted;
     return out;

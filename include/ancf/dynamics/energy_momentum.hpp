@@ -199,8 +199,7 @@ Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
         increment_ += correction;
         next_.q = now_.q + increment_;
         next_.lambda += 2.0 / (h * h) * solution_.tail(m);
-        const double change =
-            largest_ratio(correction, problem_.scales());
+        const double change = largest_ratio(correction, problem_.scales());
         if (!std::isfinite(change)) return Status::not_finite;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual

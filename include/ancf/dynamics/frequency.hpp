@@ -69,8 +69,7 @@ template <class Stiffness, class Mass, class SolveMass>
         for (Eigen::Index p = 0; p < size; ++p)
             for (Eigen::Index q = p + 1; q < size; ++q) {
                 const double off = matrix(p, q);
-                if (std::abs(off) <=
-                    epsilon * std::sqrt(std::abs(matrix(p, p) * matrix(q, q))))
+                if (std::abs(off) <= epsilon * std::sqrt(std::abs(matrix(p, p) * matrix(q, q))))
                     continue;
                 diagonal = false;
                 const double half = (matrix(q, q) - matrix(p, p)) / (2.0 * off);

@@ -24,8 +24,8 @@
 
 namespace ancf {
 
-/// A factorised saddle point [A G^T; G D] of fixed pattern, A symmetric and positive definite, D zero
-/// or, in the rows of equations left out, one.
+/// A factorised saddle point [A G^T; G D] of fixed pattern, A symmetric and positive definite, D
+/// zero or, in the rows of equations left out, one.
 ///
 /// Each zero of D is factorised as -e_i, e_i a small share of (G diag(A)^-1 G^T)_ii: the matrix is
 /// then quasi-definite, so that L D L^T exists in every order (Vanderbei, SIAM J. Optim. 5, 1995).
@@ -112,7 +112,8 @@ private:
 /// Returns the rows of G that depend on the rows before them, ascending.
 ///
 /// Each row is measured with the coordinates scaled and against its own length: a row is dependent
-/// when what remains of it off the span of the earlier ones is shorter than the tolerance, relative.
+/// when what remains of it off the span of the earlier ones is shorter than the tolerance,
+/// relative.
 /// @param columns  G^T, compressed.
 [[nodiscard]] inline std::vector<int> dependent_rows(SparseMatrix columns, const VectorX& scales,
                                                      double tolerance) {

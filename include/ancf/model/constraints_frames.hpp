@@ -117,8 +117,7 @@ struct FrameForm {
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) h(i, j) = product(a, i, a, j, false) + by_a(i, j);
     for (int j = 0; j < b.width; ++j) {
-        for (int i = 0; i < b.width; ++i)
-            h(n + i, n + j) = product(b, i, b, j, true) - by_b(i, j);
+        for (int i = 0; i < b.width; ++i) h(n + i, n + j) = product(b, i, b, j, true) - by_b(i, j);
         for (int i = 0; i < n; ++i) h(i, n + j) = h(n + j, i) = -product(a, i, b, j, true);
     }
     return h;

@@ -108,8 +108,7 @@ struct JointSide {
 [[nodiscard]] inline Vector<double, 3> turned_back(const Matrix<double, 3>& axes,
                                                    const Vector<double, 3>& v) {
     Vector<double, 3> out;
-    for (int k = 0; k < 3; ++k)
-        out[k] = axes(0, k) * v[0] + axes(1, k) * v[1] + axes(2, k) * v[2];
+    for (int k = 0; k < 3; ++k) out[k] = axes(0, k) * v[0] + axes(1, k) * v[1] + axes(2, k) * v[2];
     return out;
 }
 

@@ -92,8 +92,7 @@ Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
     const Vector<Scalar, 3> m = moment_in_space(frame);
     Vector<Scalar, 6> result;
     for (int k = 0; k < 6; ++k)
-        result[k] =
-            frame.spin(0, k) * m[0] + frame.spin(1, k) * m[1] + frame.spin(2, k) * m[2];
+        result[k] = frame.spin(0, k) * m[0] + frame.spin(1, k) * m[1] + frame.spin(2, k) * m[2];
     return result;
 }
 

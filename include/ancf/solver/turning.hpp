@@ -102,8 +102,7 @@ auto Turning<Scene>::rotation(const Frame& skew) -> Frame {
     Frame result = product(skew, skew);
     for (int j = 0; j < dimension; ++j)
         for (int i = 0; i < dimension; ++i)
-            result(i, j) =
-                (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
+            result(i, j) = (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
     return result;
 }
 
