@@ -11,7 +11,7 @@ import re
 import sys
 
 PAGES = ["README.md", "CONTRIBUTING.md", "docs/*.md"]
-PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp"]
+PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp", "tests/support/instances/*.hpp"]
 BLOCK = re.compile(r"^```cpp\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
