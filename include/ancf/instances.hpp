@@ -26,11 +26,16 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/energy_momentum_system.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/recorder.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
 
 /// Eigen's sparse direct solvers.
 #define ANCF_SOLVER_INSTANCES(KIND)                                                      \

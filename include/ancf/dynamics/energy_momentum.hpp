@@ -12,6 +12,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/recorder.hpp>

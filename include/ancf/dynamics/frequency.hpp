@@ -7,7 +7,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -52,7 +51,7 @@ template <class Stiffness, class Mass, class SolveMass>
 
 /// Turns the symmetric matrix into the diagonal one of its eigenvalues by cyclic Jacobi rotations.
 ///
-/// For the few rows of a projected problem: Eigen's solver costs a program 9 s of compilation.
+/// For the few rows of a projected problem: Eigen's solver costs far more to compile.
 /// @return the rotations, whose columns are the eigenvectors.
 [[nodiscard]] inline MatrixX diagonalize(MatrixX& matrix) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -82,6 +81,7 @@ template <class Stiffness, class Mass, class SolveMass>
                     rotate(vectors(k, p), vectors(k, q), c, s);
                 }
                 for (Eigen::Index k = 0; k < size; ++k) rotate(matrix(p, k), matrix(q, k), c, s);
+                matrix(p, q) = matrix(q, p) = 0.0;
             }
         if (diagonal) break;
     }

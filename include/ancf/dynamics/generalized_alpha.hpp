@@ -15,6 +15,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/dynamics/report.hpp>

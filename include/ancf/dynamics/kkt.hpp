@@ -29,13 +29,17 @@ namespace ancf {
 ///
 /// Each zero of D is factorised as -e_i, e_i a small share of (G diag(A)^-1 G^T)_ii: the matrix is
 /// then quasi-definite, so that L D L^T exists in every order (Vanderbei, SIAM J. Optim. 5, 1995).
-/// Refinement takes the share away again, a factor of about 1e-8 over the condition of G per step.
+/// Refinement takes the share away again: a step leaves share/s of the error, s the smallest
+/// eigenvalue of S = G A^-1 G^T scaled by its diagonal. Where that is too slow the share is made
+/// smaller; s below about 1e-14, a row independent of the others by less than 1e-7 of its length,
+/// is singular. Where A is not positive definite the factorisation may break down or be inaccurate.
 class KktSystem {
 public:
     /// Takes the pattern, of either storage; values that are zero now and later are welcome.
     /// @param rows  number of rows of A; those of G follow.
     void analyze(const SparseMatrix& pattern, int rows) {
         rows_ = rows;
+        share_ = largest_share;
         factorised_.resize(0);
         matrix_ = detail::lower_half(pattern);
         ldlt_.analyzePattern(matrix_);
@@ -50,60 +54,91 @@ public:
         factorised_.resize(0);
         if (!values.allFinite()) return Status::not_finite;
         matrix_ = detail::lower_half(matrix);
-        SparseMatrix shifted = matrix_;
-        subtract_shifts(shifted);
-        ldlt_.factorize(shifted);
-        if (ldlt_.info() != Eigen::Success) return Status::singular;
+        if (!factorize_shifted()) return Status::singular;
         factorised_ = values;
         return Status::converged;
     }
 
-    /// Solves with refinement until it gains no more.
+    /// Solves with refinement until it gains no more, with smaller shares where it ends too early.
     /// @pre the last factorize converged.
-    void solve(const VectorX& b, VectorX& x) const {
-        x = ldlt_.solve(b);
-        VectorX residual = b, correction = x;
-        double before = std::numeric_limits<double>::infinity();
-        for (int step = 0; step < 30; ++step) {
-            residual = b;
-            detail::add_product(matrix_, Storage::lower, -1.0, x, residual);
-            correction = ldlt_.solve(residual);
-            const double size = relative_size(correction, x);
-            if (!(size < before)) break;
-            x += correction;
-            if (size < 4.0 * std::numeric_limits<double>::epsilon()) break;
-            before = 0.5 * size;
+    /// @return singular where the equations do not hold to 1e-10.
+    [[nodiscard]] Status solve(const VectorX& b, VectorX& x) {
+        for (;;) {
+            const double error = refine(b, x);
+            if (error <= 1e-13) return Status::converged;
+            if (!x.allFinite() || share_ < smallest_share)
+                return error <= 1e-10 ? Status::converged : Status::singular;
+            share_ *= 1e-3;
+            if (!factorize_shifted()) return Status::singular;
         }
     }
 
 private:
-    // The larger ratio of the two parts, whose units differ.
-    [[nodiscard]] double relative_size(const VectorX& correction, const VectorX& x) const {
-        double change[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
-        for (Eigen::Index i = 0; i < x.size(); ++i) {
-            const int part = i < rows_ ? 0 : 1;
-            change[part] = std::max(change[part], std::abs(correction[i]));
-            size[part] = std::max(size[part], std::abs(x[i]));
+    static constexpr double largest_share = 1e-8, smallest_share = 1e-13;
+
+    // Solves, and returns the residual of the two parts relative to its terms, the larger one.
+    [[nodiscard]] double refine(const VectorX& b, VectorX& x) const {
+        constexpr double epsilon = std::numeric_limits<double>::epsilon();
+        x = ldlt_.solve(b);
+        VectorX residual, next = x;
+        double error = std::numeric_limits<double>::infinity();
+        for (int step = 0; step < 30; ++step) {
+            const double now = relative_residual(b, next, residual);
+            if (!(now < error)) break;
+            const bool slow = now > 0.5 * error;
+            x = next;
+            error = now;
+            if (slow || error < 4.0 * epsilon) break;
+            next = x + ldlt_.solve(residual);
         }
+        return error;
+    }
+
+    [[nodiscard]] double relative_residual(const VectorX& b, const VectorX& x,
+                                           VectorX& residual) const {
+        residual = b;
+        VectorX terms = b.cwiseAbs();
+        for (int j = 0; j < matrix_.cols(); ++j)
+            for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
+                const auto i = entry.row();
+                residual[i] -= entry.value() * x[j];
+                terms[i] += std::abs(entry.value() * x[j]);
+                if (i == j) continue;
+                residual[j] -= entry.value() * x[i];
+                terms[j] += std::abs(entry.value() * x[i]);
+            }
+        double rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
+        for (Eigen::Index i = 0; i < b.size(); ++i) {
+            const int part = i < rows_ ? 0 : 1;  // their units differ
+            rest[part] = std::max(rest[part], std::abs(residual[i]));
+            size[part] = std::max(size[part], terms[i]);
+        }
+        if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
         double ratio = 0.0;
         for (int part = 0; part < 2; ++part)
-            if (size[part] > 0.0) ratio = std::max(ratio, change[part] / size[part]);
+            if (size[part] > 0.0) ratio = std::max(ratio, rest[part] / size[part]);
         return ratio;
     }
 
-    void subtract_shifts(SparseMatrix& matrix) const {
-        constexpr double share = 1e-8;
-        VectorX diagonal = matrix.diagonal();
-        VectorX shift = VectorX::Zero(matrix.cols());
-        for (int column = 0; column < rows_; ++column)
-            for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+    [[nodiscard]] bool factorize_shifted() {
+        const VectorX diagonal = matrix_.diagonal();
+        VectorX shift = VectorX::Zero(matrix_.cols());
+        for (int column = 0; column < rows_; ++column) {
+            if (diagonal[column] == 0.0) continue;
+            for (SparseMatrix::InnerIterator entry(matrix_, column); entry; ++entry)
                 if (entry.row() >= rows_)
-                    shift[entry.row()] += share * entry.value() * entry.value() / diagonal[column];
-        for (int row = rows_; row < matrix.cols(); ++row)
-            if (diagonal[row] == 0.0) matrix.coeffRef(row, row) -= shift[row];
+                    shift[entry.row()] +=
+                        entry.value() * entry.value() / std::abs(diagonal[column]);
+        }
+        SparseMatrix shifted = matrix_;
+        for (int row = rows_; row < matrix_.cols(); ++row)
+            if (diagonal[row] == 0.0) shifted.coeffRef(row, row) -= share_ * shift[row];
+        ldlt_.factorize(shifted);
+        return ldlt_.info() == Eigen::Success;
     }
 
     int rows_ = 0;
+    double share_ = largest_share;
     SparseMatrix matrix_;  // lower half
     VectorX factorised_;
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> ldlt_;

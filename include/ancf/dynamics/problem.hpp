@@ -243,8 +243,12 @@ private:
     [[nodiscard]] std::string check_supports(double t) const;
     [[nodiscard]] std::string check_constraints();
     void find_redundant(Start& start);
+    // Takes from the multipliers what does no work: row e of G, left out, is the sum of d_i times
+    // the others, (M, G) (0, d) = (G_e^T, 0), so that d - unit vector e is in the null space of
+    // G^T. Where the system cannot be solved they stay as they are.
     void minimize_multipliers(VectorX& multipliers);
     [[nodiscard]] Status factorize_kkt();
+    [[nodiscard]] Status solve_kkt(const VectorX& b, VectorX& x);
     bool project_positions(double t, VectorX& q, const VectorX& v);
     bool project_rates(double t, const VectorX& q, VectorX& v);
 

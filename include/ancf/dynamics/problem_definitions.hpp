@@ -16,6 +16,7 @@
 #include <limits>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -236,6 +237,13 @@ Status DynamicProblem<Scene>::factorize_kkt() {
 }
 
 template <class Scene>
+Status DynamicProblem<Scene>::solve_kkt(const VectorX& b, VectorX& x) {
+    if (!b.allFinite()) return Status::not_finite;
+    const Status status = kkt_.solve(b, x);
+    return x.allFinite() ? status : Status::not_finite;
+}
+
+template <class Scene>
 Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const VectorX& v,
                                             VectorX& acceleration, VectorX& multipliers) {
     const VectorX none = VectorX::Zero(this->multipliers());
@@ -246,8 +254,7 @@ Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const Ve
     VectorX b(numbering().unknowns()), x;
     b.head(size()) = -force_;
     b.tail(this->multipliers()) = -constraints_.convection() - constraints_.product(full_a_);
-    kkt_.solve(b, x);
-    if (!x.allFinite()) return Status::not_finite;
+    if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
     acceleration = x.head(size());
     multipliers = x.tail(this->multipliers());
     return Status::converged;
@@ -283,8 +290,7 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
     evaluate_constraints(at.time, at.q, at.v);
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
     VectorX x;
-    kkt_.solve(b, x);
-    if (!x.allFinite()) return Status::not_finite;
+    if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
     jerk = x.head(size());
     return Status::converged;
 }
@@ -405,8 +411,7 @@ bool DynamicProblem<Scene>::project_positions(double t, VectorX& q, const Vector
         if (relative >= 0.5 * before) return relative <= 64.0 * epsilon;
         before = relative;
         if (factorize_kkt() != Status::converged) return false;
-        kkt_.solve(b, x);
-        if (!x.allFinite()) return false;
+        if (solve_kkt(b, x) != Status::converged) return false;
         q += x.head(size());
     }
     return false;
@@ -420,8 +425,7 @@ bool DynamicProblem<Scene>::project_rates(double t, const VectorX& q, VectorX& v
         evaluate_constraints(t, q, v);
         if (factorize_kkt() != Status::converged) return false;
         b.tail(multipliers()) = -constraints_.rate();
-        kkt_.solve(b, x);
-        if (!x.allFinite()) return false;
+        if (solve_kkt(b, x) != Status::converged) return false;
         v += x.head(size());
     }
     return true;
@@ -442,10 +446,9 @@ State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v,
     return result;
 }
 
-// Takes from the multipliers what does no work, the null space of G^T: row e of G, left out, is the
-// sum of d_i times the others, so that its basis are the columns d - unit vector e.
 template <class Scene>
 void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
+    for (const int equation : left_out_) multipliers[equation] = 0.0;
     constraints_.evaluate(time_, full_q_, full_v_);
     if (factorize_kkt() != Status::converged) return;
     const SparseMatrix rows = constraints_.transposed_jacobian();
@@ -454,7 +457,10 @@ void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
         VectorX b = VectorX::Zero(numbering().unknowns()), x;
         for (SparseMatrix::InnerIterator entry(rows, equation); entry; ++entry)
             b[entry.row()] = entry.value();
-        kkt_.solve(b, x);
+        if (solve_kkt(b, x) != Status::converged) continue;
+        // of an equation that no longer follows from the others something is left
+        const VectorX rest = detail::multiply(compact_mass_, Storage::full, x.head(size()));
+        if (rest.norm() > 1e-8 * b.norm()) continue;
         VectorX silent = x.tail(multipliers.size());
         silent[equation] = -1.0;
         for (int pass = 0; pass < 2; ++pass)  // Gram-Schmidt, twice
@@ -521,6 +527,11 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     // far above the round-off of K, far below any elastic frequency
     const double shift = 1e-12 * square;
     SparseMatrix shifted = tangent();
+    if (options_.storage == Storage::full) {  // following loads: the symmetric part
+        const SparseMatrix mirrored = shifted.transpose();
+        for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
+            shifted.valuePtr()[k] = 0.5 * (shifted.valuePtr()[k] + mirrored.valuePtr()[k]);
+    }
     for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     KktSystem system;
@@ -529,7 +540,7 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     const auto solve = [&](const VectorX& b) {
         VectorX whole = VectorX::Zero(numbering().unknowns()), x;
         whole.head(size()) = b;
-        system.solve(whole, x);
+        (void)system.solve(whole, x);  // an estimate is enough
         return VectorX(x.head(size()));
     };
     const int freedom = size() - multipliers() + static_cast<int>(left_out_.size());

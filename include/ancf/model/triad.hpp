@@ -43,7 +43,9 @@ struct Triad {
         f.width = 6;
         const Matrix<Scalar, 3> turn = cross_matrix(t);
         for (int i = 0; i < 3; ++i) {
-            f.axes(i, 0) = t[i], f.axes(i, 1) = n[i], f.axes(i, 2) = c[i];
+            f.axes(i, 0) = t[i];
+            f.axes(i, 1) = n[i];
+            f.axes(i, 2) = c[i];
             for (int k = 0; k < 3; ++k) {
                 f.spin(i, k) = (turn(i, k) - f.al * t[i] * c[k]) / f.lam;
                 f.spin(i, 3 + k) = t[i] * c[k] / f.nu;
@@ -97,6 +99,7 @@ struct Triad {
                                                        const Vector<double, 3>& m) {
     using Vec = Vector<double, 3>;
     Matrix<double, 6> out = Matrix<double, 6>::Zero();
+    if (f.width == 0) return out;
     const Vec t = f.axes.col(0), n = f.axes.col(1), c = f.axes.col(2);
     const Vec mt = cross(m, t);
     const double twist = m.dot(t), bent = f.al * twist / f.lam;

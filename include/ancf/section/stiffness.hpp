@@ -68,8 +68,8 @@ inline Matrix<double, 3> saint_venant_block(const Moments& moments, double shear
         if (k > 0) centred(0, k) = centred(k, 0) = 0.0;  // round-off about the centroid
     }
     centred(twist, twist) = torsion;
-    // T^T centred T, T = I + e_0 (0, y_c, z_c): what stands in the centroid's first place is the
-    // shear stiffness of the area, and goes with the strains' sum there
+    // T^T centred T with T = I + e_0 (0, y_c, z_c): centred couples nothing to its first place, so
+    // that only its first entry is transported
     const double c[3] = {1.0, moments.y / moments.area, moments.z / moments.area};
     Matrix<double, 3> block = centred;
     block(0, 0) = 0.0;

@@ -121,8 +121,9 @@ void report_condition(const SparseMatrix& matrix, double limit, Solve&& solve,
     double largest = 0.0;
     for (const double entry : motion) largest = std::max(largest, std::abs(entry));
     double sum = 0.0;  // NaN where an entry is not finite
-    for (const double entry : motion) sum += (entry / largest) * (entry / largest);
-    double size = largest > 0.0 ? largest * std::sqrt(sum) : 0.0;
+    if (largest > 0.0)
+        for (const double entry : motion) sum += (entry / largest) * (entry / largest);
+    double size = largest * std::sqrt(sum);
     if (!motion.allFinite()) size = std::numeric_limits<double>::infinity();
     report.rcond = size > 0.0 ? std::min(1.0, probe_share * std::sqrt(weights) / size) : 1.0;
     if (!(report.rcond > limit)) report_failure(matrix, softest_unknown(roots, solution), report);

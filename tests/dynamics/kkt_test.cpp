@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/algebra.hpp>
+#include <ancf/dynamics/frequency.hpp>
+#include <ancf/dynamics/kkt.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace ancf;
+
+namespace {
+
+/// Returns [I G^T; G 0] of G = [1 0; 1 delta].
+SparseMatrix nearly_dependent(double delta) {
+    MatrixX dense(4, 4);
+    dense << 1, 0, 1, 1, 0, 1, 0, delta, 1, 0, 0, 0, 1, delta, 0, 0;
+    SparseMatrix matrix = dense.sparseView();
+    for (int k = 2; k < 4; ++k) matrix.coeffRef(k, k) = 0.0;
+    matrix.makeCompressed();
+    return matrix;
+}
+
+/// Returns a symmetric sparse matrix, with some zeros stored, and its lower half.
+SparseMatrix symmetric(int size, test::Random& random) {
+    MatrixX dense = MatrixX::Zero(size, size);
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j <= i; ++j)
+            if ((i + j) % 3 != 1) dense(i, j) = dense(j, i) = random.vector<1>()[0];
+    SparseMatrix matrix = dense.sparseView();
+    matrix.makeCompressed();
+    return matrix;
+}
+
+}  // namespace
+
+TEST_CASE("KktSystem: rows that nearly depend on each other are solved for or refused",
+          "[dynamics][kkt]") {
+    for (const double delta : {1.0, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+        const SparseMatrix matrix = nearly_dependent(delta);
+        KktSystem system;
+        system.analyze(matrix, 2);
+        REQUIRE(system.factorize(matrix) == Status::converged);
+        const VectorX exact = (VectorX(4) << 1.0, 1.0, 0.5, 0.25).finished();
+        VectorX x;
+        INFO("delta " << delta);
+        REQUIRE(system.solve(matrix * exact, x) == Status::converged);
+        CHECK((x - exact).norm() <= 1e-11 / (delta * delta));  // its condition
+        CHECK(std::abs(x[0] + delta * x[1] - 1.0 - delta) <= 1e-10);
+    }
+    const SparseMatrix matrix = nearly_dependent(1e-8);
+    KktSystem system;
+    system.analyze(matrix, 2);
+    REQUIRE(system.factorize(matrix) == Status::converged);
+    VectorX x;
+    const VectorX b = (VectorX(4) << 0.0, 0.0, 1.0, 2.0).finished();  // x_1 = 1e8
+    CHECK(system.solve(b, x) == Status::singular);
+}
+
+TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough",
+          "[dynamics][kkt]") {
+    SparseMatrix matrix = nearly_dependent(1.0);
+    const SparseMatrix lower = detail::lower_half(matrix);
+    KktSystem of_all, of_half;
+    of_all.analyze(matrix, 2);
+    of_half.analyze(lower, 2);
+    REQUIRE(of_all.factorize(matrix) == Status::converged);
+    REQUIRE(of_half.factorize(lower) == Status::converged);
+    const VectorX b = (VectorX(4) << 1.0, -2.0, 3.0, 0.5).finished();
+    VectorX x, y;
+    REQUIRE(of_all.solve(b, x) == Status::converged);
+    REQUIRE(of_half.solve(b, y) == Status::converged);
+    CHECK((matrix * x - b).norm() <= 1e-14 * b.norm());
+    CHECK((x - y).norm() == 0.0);
+    matrix.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    CHECK(of_all.factorize(matrix) == Status::not_finite);
+}
+
+TEST_CASE("algebra: products and blocks of symmetric matrices from either storage", "[algebra]") {
+    test::Random random(5);
+    constexpr int size = 9;
+    const SparseMatrix full = symmetric(size, random);
+    const SparseMatrix lower = detail::lower_half(full);
+    CHECK(lower.nonZeros() < full.nonZeros());
+    const VectorX x = random.vector<size>();
+    const VectorX expected = full * x;
+    CHECK((detail::multiply(full, Storage::full, x) - expected).norm() <= 1e-14);
+    CHECK((detail::multiply(lower, Storage::lower, x) - expected).norm() <= 1e-14);
+    for (const int part : {0, 4, size}) {
+        const MatrixX block = MatrixX(full).topLeftCorner(part, part);
+        CHECK((MatrixX(detail::leading_block(full, part, Storage::full)) - block).norm() == 0.0);
+        CHECK((MatrixX(detail::leading_block(lower, part, Storage::lower)) - block).norm() == 0.0);
+        const VectorX head = x.head(part);
+        const VectorX product = block * head;
+        CHECK((detail::multiply(lower, Storage::lower, head) - product).norm() <= 1e-14);
+    }
+}
+
+TEST_CASE("algebra: the largest ratio tells of a NaN and is zero of nothing", "[algebra]") {
+    const VectorX scale = (VectorX(3) << 1.0, 2.0, 4.0).finished();
+    CHECK(detail::largest_ratio(VectorX(), VectorX()) == 0.0);
+    CHECK(detail::largest_ratio((VectorX(3) << 1.0, -6.0, 4.0).finished(), scale) == 3.0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(std::isnan(detail::largest_ratio((VectorX(3) << nan, 1.0, 1.0).finished(), scale)));
+}
+
+TEST_CASE("algebra: SmallCholesky and diagonalize agree with Eigen", "[algebra]") {
+    test::Random random(6);
+    for (int trial = 0; trial < 20; ++trial) {
+        const MatrixX root = MatrixX(random.vector<3>() * random.vector<3>().transpose());
+        const Matrix<double, 3> spd = root * root.transpose() + Matrix<double, 3>::Identity();
+        const Vector<double, 3> b = random.vector<3>();
+        const detail::SmallCholesky<3> factors(spd);
+        CHECK((spd * factors.solve(b) - b).norm() <= 1e-13 * b.norm());
+    }
+    MatrixX matrix = MatrixX::Zero(8, 8);  // of rank 3, as with rigid motions
+    for (int k = 0; k < 3; ++k) {
+        const Vector<double, 8> v = random.vector<8>();
+        matrix += std::pow(100.0, k) * v * v.transpose();
+    }
+    const MatrixX before = matrix;
+    const MatrixX vectors = detail::diagonalize(matrix);
+    CHECK((vectors.transpose() * vectors - MatrixX::Identity(8, 8)).norm() <= 1e-13);
+    CHECK((before * vectors - vectors * MatrixX(matrix.diagonal().asDiagonal())).norm() <=
+          1e-12 * before.norm());
+    VectorX values = matrix.diagonal();
+    std::sort(values.begin(), values.end());
+    const VectorX expected = Eigen::SelfAdjointEigenSolver<MatrixX>(before).eigenvalues();
+    CHECK((values - expected).norm() <= 1e-12 * before.norm());
+}
