@@ -76,7 +76,7 @@ public:
 private:
     static constexpr double largest_share = 1e-8, smallest_share = 1e-13;
 
-    // Solves, and returns the residual of the two parts relative to its terms, the larger one.
+    // Solves, and returns the larger residual of the two parts, relative to |matrix| |x| + |b|.
     [[nodiscard]] double refine(const VectorX& b, VectorX& x) const {
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
         x = ldlt_.solve(b);
@@ -97,26 +97,28 @@ private:
     [[nodiscard]] double relative_residual(const VectorX& b, const VectorX& x,
                                            VectorX& residual) const {
         residual = b;
-        VectorX terms = b.cwiseAbs();
+        double largest[2] = {0.0, 0.0}, rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
+        const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
+        for (Eigen::Index i = 0; i < x.size(); ++i)
+            largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]));
+        VectorX terms = b.cwiseAbs();  // and |matrix| times the largest entries of x
         for (int j = 0; j < matrix_.cols(); ++j)
             for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
                 const auto i = entry.row();
                 residual[i] -= entry.value() * x[j];
-                terms[i] += std::abs(entry.value() * x[j]);
+                terms[i] += std::abs(entry.value()) * largest[part(j)];
                 if (i == j) continue;
                 residual[j] -= entry.value() * x[i];
-                terms[j] += std::abs(entry.value() * x[i]);
+                terms[j] += std::abs(entry.value()) * largest[part(i)];
             }
-        double rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
         for (Eigen::Index i = 0; i < b.size(); ++i) {
-            const int part = i < rows_ ? 0 : 1;  // their units differ
-            rest[part] = std::max(rest[part], std::abs(residual[i]));
-            size[part] = std::max(size[part], terms[i]);
+            rest[part(i)] = std::max(rest[part(i)], std::abs(residual[i]));
+            size[part(i)] = std::max(size[part(i)], terms[i]);
         }
         if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
         double ratio = 0.0;
-        for (int part = 0; part < 2; ++part)
-            if (size[part] > 0.0) ratio = std::max(ratio, rest[part] / size[part]);
+        for (int k = 0; k < 2; ++k)
+            if (size[k] > 0.0) ratio = std::max(ratio, rest[k] / size[k]);
         return ratio;
     }
 
