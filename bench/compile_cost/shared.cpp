@@ -3,31 +3,12 @@
 
 // The planar pendulum of dynamics.cpp in a program that compiles its instances in another unit.
 
-#include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/problem.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/instances.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints.hpp>
-#include <ancf/model/model.hpp>
-#include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
 
 ANCF_SOLVER_INSTANCES(extern);
 ANCF_ELEMENT_INSTANCES(extern, ancf::CrossSectionBeam<2>);
 ANCF_PROBLEM_INSTANCES(extern, ancf::CrossSectionBeam<2>);
 ANCF_DYNAMICS_INSTANCES(extern, ancf::EigenLu, ancf::CrossSectionBeam<2>);
 
-int main() {
-    using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
-    Scene model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(7e5, 0.3, 5540.0),
-                                          ancf::rectangle(0.05, 0.05), {0, 0}, {1.2, 0}, 4);
-    model.add(ancf::Pin<2>(beam.first(), {0.0, 0.0}));
-    model.set_gravity({0.0, -9.81});
-    ancf::DynamicProblem<Scene> problem(model);
-    ancf::EigenLu solver;
-    const auto report = ancf::GeneralizedAlpha(ancf::GeneralizedAlphaOptions{})
-                            .integrate(problem, solver, ancf::equal_intervals(0.0, 0.1, 0.05));
-    return report.status == ancf::Status::converged ? 0 : 1;
-}
+#include "dynamics.cpp"
