@@ -76,7 +76,7 @@ private:
     Matrix<double, Size> lower_;
 };
 
-/// Adds scale A x; of a symmetric matrix of lower storage only that half is read.
+/// Adds scale A x, A compressed, x and out apart; of lower storage A holds the lower half alone.
 ///
 /// x may be longer or shorter than A is wide: what it lacks is zero, and `out` gets as many rows as
 /// it has.
@@ -102,7 +102,8 @@ inline void add_product(const SparseMatrix& A, Storage storage, double scale, co
     return out;
 }
 
-/// Returns both halves of the first rows and columns of a compressed matrix, without the zeros.
+/// Returns both halves of the first rows and columns of a compressed matrix, without the zeros; of
+/// lower storage it holds the lower half alone.
 [[nodiscard]] inline SparseMatrix leading_block(const SparseMatrix& A, int size, Storage storage) {
     // Two passes over the entries kept: count each column, then fill it. Rows ascend, since the
     // mirror images of a column come from columns before it.

@@ -60,8 +60,8 @@ namespace detail {
 
 /// One part of a message as text, numbers with 17 digits.
 ///
-/// Texts and numbers are written by functions that are not templates, so that a message of them
-/// costs a program little to compile.
+/// Texts and numbers compile once in a program's unit, not once for each message; only rows of
+/// matrices are written by a template.
 class MessagePart {
 public:
     MessagePart(const char* text) : text_(text) {}

@@ -52,6 +52,9 @@ private:
     [[nodiscard]] static Point turned(const Point& v, const Point& change);
     [[nodiscard]] static Frame rotation(const Frame& skew);
     [[nodiscard]] static Frame product(const Frame& a, const Frame& b);
+
+    /// Writes the inverse of a frame of unit size.
+    /// @return false where its determinant is below 1e-12.
     [[nodiscard]] static bool invert(const Frame& a, Frame& inverse);
 
     /// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
@@ -115,14 +118,15 @@ auto Turning<Scene>::product(const Frame& a, const Frame& b) -> Frame {
     return result;
 }
 
-/// Returns whether the matrix has an inverse.
 template <class Scene>
 bool Turning<Scene>::invert(const Frame& a, Frame& inverse) {
     if constexpr (dimension == 2) {
         const double determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
         if (!(std::abs(determinant) > 1e-12)) return false;
-        inverse(0, 0) = a(1, 1) / determinant, inverse(0, 1) = -a(0, 1) / determinant;
-        inverse(1, 0) = -a(1, 0) / determinant, inverse(1, 1) = a(0, 0) / determinant;
+        inverse(0, 0) = a(1, 1) / determinant;
+        inverse(0, 1) = -a(0, 1) / determinant;
+        inverse(1, 0) = -a(1, 0) / determinant;
+        inverse(1, 1) = a(0, 0) / determinant;
     } else {
         double determinant = 0.0;
         for (int k = 0; k < 3; ++k) {  // row k is the vector product of the other two columns
