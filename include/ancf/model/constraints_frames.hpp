@@ -76,10 +76,9 @@ struct FrameForm {
     [[nodiscard]] Vector<Scalar, 12> gradient(const Triad<Scalar>& a,
                                               const Triad<Scalar>& b) const {
         Vector<Scalar, 12> row = Vector<Scalar, 12>::Zero();
-        for (int i = 0; i < 3; ++i) {
-            for (int k = 0; k < a.width; ++k) row[k] += moment[i] * a.spin(i, k);
-            for (int k = 0; k < b.width; ++k) row[a.width + k] -= moment[i] * b.spin(i, k);
-        }
+        const Vector<Scalar, 6> of_a = a.on_slopes(moment), of_b = b.on_slopes(moment);
+        for (int k = 0; k < a.width; ++k) row[k] = of_a[k];
+        for (int k = 0; k < b.width; ++k) row[a.width + k] = -of_b[k];
         return row;
     }
 };

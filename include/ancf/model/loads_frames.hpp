@@ -89,24 +89,20 @@ inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment a
 template <class Scalar>
 Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
     const auto frame = detail::Triad<Scalar>::of_slopes(slopes);
-    const Vector<Scalar, 3> m = moment_in_space(frame);
-    Vector<Scalar, 6> result;
-    for (int k = 0; k < 6; ++k)
-        result[k] = frame.spin(0, k) * m[0] + frame.spin(1, k) * m[1] + frame.spin(2, k) * m[2];
-    return result;
+    return frame.on_slopes(moment_in_space(frame));
 }
 
 inline void Moment::evaluate(const LoadState& state, LoadResult& out) const {
     const Vector<double, 6> slopes = state.q;
     const auto frame = detail::Triad<double>::of_slopes(slopes);
     const Vector<double, 3> m = moment_in_space(frame);
-    out.force = force(slopes);
+    out.force = frame.on_slopes(m);
     out.stiffness = detail::spin_derivative(frame, m);
     if (attachment_ == Attachment::space) return;
     for (int j = 0; j < 6; ++j) {  // the moment turns too: dm = w x m
         const Vector<double, 3> turned = cross(Vector<double, 3>(frame.spin.col(j)), m);
-        for (int i = 0; i < 6; ++i)
-            out.stiffness(i, j) += turned.dot(Vector<double, 3>(frame.spin.col(i)));
+        const Vector<double, 6> column = frame.on_slopes(turned);
+        for (int i = 0; i < 6; ++i) out.stiffness(i, j) += column[i];
     }
 }
 

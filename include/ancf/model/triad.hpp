@@ -82,6 +82,14 @@ struct Triad {
         return f;
     }
 
+    /// Returns spin^T m: what a moment (global components) is on (dp, da), zero beyond `width`.
+    [[nodiscard]] Vector<Scalar, 6> on_slopes(const Vector<Scalar, 3>& moment) const {
+        Vector<Scalar, 6> out = Vector<Scalar, 6>::Zero();
+        for (int k = 0; k < width; ++k)
+            out[k] = spin(0, k) * moment[0] + spin(1, k) * moment[1] + spin(2, k) * moment[2];
+        return out;
+    }
+
     /// Returns R v: global components of a vector given in the frame.
     [[nodiscard]] Vector<Scalar, 3> in_space(const Vector<double, 3>& v) const {
         Vector<Scalar, 3> out;
