@@ -13,7 +13,7 @@
 
 #include <limits>
 
-namespace {
+namespace assembly_test {
 
 using ancf::Field;
 using ancf::MatrixX;
@@ -75,8 +75,6 @@ Evaluated evaluate(const Scene& scene, const VectorX& q, const VectorX& multipli
     out.tangent = MatrixX(assembly.tangent());
     return out;
 }
-
-}  // namespace
 
 TEST_CASE("Assembly: a node carries the vectors that its elements need, no more", "[assembly]") {
     const Scene scene = make_scene();
@@ -230,3 +228,5 @@ TEST_CASE("Assembly: an empty model has an empty system", "[assembly]") {
     CHECK_FALSE(assembly.evaluate({none, none, none, {}}, ancf::Request::tangent));
     CHECK(assembly.strain_energy() == 0.0);
 }
+
+}  // namespace assembly_test

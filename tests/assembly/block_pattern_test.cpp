@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace block_pattern_test {
 
 using ancf::BlockPattern;
 using ancf::Storage;
@@ -22,8 +22,6 @@ bool coupled(int a, int b) {
         if ((a == c && b == d) || (a == d && b == c)) return true;
     return false;
 }
-
-}  // namespace
 
 TEST_CASE("BlockPattern: stores exactly the coupled blocks", "[assembly]") {
     const auto storage = GENERATE(Storage::full, Storage::lower);
@@ -84,3 +82,5 @@ TEST_CASE("BlockPattern: no blocks make an empty matrix", "[assembly]") {
     CHECK(pattern.size() == 0);
     CHECK(pattern.matrix().nonZeros() == 0);
 }
+
+}  // namespace block_pattern_test

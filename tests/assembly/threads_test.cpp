@@ -18,7 +18,7 @@
 #include <omp.h>
 #endif
 
-namespace {
+namespace threads_test {
 
 using namespace ancf;
 using Scene = Model<CrossSectionBeam<3>, Cable<3>>;
@@ -63,8 +63,6 @@ Evaluated evaluate_on(int threads, const Scene& scene, const VectorX& q) {
     return {assembly.strain_energy(), assembly.internal_force(),
             std::vector<double>(tangent.valuePtr(), tangent.valuePtr() + tangent.nonZeros())};
 }
-
-}  // namespace
 
 TEST_CASE("Assembly: one, two and three threads give the same bits", "[assembly]") {
     const Scene scene = make_scene();
@@ -112,3 +110,5 @@ TEST_CASE("ElementSchedule: runs of one colour share no node and cover every ele
     });
     CHECK(groups == 2);
 }
+
+}  // namespace threads_test

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace bad_input_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -274,8 +274,6 @@ std::string fault(const WrongCall& wrong) {
     return "accepted; expected a message with \"" + wrong.words.front() + "\"";
 }
 
-}  // namespace
-
 TEST_CASE("bad input: every wrong call and file is refused with the value and what was expected",
           "[bad-input]") {
     Table table;
@@ -296,3 +294,5 @@ TEST_CASE("bad input: every wrong call and file is refused with the value and wh
     WARN(refused << " wrong calls and files refused");
     CHECK(refused >= 300);
 }
+
+}  // namespace bad_input_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace {
+namespace energy_momentum_test {
 
 using namespace ancf::test;
 using ancf::DynamicsReport;
@@ -76,8 +76,6 @@ double momentum_drift(BarModel& model, double step, double end, DynamicsReport& 
     report = EnergyMomentum(steps(step)).integrate(problem, solver, schedule);
     return largest;
 }
-
-}  // namespace
 
 TEST_CASE("rigid modes: what is left of a change has neither resultant nor moment", "[dynamics]") {
     Random random(1);
@@ -310,3 +308,5 @@ TEST_CASE("energy-momentum: stops on request, refuses what cannot be meant", "[d
     scene.model.set_value(scene.first(), Field::r, {0.0, -2.0, 0.0});
     CHECK(run(scene.model, 1e-3, until(1.0)).status == Status::inconsistent);
 }
+
+}  // namespace energy_momentum_test

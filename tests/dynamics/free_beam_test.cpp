@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace free_beam_test {
 
 using namespace ancf::test;
 using ancf::DynamicsReport;
@@ -53,8 +53,6 @@ DynamicsReport run(Problem& problem, double rho, double step, const Schedule& sc
     options.rho = rho;
     return ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
 }
-
-}  // namespace
 
 TEST_CASE("free beam: it falls with g in any orientation, by every integrator", "[dynamics]") {
     const double rho = GENERATE(energy_scheme, 0.0, 0.5, 0.8, 1.0);
@@ -134,3 +132,5 @@ TEST_CASE("beam: planar motion stays planar", "[dynamics]") {
     CHECK(largest <= 1e-12);
     CHECK(model.position(beam.last())[1] < -0.3);
 }
+
+}  // namespace free_beam_test

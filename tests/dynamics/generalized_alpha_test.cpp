@@ -14,7 +14,7 @@
 #include <limits>
 #include <sstream>
 
-namespace {
+namespace generalized_alpha_test {
 
 using namespace ancf::test;
 using ancf::DynamicsReport;
@@ -51,8 +51,6 @@ DynamicsReport run(ancf::test::BarModel& model, const GeneralizedAlphaOptions& o
     ancf::EigenLu solver;
     return GeneralizedAlpha(options).integrate(problem, solver, schedule, memory);
 }
-
-}  // namespace
 
 TEST_CASE("generalized-alpha: free fall is exact for every damping", "[dynamics]") {
     const double rho = GENERATE(0.0, 0.3, 0.5, 0.8, 1.0);
@@ -393,3 +391,5 @@ TEST_CASE("generalized-alpha: options that cannot be meant are refused", "[dynam
     CHECK_THAT(report.message,
                ContainsSubstring("distance between node 0") && ContainsSubstring("0.01"));
 }
+
+}  // namespace generalized_alpha_test

@@ -14,9 +14,9 @@
 #include <cmath>
 #include <limits>
 
-using namespace ancf;
+namespace kkt_test {
 
-namespace {
+using namespace ancf;
 
 /// Returns [I G^T; G 0] of G = [1 0; 1 delta].
 SparseMatrix nearly_dependent(double delta) {
@@ -38,8 +38,6 @@ SparseMatrix symmetric(int size, test::Random& random) {
     matrix.makeCompressed();
     return matrix;
 }
-
-}  // namespace
 
 TEST_CASE("KktSystem: rows that nearly depend on each other are solved for or refused",
           "[dynamics][kkt]") {
@@ -136,3 +134,5 @@ TEST_CASE("algebra: SmallCholesky and diagonalize agree with Eigen", "[algebra]"
     const VectorX expected = Eigen::SelfAdjointEigenSolver<MatrixX>(before).eigenvalues();
     CHECK((values - expected).norm() <= 1e-12 * before.norm());
 }
+
+}  // namespace kkt_test

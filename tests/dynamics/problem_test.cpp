@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace problem_test {
 
 using namespace ancf::test;
 using ancf::Field;
@@ -64,8 +64,6 @@ void make_consistent(BarProblem& problem, ancf::State& state) {
     REQUIRE(problem.project(state.time, q, v));
     problem.store(state.time, q, v, VectorX::Zero(problem.multipliers()));
 }
-
-}  // namespace
 
 TEST_CASE("problem: a free scene under gravity accelerates with g", "[dynamics]") {
     Chain scene = chain(4, {0.3, -0.2, 0.5}, {1.0, 0.4, 0.9});
@@ -452,3 +450,5 @@ TEST_CASE("schedules: times ascend between start and end", "[dynamics]") {
     wrong.times = {0.5, 1.2};
     CHECK_THROWS_AS(wrong.check(0.0), ancf::InvalidArgument);
 }
+
+}  // namespace problem_test

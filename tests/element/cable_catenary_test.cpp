@@ -18,7 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace cable_catenary_test {
 
 using namespace ancf;
 
@@ -119,8 +119,6 @@ double sag_error(double length, int elements, const CableOptions& options = {}) 
     return chain.sag() - catenary_sag(length);
 }
 
-}  // namespace
-
 TEMPLATE_TEST_CASE_SIG("Cable: a hanging chain has the sag of a catenary",
                        "[element][cable][statics][catenary]", ((int Dimension), Dimension), 2, 3) {
     CHECK(std::abs(sag_error<Dimension>(1.05, 16)) <= 2e-6);  // measured 8e-8
@@ -157,3 +155,5 @@ TEST_CASE("Cable: a chain hangs alike whatever way is down",
     upright.settle();
     CHECK(std::abs(chain.sag() - upright.sag()) <= 1e-9);
 }
+
+}  // namespace cable_catenary_test

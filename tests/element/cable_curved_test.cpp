@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace cable_curved_test {
 
 using namespace ancf;
 using test::cable_length;
@@ -73,8 +73,6 @@ typename Element::Coordinates disturbed(const typename Element::Coordinates& ref
     const auto turn = test::random_rotation<dimension>(random);
     return test::moved<Element>(e, turn, random.vector<dimension>());
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Cable: a curved element has no force in its reference, however moved",
                    "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
@@ -258,3 +256,5 @@ TEST_CASE("Cable: pulling a curved element straight ends in no singularity",
     CHECK(evaluation.tangent.allFinite());
     CHECK(evaluation.energy == Approx(0.5 * bending * cable_length).epsilon(0.02));
 }
+
+}  // namespace cable_curved_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace {
+namespace cable_results_test {
 
 using namespace ancf;
 using test::cable_length;
@@ -23,8 +23,6 @@ using test::cable_section;
 
 const double axial = cable_material().young * cable_section().moments().area;
 const double bending = cable_material().young * cable_section().moments().yy;
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Cable: Jacobians of position and tangent are their complex-step derivatives",
                    "[element][cable][results]", Cable<2>, Cable<3>) {
@@ -175,3 +173,5 @@ TEMPLATE_TEST_CASE_SIG("Cable: the force on a slope is the moment at that end",
     const auto moment = element.moment(e, 1.0);
     CHECK(moment[moment.size() - 1] == Approx(bending * kappa).epsilon(1e-4));
 }
+
+}  // namespace cable_results_test

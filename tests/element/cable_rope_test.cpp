@@ -14,12 +14,10 @@
 
 #include <cstdint>
 
-namespace {
+namespace cable_rope_test {
 
 using namespace ancf;
 using test::straight_cable;
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Cable: a rope that only pulls has no axial energy in compression",
                    "[element][cable][rope]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
@@ -61,3 +59,5 @@ TEMPLATE_TEST_CASE("Cable: derivatives hold across taut and slack stations",
                    (Cable<3, EngineeringAxial>)) {
     test::check_derivatives(straight_cable<TestType>({Rule::gauss(5), 0.0}));
 }
+
+}  // namespace cable_rope_test

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace cable_statics_test {
 
 using namespace ancf;
 using test::cantilever;
@@ -68,8 +68,6 @@ typename Model<Element>::Point bent(const SlenderCable& cable, int elements, con
     settle(model, steps);
     return model.position(beam.last());
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Cable: a small tip load deflects by P L^3/(3 E I), with one element",
                    "[element][cable][statics]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>)) {
@@ -272,3 +270,5 @@ TEST_CASE("Cable: Newton's method finds which part of a rope is slack",
     CHECK(coarse_iterations <= 6);  // measured 3
     CHECK(fine_iterations <= 6);
 }
+
+}  // namespace cable_statics_test

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace cable_test {
 
 using namespace ancf;
 using test::cable_length;
@@ -40,8 +40,6 @@ Moments line_moments() {
     line.area = cable_section().moments().area;
     return line;
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("Cable: the straight element has the properties of every element",
                    "[element][cable]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
@@ -198,3 +196,5 @@ TEST_CASE("Cable: refuses what is no cable and says what it got", "[element][cab
     curve(0) = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(Cable<2>(material, section, curve, 0.7), ContainsSubstring("finite"));
 }
+
+}  // namespace cable_test

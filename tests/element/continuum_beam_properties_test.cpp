@@ -11,7 +11,7 @@
 
 #include <iterator>
 
-namespace {
+namespace continuum_beam_properties_test {
 
 using namespace ancf;
 
@@ -36,8 +36,6 @@ ContinuumBeam<Dimension> sample(ContinuumMaterial law, const Section& section,
                                 const Rule& rule = Rule::paper()) {
     return {Material::isotropic(2e7, 0.3, density), section, 0.7, {rule, law}};
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE_SIG(
     "ContinuumBeam: force and tangent equal the complex-step derivatives of energy and force",
@@ -98,3 +96,5 @@ TEST_CASE("ContinuumBeam: degenerate states are not admissible",
     test::check_admissible(sample<3>(ContinuumMaterial::diagonal, odd_section()));
     test::check_admissible(sample<2>(ContinuumMaterial::diagonal, odd_section()));
 }
+
+}  // namespace continuum_beam_properties_test

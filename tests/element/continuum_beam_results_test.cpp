@@ -15,7 +15,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace {
+namespace continuum_beam_results_test {
 
 using namespace ancf;
 using test::Brick;
@@ -34,8 +34,6 @@ Vector<double, 6> listed(const Matrix<double, 3>& t, double factor) {
 Matrix<double, 3> green(const Matrix<double, 3>& f) {
     return 0.5 * (f.transpose() * f - Matrix<double, 3>::Identity());
 }
-
-}  // namespace
 
 TEST_CASE("ContinuumBeam: position is r0 + y r_y + z r_z and its Jacobian the derivative",
           "[element][continuum][results]") {
@@ -210,3 +208,5 @@ TEST_CASE("ContinuumBeam: in the plane results are those of the spatial element"
     CHECK(flat.moment_z == Approx(solid.moment_z).epsilon(1e-12));
     CHECK(plane.admissible(e) == space.admissible(lifted));
 }
+
+}  // namespace continuum_beam_results_test

@@ -14,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-namespace {
+namespace continuum_beam_statics_test {
 
 using namespace ancf;
 
@@ -104,8 +104,6 @@ TipLoad moment_on_slope(const Vector<double, 12>& tip, double moment) {
         moment / square * (turn - 2.0 / square * turned * a.transpose());
     return load;
 }
-
-}  // namespace
 
 TEST_CASE("ContinuumBeam: a slender cantilever reproduces the comparison column of Table 1",
           "[element][continuum][verification]") {
@@ -219,3 +217,5 @@ TEST_CASE("ContinuumBeam: section forces balance a load on the tip",
         CHECK(std::abs(at.torque - t.dot(moment)) <= 1e-4 * end * force * length);
     }
 }
+
+}  // namespace continuum_beam_statics_test

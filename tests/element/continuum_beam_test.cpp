@@ -17,7 +17,7 @@
 #include <iterator>
 #include <limits>
 
-namespace {
+namespace continuum_beam_test {
 
 using namespace ancf;
 using test::Brick;
@@ -31,8 +31,6 @@ ContinuumBeam<Dimension> sample(ContinuumMaterial law, const Rule& rule = Rule::
         offset(rectangle(0.1, 0.2).with_shear_correction(0.8, 0.9), 0.02, -0.03);
     return {Material::isotropic(2e7, 0.3, 7800.0), section, 0.7, {rule, law}};
 }
-
-}  // namespace
 
 TEST_CASE("ContinuumBeam: energy equals the volume integral of its definition",
           "[element][continuum]") {
@@ -256,3 +254,5 @@ TEST_CASE("ContinuumBeam: a section turned inside out is not admissible",
     }
     CHECK(admissible == 100);
 }
+
+}  // namespace continuum_beam_test

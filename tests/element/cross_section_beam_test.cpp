@@ -18,12 +18,12 @@
 #include <string_view>
 #include <type_traits>
 
+namespace cross_section_beam_test {
+
 using namespace ancf;
 using test::Carried;
 using test::Paper;
 using test::Pointwise;
-
-namespace {
 
 /// Generates the variants that an element type allows: the mixed rule has too few points for
 /// pointwise shear.
@@ -35,8 +35,6 @@ test::Variant any_variant() {
         },
         from_range(std::begin(test::variants), std::end(test::variants))));
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: energy and force vanish in every rigid motion of the rest state",
@@ -212,3 +210,5 @@ TEST_CASE("CrossSectionBeam: wrong arguments are refused with their value",
     options.rule = Rule::mixed();
     CHECK_THROWS_WITH(Pointwise(material, section, 1.0, options), ContainsSubstring("shear"));
 }
+
+}  // namespace cross_section_beam_test

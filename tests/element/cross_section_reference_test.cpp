@@ -19,6 +19,8 @@
 #include <string>
 #include <type_traits>
 
+namespace cross_section_reference_test {
+
 using namespace ancf;
 using test::Paper;
 using test::Pointwise;
@@ -57,8 +59,6 @@ TEMPLATE_TEST_CASE(
     CHECK(force <= 1e-12);   // round-off; measured 3e-15
 }
 
-namespace {
-
 /// The material of [Dufva2006, section 5.2].
 Material table_material() { return Material::from_moduli(2.07e11, 7.9615e10, 7850.0); }
 
@@ -80,8 +80,6 @@ Tip tip_of(int elements, double width, double height, double force) {
 
 /// Load of Model II: 1.5 E I/L^2.
 double model_two_load() { return 1.5 * 2.07e11 * 1e-8 / 12.0 / 4.0; }
-
-}  // namespace
 
 TEST_CASE("CrossSectionBeam: tip positions of Table 1 with linear shear",
           "[element][cross-section]") {
@@ -135,3 +133,5 @@ TEST_CASE("CrossSectionBeam: the mixed rule converges with fourth order in Model
     for (int k = 1; k < 4; ++k) CHECK(error[k - 1] / error[k] >= 14.0);
     CHECK(error[3] <= 2e-6 * 2.0);
 }
+
+}  // namespace cross_section_reference_test

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <iterator>
 
+namespace cross_section_results_test {
+
 using namespace ancf;
 using test::Carried;
 using test::Paper;
@@ -161,8 +163,6 @@ TEST_CASE("CrossSectionBeam: a stretched bar pulls with its stretch times E A ti
           Approx(expected / area / stretch).epsilon(1e-13));
 }
 
-namespace {
-
 /// Largest deviation of the section forces from those of a load at the tip, over the middles of the
 /// elements.
 struct Imbalance {
@@ -199,8 +199,6 @@ Imbalance imbalance(int elements, double scale, const Section& section) {
     return worst;
 }
 
-}  // namespace
-
 TEST_CASE("CrossSectionBeam: section forces balance the load at the tip",
           "[element][cross-section][results]") {
     // Strains of a displacement element: the limits are about three times what was measured.
@@ -216,3 +214,5 @@ TEST_CASE("CrossSectionBeam: section forces balance the load at the tip",
     CHECK(bent.force <= 1e-2);
     CHECK(bent.moment <= 1e-3);
 }
+
+}  // namespace cross_section_results_test

@@ -22,7 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace curved_reference_test {
 
 using namespace ancf;
 using test::Carried;
@@ -123,8 +123,6 @@ int for_each_curved(const Visit& visit) {
 double axial_stiffness() {
     return test::sample_material().young * test::sample_odd_section().moments().area;
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("curved references: no force in the reference, however moved",
                    "[element][curved]", Paper, Carried, Pointwise, Planar) {
@@ -401,3 +399,5 @@ TEMPLATE_TEST_CASE("curved references: what is no reference is refused",
     });
     CHECK(refused >= TestType::dofs + 4);
 }
+
+}  // namespace curved_reference_test

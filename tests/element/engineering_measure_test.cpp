@@ -17,9 +17,9 @@
 #include <cstdint>
 #include <type_traits>
 
-using namespace ancf;
+namespace engineering_measure_test {
 
-namespace {
+using namespace ancf;
 
 using Projecting = CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>;
 using Carrying = CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
@@ -31,8 +31,6 @@ Element sample(const char* rule, const Section& section) {
     options.rule = Rule::named(rule);
     return {test::sample_material(), section, 0.7, options};
 }
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("engineering measure: the element has the properties of every element",
                    "[element][measure]", Projecting, Carrying, Flat) {
@@ -109,3 +107,5 @@ TEST_CASE("engineering measure: a stretched bar pulls with E A times its elongat
     CHECK(element.force(e)[12] == Approx(0.3 * stiffness).epsilon(1e-13));
     CHECK(element.section_forces(e, 0.4).axial == Approx(0.3 * stiffness).epsilon(1e-13));
 }
+
+}  // namespace engineering_measure_test

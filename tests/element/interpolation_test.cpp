@@ -15,6 +15,8 @@
 #include <cmath>
 #include <string>
 
+namespace interpolation_test {
+
 using namespace ancf;
 
 TEST_CASE("hermite: a cubic, its slope and its curvature are reproduced",
@@ -37,8 +39,6 @@ TEST_CASE("hermite: a cubic, its slope and its curvature are reproduced",
     }
 }
 
-namespace {
-
 /// Returns the error of a quadrature for x^degree on [0, 1].
 double error(const Quadrature& quadrature, int degree) {
     double sum = 0.0;
@@ -46,8 +46,6 @@ double error(const Quadrature& quadrature, int degree) {
         sum += point.weight * std::pow(point.xi, degree);
     return std::abs(sum - 1.0 / (degree + 1));
 }
-
-}  // namespace
 
 TEST_CASE("quadrature: Gauss is exact to degree 2 n - 1, Lobatto to 2 n - 3",
           "[element][interpolation]") {
@@ -120,3 +118,5 @@ TEST_CASE("mass weights: a uniform bar has the textbook's cubic mass matrix",
     CHECK((planar.topLeftCorner<3, 3>() - weights.topLeftCorner<3, 3>()).norm() == 0.0);
     CHECK((cable.bottomRightCorner<2, 2>() - weights.block<2, 2>(4, 4)).norm() == 0.0);
 }
+
+}  // namespace interpolation_test

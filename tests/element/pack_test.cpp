@@ -16,6 +16,8 @@
 #include <cmath>
 #include <iterator>
 
+namespace pack_test {
+
 using namespace ancf;
 using test::Carried;
 using test::Paper;
@@ -53,8 +55,6 @@ TEMPLATE_TEST_CASE_SIG("Pack: arithmetic acts lane by lane", "[element][pack]",
     }
     CHECK(lane_sum(a) == total);
 }
-
-namespace {
 
 /// Returns the largest difference between the lanes of a pack's evaluation and single evaluations,
 /// relative.
@@ -97,8 +97,6 @@ double difference(const std::array<const Element*, Lanes>& elements, const Packe
     return worst;
 }
 
-}  // namespace
-
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: equal elements in the lanes of a pack give what each gives alone",
     "[element][cross-section][pack]", Paper, Carried) {
@@ -129,3 +127,5 @@ TEST_CASE("CrossSectionBeam: elements of different rules are not put together",
     CHECK_THROWS_WITH(Paper::together<2>({&one, &two}), ContainsSubstring("mixed"));
     CHECK_THROWS_WITH(Paper::together<2>({&one, &three}), ContainsSubstring("transverse"));
 }
+
+}  // namespace pack_test

@@ -14,7 +14,7 @@
 
 #include <iterator>
 
-namespace {
+namespace planar_beam_test {
 
 using namespace ancf;
 using Planar = CrossSectionBeam<2>;
@@ -46,8 +46,6 @@ Spatial::Coordinates lifted(const Planar::Coordinates& e) {
     result[11] = result[23] = 1.0;
     return result;
 }
-
-}  // namespace
 
 TEST_CASE("planar cross-section beam: it has the properties of every element",
           "[element][planar][properties]") {
@@ -150,3 +148,5 @@ TEST_CASE("planar cross-section beam: states without directors are not admissibl
                            options(TransverseStrain::green, "gauss2")),
                     InvalidArgument);
 }
+
+}  // namespace planar_beam_test

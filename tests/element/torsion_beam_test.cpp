@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace {
+namespace torsion_beam_test {
 
 using namespace ancf;
 
@@ -60,8 +60,6 @@ std::vector<TorsionBeam::Coordinates> references() {
     all.push_back(all[2] + 0.1 * random.vector<18>());
     return all;
 }
-
-}  // namespace
 
 TEST_CASE("torsion beam: it has the properties of every element",
           "[element][torsion][properties]") {
@@ -185,3 +183,5 @@ TEST_CASE("torsion beam: what it cannot be made of is refused", "[element][torsi
     broken[3] = std::nan("");
     CHECK_THROWS_AS(TorsionBeam(m, sample_section(), broken, range), InvalidArgument);
 }
+
+}  // namespace torsion_beam_test

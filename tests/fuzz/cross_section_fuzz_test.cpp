@@ -9,7 +9,11 @@
 
 #include <fuzz/try_out.hpp>
 
+namespace cross_section_fuzz_test {
+
 TEMPLATE_TEST_CASE("fuzz: no coordinates crash an element, and admissible ones give finite results",
                    "[fuzz]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>) {
     ancf::test::try_out<TestType>();
 }
+
+}  // namespace cross_section_fuzz_test

@@ -15,7 +15,7 @@
 #include <complex>
 #include <limits>
 
-namespace {
+namespace constraints_test {
 
 using ancf::Field;
 using ancf::MatrixX;
@@ -155,8 +155,6 @@ void check_regular(const Scene& model, const Constraint& constraint, bool positi
     // slopes are stretched by less than 1.6: no equation is weaker than a third
     CHECK(svd.singularValues().minCoeff() > 0.1);
 }
-
-}  // namespace
 
 TEST_CASE("constraints on points: derivatives equal complex steps", "[constraint]") {
     const auto seed = GENERATE(range(0U, 30U));
@@ -345,3 +343,5 @@ TEST_CASE("constraints refuse what cannot be meant", "[constraint]") {
     CHECK_THROWS_AS(ancf::PlanarWeld(plane, a, b, Field::r), InvalidArgument);
     CHECK_THROWS_AS(ancf::PlanarWeld(plane, a, b, ancf::Motion{}), InvalidArgument);
 }
+
+}  // namespace constraints_test

@@ -22,7 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace curve_test {
 
 using namespace ancf;
 using Spatial = CrossSectionBeam<3, Geodesic>;
@@ -98,8 +98,6 @@ template <class Point>
 double order(const Point& coarse, const Point& middle, const Point& fine) {
     return std::log2((coarse - middle).norm() / (middle - fine).norm());
 }
-
-}  // namespace
 
 TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "[model][curve]") {
     Space model;
@@ -368,3 +366,5 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
     CHECK_THROWS_AS(arc(plane, m, s, P2(0, 0), P2(1, 0), 1.0, 0.0, 4), InvalidArgument);
     CHECK_THROWS_AS(arc(plane, m, s, P2(0, 0), P2(0, 0), 1.0, 1.0, 4), InvalidArgument);
 }
+
+}  // namespace curve_test

@@ -23,7 +23,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace damping_test {
 
 using namespace ancf;
 using Element = CrossSectionBeam<2>;
@@ -54,8 +54,6 @@ template <class Scene>
 void set_velocity(Scene& model, const Point& velocity) {
     for (int node = 0; node < model.nodes(); ++node) model.set_rate({node}, Field::r, velocity);
 }
-
-}  // namespace
 
 TEST_CASE("LinearDamping: force and derivatives are those of -D v", "[model][damping]") {
     test::Random random(2);
@@ -157,3 +155,5 @@ TEST_CASE("damping: values that cannot be meant are refused", "[model][damping][
     CHECK_THROWS_AS(add_rayleigh_damping(model, beam, 0.0, nan), InvalidArgument);
     CHECK_THROWS_AS(LinearDamping({{{0}, Field::r}}, MatrixX::Zero(2, 3)), InvalidArgument);
 }
+
+}  // namespace damping_test

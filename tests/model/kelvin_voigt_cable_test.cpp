@@ -12,6 +12,8 @@
 
 #include <limits>
 
+namespace kelvin_voigt_cable_test {
+
 using namespace ancf;
 
 TEMPLATE_TEST_CASE("KelvinVoigt: derivatives equal the complex step of the force",
@@ -41,3 +43,5 @@ TEST_CASE("KelvinVoigt: values that cannot be meant are refused", "[model][dampi
             KelvinVoigt<Cable<2>>(test::kelvin_voigt::damped_element<Cable<2>>(), {}, value),
             InvalidArgument);
 }
+
+}  // namespace kelvin_voigt_cable_test

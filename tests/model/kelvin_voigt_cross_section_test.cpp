@@ -9,6 +9,8 @@
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
+namespace kelvin_voigt_cross_section_test {
+
 using namespace ancf;
 
 TEMPLATE_TEST_CASE("KelvinVoigt: derivatives equal the complex step of the force",
@@ -33,3 +35,5 @@ TEMPLATE_TEST_CASE("KelvinVoigt: a bar being stretched dissipates eta E A l (str
                    "[model][damping]", CrossSectionBeam<3>) {
     test::kelvin_voigt::check_stretching<TestType>();
 }
+
+}  // namespace kelvin_voigt_cross_section_test

@@ -10,6 +10,8 @@
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
+namespace kelvin_voigt_planar_test {
+
 using namespace ancf;
 
 TEMPLATE_TEST_CASE("KelvinVoigt: derivatives equal the complex step of the force",
@@ -31,3 +33,5 @@ TEMPLATE_TEST_CASE("KelvinVoigt: a bar being stretched dissipates eta E A l (str
                    "[model][damping]", CrossSectionBeam<2>, ContinuumBeam<2>) {
     test::kelvin_voigt::check_stretching<TestType>();
 }
+
+}  // namespace kelvin_voigt_planar_test

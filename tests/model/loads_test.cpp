@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace {
+namespace loads_test {
 
 using ancf::Field;
 using ancf::NodeId;
@@ -46,8 +46,6 @@ void check_stiffness(const Load& load, const ancf::Vector<double, Size>& q) {
     CHECK((out.force - load.force(q)).norm() <= tolerance * out.force.norm());
     CHECK(ancf::test::relative_error(out.stiffness, expected) <= tolerance);
 }
-
-}  // namespace
 
 TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of the force",
           "[load]") {
@@ -132,3 +130,5 @@ TEST_CASE("loads: values that cannot be meant are refused", "[load][bad-input]")
     CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r, 1.0), ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::PlanarSlopeMoment(node, Field::r_x, infinity), ancf::InvalidArgument);
 }
+
+}  // namespace loads_test

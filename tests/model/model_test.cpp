@@ -15,7 +15,7 @@
 
 #include <limits>
 
-namespace {
+namespace model_test {
 
 using ancf::Field;
 using ancf::InvalidArgument;
@@ -27,8 +27,6 @@ using Vector3 = ancf::Vector<double, 3>;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
 const auto section = ancf::rectangle(0.1, 0.2);
-
-}  // namespace
 
 TEST_CASE("straight_beam: any direction gives unit slopes and equal elements", "[model]") {
     const Vector3 to = GENERATE(Vector3(2, 0, 0), Vector3(-2, 0, 0), Vector3(0, 0, 3),
@@ -160,3 +158,5 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(1, 0, 0), Vector3(2, 0, 0)), InvalidArgument);
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);
 }
+
+}  // namespace model_test

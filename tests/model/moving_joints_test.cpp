@@ -24,7 +24,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace moving_joints_test {
 
 using namespace ancf;
 using Bar = CrossSectionBeam<3>;
@@ -91,8 +91,6 @@ Motion turn(double angle, double duration) {
 Point value(const Scene& model, const State& state, NodeId node, Field field) {
     return state.q.segment<3>(model.coordinate(node, field));
 }
-
-}  // namespace
 
 TEST_CASE("Universal: two shafts turn by Cardan's law, tan b = tan a cos(bend)",
           "[constraint][dynamics]") {
@@ -255,3 +253,5 @@ TEST_CASE("a cable hung on a beam: its weight bends the beam, and both swing wit
     CHECK(course.report.violation <= held);
     CHECK(drift(course) <= 2e-2 * course.report.kinetic_largest);
 }
+
+}  // namespace moving_joints_test

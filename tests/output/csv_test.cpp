@@ -13,15 +13,13 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace csv_test {
 
 struct CommaDecimals : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\3"; }
 };
-
-}  // namespace
 
 TEST_CASE("CsvWriter: the header stands alone on the first line, exactly as given", "[output]") {
     std::ostringstream out;
@@ -79,3 +77,5 @@ TEST_CASE("CsvWriter: words that would break a line are refused by name", "[outp
     CHECK_THROWS_AS(ancf::number_text(1.0, 0), ancf::InvalidArgument);
     CHECK_THROWS_AS(ancf::number_text(1.0, 18), ancf::InvalidArgument);
 }
+
+}  // namespace csv_test

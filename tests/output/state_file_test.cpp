@@ -13,10 +13,10 @@
 #include <sstream>
 #include <string>
 
+namespace state_file_test {
+
 using ancf::SavedState;
 using ancf::VectorX;
-
-namespace {
 
 SavedState awkward() {
     SavedState saved;
@@ -56,8 +56,6 @@ bool same_bits(const VectorX& a, const VectorX& b) {
         if (a[k] != b[k] || std::signbit(a[k]) != std::signbit(b[k])) return false;
     return true;
 }
-
-}  // namespace
 
 TEST_CASE("state file: every bit comes back", "[output][state-file]") {
     const SavedState saved = awkward();
@@ -120,3 +118,5 @@ TEST_CASE("state file: what cannot be read back is not written", "[output][state
     saved.memory.integrator = "two words";
     CHECK_THROWS_AS(text(saved), ancf::InvalidArgument);
 }
+
+}  // namespace state_file_test

@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace surface_test {
 
 using Point = ancf::Vector<double, 3>;
 
@@ -106,8 +106,6 @@ struct Folder {
     Folder& operator=(const Folder&) = delete;
     std::filesystem::path path;
 };
-
-}  // namespace
 
 TEMPLATE_TEST_CASE("deformed_shape: the outline stands where the element's position says",
                    "[output]", ancf::CrossSectionBeam<3>, ancf::ContinuumBeam<3>) {
@@ -332,3 +330,5 @@ TEST_CASE("VtkSeries: the index lists every frame with its time and is complete 
     std::ofstream(folder.path / "file") << "x";
     CHECK_THROWS_WITH(ancf::VtkSeries(folder.path / "file", "a"), ContainsSubstring("file"));
 }
+
+}  // namespace surface_test

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace time_series_test {
 
 using namespace ancf;
 using Element = CrossSectionBeam<2>;
@@ -54,8 +54,6 @@ std::vector<std::string> cells(const std::string& line) {
     for (std::string cell; std::getline(in, cell, ',');) result.push_back(cell);
     return result;
 }
-
-}  // namespace
 
 TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are those of statics",
           "[output][time-series]") {
@@ -132,3 +130,5 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     series.write({state, {}, 0.0, 0.0});
     CHECK_THROWS_AS(series.add_section_forces("late", 0, 0.5), InvalidArgument);
 }
+
+}  // namespace time_series_test

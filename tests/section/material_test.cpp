@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+namespace material_test {
+
 using ancf::InvalidArgument;
 using ancf::Material;
 
@@ -50,3 +52,5 @@ TEST_CASE("Material: a Poisson's ratio outside (-1, 0.5] is refused and named",
     CHECK_THROWS_WITH(Material::isotropic(1.0, bad, 1.0), ContainsSubstring("poisson"));
     CHECK_THROWS_AS(Material::isotropic(1.0, bad, 1.0), InvalidArgument);
 }
+
+}  // namespace material_test

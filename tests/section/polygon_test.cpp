@@ -13,12 +13,12 @@
 #include <limits>
 #include <vector>
 
+namespace polygon_test {
+
 using ancf::polygon;
 using ancf::SectionPoint;
 using ancf::test::difference;
 using ancf::test::moments_of;
-
-namespace {
 
 constexpr double tolerance = 1e-13;  // round-off; measured 3e-15
 
@@ -35,8 +35,6 @@ std::vector<SectionPoint> random_star(std::uint64_t seed, SectionPoint centre) {
     }
     return points;
 }
-
-}  // namespace
 
 TEST_CASE("polygon: a rectangle's corners give the rectangle", "[section][polygon]") {
     const auto section = polygon({{-0.25, -0.05}, {0.25, -0.05}, {0.25, 0.05}, {-0.25, 0.05}});
@@ -155,3 +153,5 @@ TEST_CASE("polygon: what bounds no area, or crosses itself, is refused with the 
     }
     CHECK_THROWS_WITH(polygon({{0, 0}, {1, 0}, {0, 1}}, {nan, 0.0}), ContainsSubstring("origin"));
 }
+
+}  // namespace polygon_test

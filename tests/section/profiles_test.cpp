@@ -9,13 +9,13 @@
 #include <cmath>
 #include <limits>
 
+namespace profiles_test {
+
 using ancf::hollow_rectangle;
 using ancf::i_section;
 using ancf::test::box;
 using ancf::test::difference;
 using ancf::test::moments_of;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -42,8 +42,6 @@ double shear_flow_correction(double b, double h, double flange, double web) {
     });
     return second_moment * second_moment / (area * (flanges + webs));
 }
-
-}  // namespace
 
 TEST_CASE("hollow rectangle and I-section: moments equal those by quadrature over the area",
           "[section][profiles]") {
@@ -165,3 +163,5 @@ TEST_CASE("hollow rectangle and I-section: bad dimensions are refused by name",
     for (const Bad& bad : beam)
         CHECK_THROWS_WITH(i_section(bad.a, bad.b, bad.c, bad.d), ContainsSubstring(bad.message));
 }
+
+}  // namespace profiles_test

@@ -9,16 +9,14 @@
 #include <cmath>
 #include <limits>
 
+namespace section_test {
+
 using ancf::Moments;
 using ancf::Section;
 using ancf::test::difference;
 using ancf::test::moments_of;
 
-namespace {
-
 constexpr double pi = 3.14159265358979323846;
-
-}  // namespace
 
 TEST_CASE("rectangle: width lies along z and height along y, as closed forms say",
           "[section][rectangle]") {
@@ -187,3 +185,5 @@ TEST_CASE("from_moments: the outline has the centroid and radii of gyration of t
     CHECK(drawn.yz / drawn.area == Approx(m.yz / m.area));
     CHECK(drawn.zz / drawn.area == Approx(m.zz / m.area));
 }
+
+}  // namespace section_test

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+namespace stiffness_test {
+
 using ancf::Material;
 using ancf::Section;
 using ancf::section_stiffness;
@@ -21,8 +23,6 @@ using ancf::SectionModel;
 using ancf::SectionStiffness;
 using ancf::Vector;
 using ancf::test::Area;
-
-namespace {
 
 const Material steel = Material::from_moduli(2.07e11, 7.9615e10, 7850.0);
 
@@ -62,8 +62,6 @@ template <class Matrix>
 double least_eigenvalue(const Matrix& matrix) {
     return Eigen::SelfAdjointEigenSolver<Matrix>(matrix).eigenvalues()(0);
 }
-
-}  // namespace
 
 TEST_CASE("section stiffness: the paper's energy equals the quadrature over the area",
           "[section][stiffness]") {
@@ -201,3 +199,5 @@ TEST_CASE("section stiffness: what the model needs and the section lacks is name
     CHECK_THROWS_WITH(section_stiffness(Material{1.0, 0.0, 1.0}, ancf::circle(1.0)),
                       ContainsSubstring("shear"));
 }
+
+}  // namespace stiffness_test

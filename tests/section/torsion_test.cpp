@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-using ancf::rectangle_torsion_constant;
+namespace torsion_test {
 
-namespace {
+using ancf::rectangle_torsion_constant;
 
 /// The series as textbooks print it, tanh and all, summed until its tail is below round-off.
 long double textbook_series(long double a, long double b) {
@@ -21,8 +21,6 @@ long double textbook_series(long double a, long double b) {
         sum += std::tanh(n * pi * a / (2.0L * b)) / std::pow(static_cast<long double>(n), 5);
     return a * b * b * b * (1.0L / 3.0L - 64.0L * b / (std::pow(pi, 5) * a) * sum);
 }
-
-}  // namespace
 
 TEST_CASE("torsion constant: the square's is 0.1405770149... a^4", "[section][torsion]") {
     CHECK(rectangle_torsion_constant(1.0, 1.0) == Approx(0.14057701495515372).epsilon(1e-13));
@@ -63,3 +61,5 @@ TEST_CASE("torsion constant: sides that are not positive and finite are refused 
     CHECK_THROWS_WITH(rectangle_torsion_constant(bad, 1.0), ContainsSubstring("width"));
     CHECK_THROWS_WITH(rectangle_torsion_constant(1.0, bad), ContainsSubstring("height"));
 }
+
+}  // namespace torsion_test

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace {
+namespace automatic_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -37,4 +37,4 @@ TEST_CASE("Automatic: a grid goes to the general solver, and it says why", "[sol
     CHECK(solver.is_chain());
 }
 
-}  // namespace
+}  // namespace automatic_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace block_tridiagonal_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -135,14 +135,14 @@ TEST_CASE("BlockTridiagonal: a cantilever of 5000 elements is solved, of 30 000 
     // eps / rcond is the error to expect: 0.3 at 5000, far above 1 at 30 000
     BlockTridiagonal solver;
     for (const int elements : {5000, 30000}) {
-        const SparseMatrix tangent = Beam{elements, 1.0, 0.01}.tangent();
+        const SparseMatrix tangent = SampleBeam{elements, 1.0, 0.01}.tangent();
         solver.analyze(tangent);
         const FactorReport report = solver.factorize(tangent);
         CHECK(report.status == (elements < 10000 ? Status::converged : Status::singular));
         CHECK(report.rcond < 1e-14);
     }
     BlockTridiagonal lenient(0.0);
-    const SparseMatrix tangent = Beam{30000, 1.0, 0.01}.tangent();
+    const SparseMatrix tangent = SampleBeam{30000, 1.0, 0.01}.tangent();
     lenient.analyze(tangent);
     CHECK(lenient.factorize(tangent).status == Status::converged);
 }
@@ -155,4 +155,4 @@ TEST_CASE("BlockTridiagonal: a limit that is no reciprocal condition number is r
     CHECK_NOTHROW(BlockTridiagonal(0.0));
 }
 
-}  // namespace
+}  // namespace block_tridiagonal_test

@@ -13,7 +13,7 @@
 
 #include <limits>
 
-namespace {
+namespace conditioning_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("rcond: on beams it is within a factor of three of the smalle
     int checked = 0;
     for (const int elements : {1, 2, 4, 8, 16})
         for (const double height : {0.3, 0.1, 0.01, 0.001}) {
-            const SparseMatrix tangent = Beam{elements, 1.0, height}.tangent();
+            const SparseMatrix tangent = SampleBeam{elements, 1.0, height}.tangent();
             const double ratio = reported_rcond<TestType>(tangent) / exact_rcond(tangent);
             INFO("elements " << elements << ", height " << height << ", ratio " << ratio);
             CHECK(ratio > 1.0 / 3.0);  // measured 0.59 to 1.45
@@ -54,14 +54,14 @@ TEMPLATE_TEST_CASE("rcond: on beams it is within a factor of three of the smalle
 
 TEMPLATE_TEST_CASE("rcond: it falls with the fourth power of the number of elements",
                    "[solver][condition]", BlockTridiagonal, EigenLdlt, EigenLu) {
-    const double coarse = reported_rcond<TestType>(Beam{64, 1.0, 0.1}.tangent());
-    const double fine = reported_rcond<TestType>(Beam{512, 1.0, 0.1}.tangent());
+    const double coarse = reported_rcond<TestType>(SampleBeam{64, 1.0, 0.1}.tangent());
+    const double fine = reported_rcond<TestType>(SampleBeam{512, 1.0, 0.1}.tangent());
     CHECK(std::log(coarse / fine) / std::log(8.0) == Approx(4.0).margin(0.1));
 }
 
 TEMPLATE_TEST_CASE("rcond: units do not change it", "[solver][condition]", BlockTridiagonal,
                    EigenLdlt, EigenLu) {
-    const SparseMatrix tangent = Beam{16, 1.0, 0.05}.tangent();
+    const SparseMatrix tangent = SampleBeam{16, 1.0, 0.05}.tangent();
     const double expected = reported_rcond<TestType>(tangent);
     VectorX unit(tangent.cols());
     for (Eigen::Index i = 0; i < unit.size(); ++i) unit[i] = std::ldexp(1.0, int(i % 61) - 30);
@@ -72,8 +72,8 @@ TEMPLATE_TEST_CASE("rcond: units do not change it", "[solver][condition]", Block
 TEMPLATE_TEST_CASE("rcond: a mechanism is named by an unknown that takes part in it",
                    "[solver][condition]", BlockTridiagonal, EigenLdlt, EigenLu) {
     // two beams that are not connected: the second one is free
-    const SparseMatrix held = Beam{4, 1.0, 0.05, 12}.tangent();
-    const SparseMatrix free = Beam{4, 1.0, 0.05, 0}.tangent();
+    const SparseMatrix held = SampleBeam{4, 1.0, 0.05, 12}.tangent();
+    const SparseMatrix free = SampleBeam{4, 1.0, 0.05, 0}.tangent();
     Triplets triplets;
     for (const auto& [matrix, first] : {std::pair(&held, 0), std::pair(&free, 48)})
         for (int j = 0; j < matrix->cols(); ++j)
@@ -102,4 +102,4 @@ TEST_CASE("symmetric_roots: the root of the diagonal, or what scales a constrain
     CHECK((roots - expected).norm() <= 1e-15);
 }
 
-}  // namespace
+}  // namespace conditioning_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace {
+namespace eigen_solver_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -72,4 +72,4 @@ TEST_CASE("EigenLdlt, EigenLu: a limit that is no reciprocal condition number is
     }
 }
 
-}  // namespace
+}  // namespace eigen_solver_test

@@ -103,7 +103,7 @@ inline SparseMatrix grid(int side) {
 /// [r r_x r_y r_z]; square section of side `height`, E = 2e11 Pa, nu = 0.
 ///
 /// It lies askew to the axes, so that no round-off cancels by symmetry.
-struct Beam {
+struct SampleBeam {
     int elements = 1;
     double length = 1.0;     ///< m
     double height = 0.01;    ///< m
@@ -144,7 +144,7 @@ struct Beam {
     }
 };
 
-inline Matrix<double, 24> Beam::element_tangent() const {
+inline Matrix<double, 24> SampleBeam::element_tangent() const {
     const double l = length / elements;
     const double area = height * height;
     const double inertia = area * area / 12.0;
@@ -190,7 +190,7 @@ inline Matrix<double, 24> Beam::element_tangent() const {
     return tangent;
 }
 
-inline SparseMatrix Beam::tangent() const {
+inline SparseMatrix SampleBeam::tangent() const {
     Matrix<double, 24> turn = Matrix<double, 24>::Zero();
     for (int k = 0; k < 24; k += 3) turn.block<3, 3>(k, k) = axes();
     const Matrix<double, 24> element = turn * element_tangent() * turn.transpose();

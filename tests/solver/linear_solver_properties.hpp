@@ -136,7 +136,7 @@ void calls_a_singular_matrix_singular() {
     int seen = 0;
     for (const int elements : {1, 4, 16, 64, 256})
         for (const int clamped : {0, 3}) {
-            const Beam beam{elements, 1.0, 0.01, clamped};
+            const SampleBeam beam{elements, 1.0, 0.01, clamped};
             INFO("elements " << elements << ", clamped " << clamped);
             CHECK(solve_and_check(solver, beam.tangent(), 0.0).status == Status::singular);
             ++seen;
@@ -283,7 +283,7 @@ void keeps_its_factorisation_when_moved() {
 /// A clamped beam's tip against beam theory: condition number 1e13 after the best scaling.
 template <class Solver>
 void bends_a_long_cantilever(double tolerance) {
-    const Beam beam{1000, 1.0, 0.01};
+    const SampleBeam beam{1000, 1.0, 0.01};
     const SparseMatrix matrix = stored(beam.tangent(), Solver::storage);
     Solver solver;
     solver.analyze(matrix);
@@ -309,13 +309,13 @@ void counts_negative_eigenvalues() {
     };
     for (const int flip : {1, 2, 3, 5, 7, 50})
         check(random_chain({12, 12, 6, 12, 9, 12}, 40, 40.0, flip));
-    const Beam beam{12, 1.0, 0.1};
+    const SampleBeam beam{12, 1.0, 0.1};
     const SparseMatrix tangent = beam.tangent();
     for (const double shift :
          {1.1e-5, 1.3e-3, 1.7e-2, 0.13, 0.57}) {  // past so many natural frequencies
         SparseMatrix shifted = tangent;
         for (int i = 0; i < shifted.cols(); ++i)
-            shifted.coeffRef(i, i) -= shift * Beam::young * 0.01;
+            shifted.coeffRef(i, i) -= shift * SampleBeam::young * 0.01;
         check(shifted);
     }
     CHECK(total > 100);

@@ -16,7 +16,7 @@
 
 #include <string_view>
 
-namespace {
+namespace linear_solver_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -90,4 +90,4 @@ TEST_CASE(
     bends_a_long_cantilever<Scaled<BlockTridiagonal>>(1e-5);  // measured 5e-7
 }
 
-}  // namespace
+}  // namespace linear_solver_test

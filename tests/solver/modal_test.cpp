@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace modal_test {
 
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
@@ -101,8 +101,6 @@ Scene cantilever(int elements, double height, Hold hold = Hold::supports) {
     }
     return scene;
 }
-
-}  // namespace
 
 TEST_CASE("modes: eight elements have Timoshenko's first three pairs of bending", "[modal]") {
     // measured 6.5e-4, of which the mesh of a cubic Hermite beam accounts for (beta h)^4/1440; at
@@ -313,3 +311,5 @@ TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[r
     }
     CHECK_THROWS_AS(ancf::richardson(power, 0), ancf::InvalidArgument);
 }
+
+}  // namespace modal_test

@@ -15,7 +15,7 @@
 
 #include <cmath>
 
-namespace {
+namespace newton_test {
 
 using ancf::NewtonKind;
 using ancf::Status;
@@ -66,8 +66,6 @@ Cantilever rolled(double angle, int elements, double slenderness = 30.0) {
     result.scene.add(ancf::Moment(result.beam.last(), {0, 0, angle * result.bending}));
     return result;
 }
-
-}  // namespace
 
 TEST_CASE("statics: mixed and plain Newton end in the same state", "[statics][newton]") {
     auto plain = loaded(1.5), mixed = loaded(1.5), turned = loaded(1.5);
@@ -188,3 +186,5 @@ TEST_CASE("statics: a small correction that turns is the correction itself", "[s
     CHECK(coarse >= 1e-9);
     CHECK(fine / coarse == Approx(0.01).epsilon(0.05));  // second order; measured 0.0100
 }
+
+}  // namespace newton_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace path_test {
 
 using ancf::CriticalKind;
 using ancf::Field;
@@ -52,8 +52,6 @@ double limit_load(double height) { return load_at(height, height / std::sqrt(3.0
 /// Load at which the steep truss gives way sideways: the tangent's sideways entry vanishes,
 /// 1 + eps l^2 = 0 with 2 eps l^2 = y^2 - h^2.
 double sideways_load(double height) { return load_at(height, std::sqrt(height * height - 2.0)); }
-
-}  // namespace
 
 TEST_CASE("path: a shallow truss snaps through at its two limit loads", "[path]") {
     const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical);
@@ -186,3 +184,5 @@ TEST_CASE("path: calls that cannot be meant are refused", "[path][bad-input]") {
     truss.prescribe(apex, Field::r, 0, [](double factor) { return factor; });
     refused([](auto&) {});
 }
+
+}  // namespace path_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace {
+namespace scaled_test {
 
 using namespace ancf;
 using namespace ancf::test;
@@ -41,7 +41,7 @@ private:
 
 TEST_CASE("Scaled: the inner solver gets a diagonal between 1 and 4, scaled by powers of two",
           "[solver][scaled]") {
-    const SparseMatrix tangent = Beam{8, 1e3, 1e-3}.tangent();
+    const SparseMatrix tangent = SampleBeam{8, 1e3, 1e-3}.tangent();
     Scaled<Rough> solver;
     solver.analyze(tangent);
     REQUIRE(solver.factorize(tangent).status == Status::converged);
@@ -75,7 +75,7 @@ TEST_CASE("Scaled: every step of refinement takes off what the inner solver leav
 TEST_CASE("Scaled: twice the digits in the residual make a long cantilever exact to a double",
           "[solver][scaled]") {
     // condition number 1e12; the exact solution of the rounded matrix by many steps
-    const Beam beam{1000, 1.0, 0.01};
+    const SampleBeam beam{1000, 1.0, 0.01};
     const SparseMatrix tangent = beam.tangent();
     const auto tip = [&](const ScaledOptions& options) {
         Scaled<BlockTridiagonal> solver(BlockTridiagonal(), options);
@@ -112,4 +112,4 @@ TEST_CASE("Scaled: negative steps are refused", "[solver][scaled]") {
                       ContainsSubstring("-1"));
 }
 
-}  // namespace
+}  // namespace scaled_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace statics_test {
 
 using ancf::Field;
 using ancf::Status;
@@ -57,8 +57,6 @@ ancf::StaticsReport solve(Model& model, const ancf::StaticsOptions& options = {}
     ancf::EigenLu solver;
     return ancf::solve_statics(model, solver, options);
 }
-
-}  // namespace
 
 TEST_CASE("statics: a bar in tension finds the stretch of its Green strain", "[statics]") {
     Chain chain = make_chain();
@@ -278,3 +276,5 @@ TEST_CASE("statics: options that cannot be meant are refused", "[statics][bad-in
     refused([](auto& o) { o.first_factor = std::numeric_limits<double>::infinity(); });
     refused([](auto& o) { o.last_factor = 0.0; });
 }
+
+}  // namespace statics_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace cholmod_test {
 
 using namespace ancf;
 using namespace ancf::suitesparse;
@@ -120,4 +120,4 @@ TEST_CASE("Cholmod: a limit that is no reciprocal condition number is refused", 
     CHECK_THROWS_WITH(Cholmod(options), ContainsSubstring("singular_rcond"));
 }
 
-}  // namespace
+}  // namespace cholmod_test

@@ -10,7 +10,7 @@
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
 
-namespace {
+namespace linear_solver_test {
 
 using namespace ancf;
 using namespace ancf::suitesparse;
@@ -47,4 +47,4 @@ TEST_CASE("linear solver: SuiteSparse bends a cantilever of 1000 elements as bea
     bends_a_long_cantilever<Scaled<Cholmod>>(1e-5);
 }
 
-}  // namespace
+}  // namespace linear_solver_test

@@ -7,7 +7,7 @@
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
 
-namespace {
+namespace umfpack_test {
 
 using namespace ancf;
 using namespace ancf::suitesparse;
@@ -57,4 +57,4 @@ TEST_CASE("Umfpack: options that cannot be meant are refused", "[suitesparse]") 
     CHECK_THROWS_WITH(Umfpack(options), ContainsSubstring("singular_rcond"));
 }
 
-}  // namespace
+}  // namespace umfpack_test

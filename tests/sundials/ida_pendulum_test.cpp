@@ -17,14 +17,14 @@
 #include <cmath>
 #include <vector>
 
+namespace ida_pendulum_test {
+
 using ancf::Status;
 using ancf::sundials::Form;
 using ancf::sundials::Ida;
 using ancf::sundials::IdaOptions;
 using ancf::sundials::Order;
 using namespace ancf_test;
-
-namespace {
 
 IdaOptions with_form(Form form, double tolerance) {
     IdaOptions options;
@@ -42,8 +42,6 @@ double largest(const std::vector<Row>& rows, double (*of)(const Row&)) {
 double total(const Row& row) { return row.energies.total(); }
 double violation(const Row& row) { return row.violation; }
 double violation_rate(const Row& row) { return row.violation_rate; }
-
-}  // namespace
 
 TEST_CASE("Ida: the paper's pendulum of four elements passes the known heights in both forms",
           "[ida][pendulum]") {
@@ -215,3 +213,5 @@ TEST_CASE("Ida: a spinning free beam keeps its momenta within the tolerance", "[
         CHECK((after.moment - before.moment).norm() <= 1e-6 * before.moment.norm());
     }
 }
+
+}  // namespace ida_pendulum_test

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace ida_test {
+
 using ancf::InvalidArgument;
 using ancf::Status;
 using ancf::sundials::Form;
@@ -26,8 +28,6 @@ using ancf::sundials::Ida;
 using ancf::sundials::IdaOptions;
 using ancf::sundials::Order;
 using namespace ancf_test;
-
-namespace {
 
 /// A load whose value after a time is the user's trouble.
 struct Trouble {
@@ -80,8 +80,6 @@ ancf::Schedule until(double end, std::vector<double> times = {}) {
     schedule.times = std::move(times);
     return schedule;
 }
-
-}  // namespace
 
 TEST_CASE("Ida: options that cannot be meant are refused by name", "[ida][input]") {
     const auto refused = [](auto change, const std::string& name) {
@@ -390,3 +388,5 @@ TEST_CASE("Ida: joints hold in space", "[ida][joints]") {
         got.rows.back().state.q[scene.model->coordinate(second.last(), ancf::Field::r) + 2];
     CHECK(std::abs(depth) > 0.05);  // truly out of the plane
 }
+
+}  // namespace ida_test

@@ -13,12 +13,12 @@
 #include <support/instances/cross_section.hpp>
 #include <support/random_state.hpp>
 
+namespace jacobian_test {
+
 using ancf::MatrixX;
 using ancf::VectorX;
 using ancf::sundials::Form;
 using namespace ancf_test;
-
-namespace {
 
 /// A force against the velocity of a node: a load that depends on rates.
 struct Damper {
@@ -39,8 +39,6 @@ MatrixX dense(SUNMatrix matrix) {
             out(SUNSparseMatrix_IndexValues(matrix)[k], j) += SUNSparseMatrix_Data(matrix)[k];
     return out;
 }
-
-}  // namespace
 
 TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after SUNMatZero",
           "[ida][jacobian]") {
@@ -107,3 +105,5 @@ TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after
         CHECK((jacobian.row(i) - expected.row(i)).norm() <= 1e-6 * expected.row(i).norm());
     }
 }
+
+}  // namespace jacobian_test

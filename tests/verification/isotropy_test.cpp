@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace {
+namespace isotropy_test {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
@@ -60,8 +60,6 @@ std::array<double, 3> errors(Profile profile, double angle) {
     return result;
 }
 
-}  // namespace
-
 TEST_CASE("isotropy: geodesic directors bend with one order and error in every plane",
           "[verification]") {
     const Profile profile = GENERATE(Profile::square, Profile::round);
@@ -90,3 +88,5 @@ TEST_CASE("isotropy: projected directors fall from fourth to second order off th
         CHECK(turned[2] <= 2.1e-4);  // measured 4.8e-5, 1.4e-4, 1.9e-4
     }
 }
+
+}  // namespace isotropy_test

@@ -18,7 +18,7 @@
 
 #include <cmath>
 
-namespace {
+namespace reissner_test {
 
 using ancf::Field;
 using ancf::Status;
@@ -45,8 +45,6 @@ Point loaded_tip(const ancf::Section& section, double force, int elements) {
     REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
     return scene.position(beam.last());
 }
-
-}  // namespace
 
 TEST_CASE("Reissner: the slender cantilever comes to the value of the theory", "[verification]") {
     const double force = 1.5 * 2.07e11 * 1e-8 / 12.0 / 4.0;
@@ -125,3 +123,5 @@ TEST_CASE("Reissner: Lee's frame snaps at the limit loads of the theory", "[veri
     CHECK(report.critical[0].factor * 18544.5 == Approx(18544.52709444).epsilon(5e-4));   // 4.2e-4
     CHECK(report.critical[1].factor * 18544.5 == Approx(-9392.489640346).epsilon(5e-4));  // 2.3e-4
 }
+
+}  // namespace reissner_test

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace zero_modes_test {
 
 using ancf::Status;
 using Paper = ancf::CrossSectionBeam<3>;
@@ -71,8 +71,6 @@ int below(const Scene& scene, double value) {
     return solver.factorize(shifted).negative_pivots;
 }
 
-}  // namespace
-
 TEMPLATE_TEST_CASE("chains without stress have exactly six motions without energy",
                    "[verification][zero-modes]", Paper, Carried) {
     const auto shape = GENERATE(Shape::straight, Shape::semicircle, Shape::twisted);
@@ -89,3 +87,5 @@ TEMPLATE_TEST_CASE("chains without stress have exactly six motions without energ
         }
     CHECK(checked >= 32);
 }
+
+}  // namespace zero_modes_test
