@@ -30,7 +30,8 @@ int main() {
     const auto schedule = ancf::equal_intervals(0.0, 0.3, 0.1);
     const auto report = ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
 
-    const auto gap = model.position(upper.last()) - model.position(lower.first());
+    const ancf::Vector<double, 3> gap =
+        model.position(upper.last()) - model.position(lower.first());
     std::cout << to_string(report.status) << ", tip " << model.position(lower.last()).transpose()
               << " m, the hinge is open by " << gap.norm() << " m\n";
     const bool good = gap.norm() < 1e-12 && model.position(lower.last())[1] < -0.3;
