@@ -39,7 +39,7 @@ namespace {
 using Point = ancf::Vector<double, 3>;
 
 constexpr double radius = 100.0;
-constexpr double angle = M_PI / 4.0;
+constexpr double angle = ancf::pi / 4.0;
 constexpr double usual_force = 600.0;
 
 /// The arc's length and section; k = 1 of the first published row.

@@ -56,7 +56,7 @@ struct FourBar {
     double step = 1e-2;  // s
     double rho = 0.6;
     double duration = 6.0;  // s: past the place where all bars lie in one line
-    double interval = 0.1;   // s
+    double interval = 0.1;  // s
     bool csv = false;
 
     void parse(int argc, char** argv);
@@ -85,15 +85,16 @@ void FourBar::parse(int argc, char** argv) {
 /// turns against space.
 ancf::Motion crank() {
     const auto value = [](double t) {
-        const double pi = M_PI;
         if (t >= start_up) return -speed * (t - 0.5 * start_up);
-        return -0.5 * speed * (t - start_up / pi * std::sin(pi * t / start_up));
+        return -0.5 * speed * (t - start_up / ancf::pi * std::sin(ancf::pi * t / start_up));
     };
     const auto rate = [](double t) {
-        return t >= start_up ? -speed : -0.5 * speed * (1.0 - std::cos(M_PI * t / start_up));
+        return t >= start_up ? -speed : -0.5 * speed * (1.0 - std::cos(ancf::pi * t / start_up));
     };
     const auto acceleration = [](double t) {
-        return t >= start_up ? 0.0 : -0.5 * speed * M_PI / start_up * std::sin(M_PI * t / start_up);
+        return t >= start_up
+                   ? 0.0
+                   : -0.5 * speed * ancf::pi / start_up * std::sin(ancf::pi * t / start_up);
     };
     return {value, rate, acceleration};
 }
@@ -123,7 +124,7 @@ Run turn(const FourBar& problem, int elements) {
     const auto crank_bar = ancf::straight_beam(model, steel, wide, A, B, elements, options);
     const auto coupler = ancf::straight_beam(model, steel, wide, B, C, elements, options);
     const auto rocker = ancf::straight_beam(model, steel, slender, C, D, elements, options);
-    const double lean = problem.skew * M_PI / 180.0;
+    const double lean = problem.skew * ancf::pi / 180.0;
     model.add(ancf::DrivenRevolute(model, crank_bar.first(), Z, crank()));
     model.add(ancf::Revolute(model, crank_bar.last(), coupler.first(), Z));
     model.add(ancf::Revolute(model, coupler.last(), rocker.first(),
@@ -203,7 +204,7 @@ bool study(const FourBar& problem) {
         sheet.add_csv(at.time, at.angle, at.place[0], at.place[1], at.place[2], at.energy, at.work);
         using examples::fixed;
         if (k % 5 == 0)
-            sheet.add_table({fixed(at.time, 2), fixed(at.angle * 180.0 / M_PI, 2),
+            sheet.add_table({fixed(at.time, 2), fixed(at.angle * 180.0 / ancf::pi, 2),
                              fixed(1e3 * at.place[0], 4), fixed(1e3 * at.place[1], 4),
                              fixed(1e3 * at.place[2], 4), fixed(at.energy, 5), fixed(at.work, 5)});
     }

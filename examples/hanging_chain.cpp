@@ -52,7 +52,8 @@
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
+
 constexpr double gravity = 9.81;     // m/s^2
 constexpr double area = 1e-4;        // m^2
 constexpr double line_weight = 1.0;  // w, N/m

@@ -90,7 +90,7 @@ Result solve(const Princeton& problem, const Row& row) {
     ancf::Model<Element> model;
     const auto beam = examples::straight_beam(model, problem.beam, problem.elements);
     model.clamp(beam.first(), problem.beam.clamped());
-    const double angle = row.angle * M_PI / 180.0;
+    const double angle = row.angle * ancf::pi / 180.0;
     const Point force(0.0, row.load * std::cos(angle), row.load * std::sin(angle));
     model.add(ancf::Force<3>(beam.last(), force));
     auto report = examples::solve(model, problem.solver);

@@ -32,10 +32,10 @@
 
 namespace {
 
+using ancf::pi;
 using examples::Published;
 using Point = ancf::Vector<double, 3>;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double tolerance = 2e-5;  // m
 
 /// Tip (x, y) with the moment on r_y: the digits that Fig. 8 is drawn from.

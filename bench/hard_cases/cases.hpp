@@ -16,6 +16,8 @@
 
 namespace hard_cases {
 
+using ancf::pi;
+
 /// One line of the table.
 struct Row {
     std::string name;

@@ -22,8 +22,6 @@ using Beam =
 using Scene = ancf::Model<Beam>;
 using Plane = ancf::Vector<double, 2>;
 
-inline constexpr double pi = 3.14159265358979323846;
-
 inline Row make(std::string name, int elements, double limit) {
     Row row;
     row.name = std::move(name);

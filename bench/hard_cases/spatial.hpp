@@ -28,7 +28,6 @@
 
 namespace hard_cases {
 
-constexpr double pi = 3.14159265358979323846;
 using Point = ancf::Vector<double, 3>;
 
 /// What the cases of one element type and rule share.

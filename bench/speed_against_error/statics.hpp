@@ -34,7 +34,7 @@
 
 namespace speed {
 
-inline constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 
 /// A beam along X (or an arc from it), what it is made of and how it is loaded.
 struct StaticCase {

@@ -30,11 +30,7 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// Which part of a sparse matrix is stored: `lower` of a symmetric one, or all of any.
 enum class Storage { lower, full };
 
-namespace detail {
-
 inline constexpr double pi = 3.14159265358979323846;
-
-}  // namespace detail
 
 /// Returns the vector product; unlike Eigen's it needs no header for geometry.
 template <class Scalar>

@@ -99,12 +99,12 @@ TEST_CASE("SlopeMoment: the work over one turn of a normal slope is 2 pi m", "[l
     constexpr int parts = 1000;
     double work = 0.0;
     for (int k = 0; k < parts; ++k) {
-        const double angle = 2.0 * M_PI * k / parts;
+        const double angle = 2.0 * ancf::pi * k / parts;
         const Vector3 slope(1.2 * std::cos(angle), 1.2 * std::sin(angle), 0.0);
-        const Vector3 step = 2.0 * M_PI / parts * Vector3(-slope[1], slope[0], 0.0);
+        const Vector3 step = 2.0 * ancf::pi / parts * Vector3(-slope[1], slope[0], 0.0);
         work += load.force(slope).dot(step);
     }
-    CHECK(work == Approx(6.0 * M_PI).epsilon(1e-12));
+    CHECK(work == Approx(6.0 * ancf::pi).epsilon(1e-12));
 }
 
 TEST_CASE("Force: its potential falls by the work it does", "[load]") {

@@ -152,11 +152,11 @@ auto helix(Model<Elements...>& model, const Material& material, const Section& s
     detail::require_positive("helix: turns", turns);
     detail::require(elements >= 1, "helix: at least one element is needed, got ", elements);
     const Matrix<double, 3> frame = reference_slopes(axis, outward);  // axis, outward, across
-    const double rise = pitch / (2.0 * detail::pi);
+    const double rise = pitch / (2.0 * pi);
     const double per_radian = std::sqrt(radius * radius + rise * rise);
     std::vector<CurvePoint<3>> points;
     for (int k = 0; k <= elements; ++k) {
-        const double turn = 2.0 * detail::pi * turns * k / elements;
+        const double turn = 2.0 * pi * turns * k / elements;
         const Vector<double, 3> radial =
             std::cos(turn) * frame.col(1) + std::sin(turn) * frame.col(2);
         const Vector<double, 3> around =
@@ -166,7 +166,7 @@ auto helix(Model<Elements...>& model, const Material& material, const Section& s
                           reference_slopes(tangent, Vector<double, 3>(-radial))});
     }
     return beam_through<Element>(model, material, section, points,
-                                 {2.0 * detail::pi * turns * per_radian / elements},
+                                 {2.0 * pi * turns * per_radian / elements},
                                  std::forward<Options>(options)...);
 }
 
