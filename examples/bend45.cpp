@@ -14,6 +14,7 @@
 /// torsional stiffness at k = 1 (G Ip) a force of 600 brings the tip of a shear-deformable beam to
 /// (47.150439, 15.684801, 53.474859).
 
+#include <ancf/constants.hpp>
 #include <ancf/model/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

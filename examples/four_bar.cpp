@@ -17,6 +17,7 @@
 /// 3e-4 of it), and a mesh twice as fine moves in the same way (0.3 % of the way out of the plane).
 /// At 270 degrees the line is passed again and the linkage snaps through: that takes short steps.
 
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>

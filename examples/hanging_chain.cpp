@@ -19,6 +19,7 @@
 /// tension of w L stretches a soft chain; then E A grows by large factors, each solution the start
 /// of the next.
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>

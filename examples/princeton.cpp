@@ -13,6 +13,7 @@
 /// exact beam of Saint-Venant's torsional stiffness (G J 3.103338 N m^2), solved to round-off:
 /// within 0.5 % of each displacement.
 
+#include <ancf/constants.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/surface.hpp>

@@ -12,6 +12,7 @@
 /// In the thin limit the tip comes to (0, 2 l/pi). This section is thick (0.035 l), and the Green
 /// strain of the element moves its own limit to (-0.003648, 0.633306); 32 elements reach it.
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

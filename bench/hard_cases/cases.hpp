@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <chrono>
@@ -46,6 +47,7 @@ struct Case {
 [[nodiscard]] std::vector<Case> engineering_cases();
 [[nodiscard]] std::vector<Case> planar_cases();
 [[nodiscard]] std::vector<Case> planar_motion_cases();
+[[nodiscard]] std::vector<Case> motion_cases();
 
 /// Returns seconds since the first call.
 [[nodiscard]] inline double now() {

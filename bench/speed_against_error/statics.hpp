@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/torsion_beam.hpp>
 #include <ancf/model/beam.hpp>

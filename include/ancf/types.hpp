@@ -30,8 +30,6 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// Which part of a sparse matrix is stored: `lower` of a symmetric one, or all of any.
 enum class Storage { lower, full };
 
-inline constexpr double pi = 3.14159265358979323846;
-
 /// Returns the vector product; unlike Eigen's it needs no header for geometry.
 template <class Scalar>
 [[nodiscard]] Vector<Scalar, 3> cross(const Vector<Scalar, 3>& a, const Vector<Scalar, 3>& b) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/momentum.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -64,13 +65,13 @@ struct Spring {
 /// Largest relative change of both momenta over a run of a free scene.
 double momentum_drift(BarModel& model, double step, double end, DynamicsReport& report) {
     BarProblem problem(model);
-    const ancf::Resultant start = momentum(problem, model.state());
+    const ancf::Momentum start = momentum(problem, model.state());
     double largest = 0.0;
     Schedule schedule = ancf::equal_intervals(0.0, end, 10.0 * step);
     schedule.observe = [&](const Snapshot& at) {
-        const ancf::Resultant now = momentum(problem, at.state);
-        largest = std::max({largest, (now.force - start.force).norm() / start.force.norm(),
-                            (now.moment - start.moment).norm() / start.moment.norm()});
+        const ancf::Momentum now = momentum(problem, at.state);
+        largest = std::max({largest, (now.linear - start.linear).norm() / start.linear.norm(),
+                            (now.angular - start.angular).norm() / start.angular.norm()});
     };
     ancf::EigenLu solver;
     report = EnergyMomentum(steps(step)).integrate(problem, solver, schedule);

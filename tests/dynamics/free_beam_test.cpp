@@ -5,6 +5,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints.hpp>
@@ -90,13 +91,13 @@ TEST_CASE("free beam: spinning, it keeps its momenta", "[dynamics]") {
     add_rubber(model, 4, {1.0, 0.4, 0.3});
     spin(model, {1.0, 3.0, -4.0}, {0.3, -0.2, 0.1});
     Problem problem(model);
-    const ancf::Resultant start = momentum(problem, model.state());
+    const ancf::Momentum start = momentum(problem, model.state());
     double linear = 0.0, angular = 0.0;
     Schedule schedule = ancf::equal_intervals(0.0, 0.2, 0.01);
     schedule.observe = [&](const ancf::Snapshot& at) {
-        const ancf::Resultant now = momentum(problem, at.state);
-        linear = std::max(linear, (now.force - start.force).norm() / start.force.norm());
-        angular = std::max(angular, (now.moment - start.moment).norm() / start.moment.norm());
+        const ancf::Momentum now = momentum(problem, at.state);
+        linear = std::max(linear, (now.linear - start.linear).norm() / start.linear.norm());
+        angular = std::max(angular, (now.angular - start.angular).norm() / start.angular.norm());
     };
     const DynamicsReport report = run(problem, rho, 1e-3, schedule);
     REQUIRE(report.status == Status::converged);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
@@ -25,7 +26,7 @@ using ancf::State;
 using ancf::Status;
 using ancf::VectorX;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 
 /// A drag -c v on one node and a follower-like force that depends on its place.
 struct Drag {

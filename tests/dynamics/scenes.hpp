@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
@@ -62,12 +61,6 @@ void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
             if (at.field == Field::r) rate += translation;
             state.v.template segment<3>(first) = rate;
         }
-}
-
-/// Returns linear and angular momentum about the origin, kg m/s and kg m^2/s.
-template <class Scene>
-[[nodiscard]] Resultant momentum(const DynamicProblem<Scene>& problem, const State& state) {
-    return resultant(problem.model(), state.q, problem.assembly().mass_product(state.v));
 }
 
 /// Three bars on a massless link, thrown out of the plane of gravity.

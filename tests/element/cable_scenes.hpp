@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/curve.hpp>
@@ -22,7 +23,7 @@
 
 namespace ancf::test {
 
-inline constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 
 /// A cable of unit length and E I = 1 with a square section of this height, so that E A = 12/h^2.
 struct SlenderCable {

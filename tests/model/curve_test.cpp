@@ -4,6 +4,7 @@
 /// @file
 /// Builders of curved beams and frames: their geometry, mass and stiffness.
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/model/curve.hpp>
@@ -32,7 +33,7 @@ using Plane = Model<Planar>;
 using P2 = Vector<double, 2>;
 using P3 = Vector<double, 3>;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 constexpr double side = 0.02, density = 7800.0;
 
 Material steel() { return Material::isotropic(2e11, 0.3, density); }

@@ -4,6 +4,7 @@
 /// @file
 /// Linear damping: matrices of one element, and the decay of motions with a closed form.
 
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/planar_beam.hpp>
@@ -138,7 +139,7 @@ TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",
     const double ratio = 0.5 * (a / w + b * w), damped = w * std::sqrt(1.0 - ratio * ratio);
     const int tip = model.coordinate(beam.last(), Field::r) + 1;
     const double first = state.q[tip];
-    const double period = 2.0 * M_PI / damped;
+    const double period = 2.0 * ancf::pi / damped;
     REQUIRE(run(model, period, period / 2000.0));
     // from rest x(T) = x(0) exp(-ratio w T)
     CHECK(model.state().q[tip] / first == Approx(std::exp(-ratio * w * period)).epsilon(1e-3));

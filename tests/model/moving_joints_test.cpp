@@ -4,6 +4,7 @@
 /// @file
 /// Joints in moving scenes of beams and cables: what each lets pass, and what it holds.
 
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
@@ -80,8 +81,8 @@ double drift(const Course& course) {
 
 /// A turn by a - sin a with a = w t, w^2 t^2/2 at first: smooth from rest.
 Motion turn(double angle, double duration) {
-    const double w = 2.0 * M_PI / duration;
-    const double scale = angle / (2.0 * M_PI);
+    const double w = 2.0 * ancf::pi / duration;
+    const double scale = angle / (2.0 * ancf::pi);
     return {[=](double t) { return scale * (w * t - std::sin(w * t)); },
             [=](double t) { return scale * w * (1.0 - std::cos(w * t)); },
             [=](double t) { return scale * w * w * std::sin(w * t); }};
@@ -100,7 +101,7 @@ TEST_CASE("Universal: two shafts turn by Cardan's law, tan b = tan a cos(bend)",
     const auto driving = bar(model, Point(-0.2, 0, 0), Point(0, 0, 0));
     const auto driven = bar(model, Point(0, 0, 0), Point(0.2 * leaning));
     // the cross has one arm along Z, in the first shaft, and one along Y turned by the bend
-    model.add(DrivenRevolute(model, driving.first(), along, turn(-M_PI, end)));
+    model.add(DrivenRevolute(model, driving.first(), along, turn(-ancf::pi, end)));
     model.add(Universal(model, driving.last(), driven.first(), Point(0, 0, 1),
                         Point(-std::sin(bend), std::cos(bend), 0)));
     model.add(Revolute(model, driven.last(), leaning));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/constants.hpp>
 #include <ancf/section/section.hpp>
 
 #include <section/area_integral.hpp>
@@ -16,7 +17,7 @@ using ancf::Section;
 using ancf::test::difference;
 using ancf::test::moments_of;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 
 TEST_CASE("rectangle: width lies along z and height along y, as closed forms say",
           "[section][rectangle]") {
@@ -66,6 +67,18 @@ TEST_CASE("Section: with_ functions change a copy and nothing else", "[section]"
     CHECK(difference(changed.moments(), plain.moments()) == 0.0);
     CHECK(plain.shear_correction_y() == 5.0 / 6.0);
     CHECK(plain.outline().size() == 4);
+}
+
+TEST_CASE("Section: mass has the moments of the stiffness until others are given", "[section]") {
+    const Section plain = ancf::rectangle(0.1, 0.2);
+    CHECK(difference(plain.mass_moments(), plain.moments()) == 0.0);
+    const ancf::Moments mass = ancf::tube(0.3, 0.2).moments();
+    const Section coated = plain.with_mass_moments(mass);
+    CHECK(difference(coated.mass_moments(), mass) == 0.0);
+    CHECK(difference(coated.moments(), plain.moments()) == 0.0);
+    const Section moved = ancf::offset(coated, 0.01, -0.02);
+    CHECK(difference(moved.mass_moments(), ancf::translated(mass, 0.01, -0.02)) == 0.0);
+    CHECK_THROWS_AS(plain.with_mass_moments(ancf::Moments{}), ancf::InvalidArgument);
 }
 
 TEST_CASE("Section: what was never given is refused with the way to give it", "[section]") {

@@ -4,6 +4,7 @@
 /// @file
 /// Natural frequencies and buckling loads against beam theory; the estimate of convergence.
 
+#include <ancf/constants.hpp>
 #include <ancf/solver/modal.hpp>
 
 #include <ancf/element/cable.hpp>
@@ -34,7 +35,7 @@ using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
 using Scene = ancf::Model<Element>;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 constexpr double young = 2.07e11, poisson = 0.3, density = 7850.0;
 
 ancf::Material steel() { return ancf::Material::isotropic(young, poisson, density); }

@@ -4,6 +4,7 @@
 /// @file
 /// Newton's method of mixed integration points: same solutions, fewer iterations.
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/loads.hpp>
@@ -22,7 +23,7 @@ using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
 using Scene = ancf::Model<Element>;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 
 struct Cantilever {
     Scene scene;

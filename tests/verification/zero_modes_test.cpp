@@ -7,6 +7,7 @@
 /// As many eigenvalues of K x = w M x lie below a value as K - w M has negative pivots.
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/curve.hpp>
@@ -24,7 +25,7 @@ using ancf::Status;
 using Paper = ancf::CrossSectionBeam<3>;
 using Carried = ancf::CrossSectionBeam<3, ancf::Geodesic>;
 
-constexpr double pi = 3.14159265358979323846;
+using ancf::pi;
 constexpr double young = 2e9, density = 1000.0, height = 0.05;
 
 enum class Shape { straight, semicircle, twisted };

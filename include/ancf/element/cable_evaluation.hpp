@@ -86,7 +86,7 @@ Cable<Dimension, Measure>::Cable(const Material& material, const Section& sectio
       young_(material.young),
       axial_stiffness_(material.young * section.moments().area),
       bending_stiffness_(detail::line_bending_stiffness<Dimension>(material, section)),
-      mass_weights_(line.template mass<2>(material.density, section.moments())) {
+      mass_weights_(line.template mass<2>(material.density, section.mass_moments())) {
     detail::require(options.compression >= 0.0 && options.compression <= 1.0,
                     "compression must lie in [0, 1], got ", options.compression);
     detail::require(reference.allFinite(),

@@ -185,7 +185,7 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
       axis_{0.0, 0.0, {0.0, 0.0}, 0.0},
       centroid_y_(section.moments().y / section.moments().area),
       centroid_z_(section.moments().z / section.moments().area),
-      mass_weights_(mass_weights<2 + slopes>(material.density, section.moments(), length)) {
+      mass_weights_(mass_weights<2 + slopes>(material.density, section.mass_moments(), length)) {
     if (options.material == ContinuumMaterial::enhanced) {
         const detail::PointStiffness hooke = detail::hooke_stiffness<Dimension>(material, section);
         axis_ = {hooke.normal - point_.normal,

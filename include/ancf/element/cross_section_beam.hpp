@@ -329,7 +329,7 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure>::set_up(const Materi
                            section_.transverse_yz * length},
                           {}};
     kernel_.transverse_measure = options_.transverse;
-    mass_weights_ = line_.template mass<4>(material.density, section.moments());
+    mass_weights_ = line_.template mass<4>(material.density, section.mass_moments());
 }
 
 template <int Dimension, class Directors, class Shear, class Measure>

@@ -227,7 +227,7 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
     kernel_.transverse_stiffness = section_.transverse_yy * line_.length();
     kernel_.transverse_reference[0] = kernel_.transverse_reference[1] = 0.0;
     kernel_.transverse_measure = options_.transverse;
-    mass_weights_ = line_.template mass<3>(material.density, section.moments());
+    mass_weights_ = line_.template mass<3>(material.density, section.mass_moments());
 }
 
 template <class Directors, class Measure>

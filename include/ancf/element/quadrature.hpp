@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 
 #include <array>
@@ -121,7 +122,6 @@ private:
 
 inline Quadrature gauss_quadrature(int points) {
     detail::require(points >= 1 && points <= 16, "points must lie in [1, 16], got ", points);
-    constexpr double pi = 3.14159265358979323846;  // types.hpp would bring all of Eigen here
     Quadrature quadrature(static_cast<std::size_t>(points));
     for (int k = 0; k < points; ++k) {
         // Newton's method on Legendre's polynomial P_n, by its three-term recurrence.

@@ -246,8 +246,8 @@ inline void TorsionBeam::set_up(const Material& material, const Section& section
         hold.shear = 0.5 * material.shear * m.area * line_.length();
     }
     Moments polar;
-    polar.area = m.area;
-    polar.yy = m.yy + m.zz;
+    polar.area = section.mass_moments().area;
+    polar.yy = section.mass_moments().polar();
     mass_weights_ = line_.mass<3>(material.density, polar);
 }
 

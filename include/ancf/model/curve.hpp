@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>

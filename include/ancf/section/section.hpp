@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/torsion.hpp>
@@ -52,6 +53,12 @@ public:
     /// Returns the moments about the reference axis.
     [[nodiscard]] const Moments& moments() const noexcept { return moments_; }
 
+    /// Returns the moments that the density multiplies: moments() unless with_mass_moments() gave
+    /// others.
+    [[nodiscard]] const Moments& mass_moments() const noexcept {
+        return mass_moments_ ? *mass_moments_ : moments_;
+    }
+
     /// Returns k_y, which multiplies the stress of 2 e_xy, 1.
     /// @throws InvalidArgument if it is unset.
     [[nodiscard]] double shear_correction_y() const { return shear_correction().first; }
@@ -76,6 +83,12 @@ public:
     /// @throws InvalidArgument unless it is positive and finite.
     [[nodiscard]] Section with_torsion_constant(double torsion_constant) const;
 
+    /// Returns the same section with other moments of its mass: of a coated, filled or composite
+    /// section, or of rotary inertia of its own. The density multiplies them; those up to second
+    /// order are used.
+    /// @throws InvalidArgument unless the moments can belong to an area, see validate().
+    [[nodiscard]] Section with_mass_moments(const Moments& moments) const;
+
     /// Returns the same section with another outline, for pictures only.
     [[nodiscard]] Section with_outline(std::vector<SectionPoint> outline) const;
 
@@ -89,6 +102,7 @@ private:
     [[nodiscard]] const std::pair<double, double>& shear_correction() const;
 
     Moments moments_;
+    std::optional<Moments> mass_moments_;
     std::optional<std::pair<double, double>> shear_correction_;
     std::optional<double> torsion_constant_;
     std::vector<SectionPoint> outline_;
@@ -223,6 +237,13 @@ inline Section Section::with_torsion_constant(double torsion_constant) const {
     return section;
 }
 
+inline Section Section::with_mass_moments(const Moments& moments) const {
+    validate(moments);
+    Section section = *this;
+    section.mass_moments_ = moments;
+    return section;
+}
+
 inline Section Section::with_outline(std::vector<SectionPoint> outline) const {
     for (const SectionPoint& point : outline)
         detail::require(std::isfinite(point.y) && std::isfinite(point.z),
@@ -270,6 +291,7 @@ inline Section offset(const Section& section, double dy, double dz) {
     detail::require_finite("offset dz", dz);
     Section moved = section;
     moved.moments_ = translated(section.moments_, dy, dz);
+    if (section.mass_moments_) moved.mass_moments_ = translated(*section.mass_moments_, dy, dz);
     for (SectionPoint& point : moved.outline_) point = {point.y + dy, point.z + dz};
     return moved;
 }

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 
 #include <algorithm>
@@ -26,7 +27,6 @@ namespace ancf {
 [[nodiscard]] inline double rectangle_torsion_constant(double width, double height) {
     detail::require_positive("width", width);
     detail::require_positive("height", height);
-    constexpr double pi = 3.14159265358979323846;  // types.hpp would bring all of Eigen here
     constexpr double zeta5 = 1.03692775514336992633;
     const double a = std::max(width, height);
     const double b = std::min(width, height);
