@@ -25,6 +25,7 @@
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -123,6 +124,8 @@ void Cantilever::parse(int argc, char** argv) {
         line.settle("--load-factor", load_factor, preset().load_factor);
         force[1] = own_force ? preset().force : scaled_force(load_factor, beam.geometry);
     }
+    ancf::detail::require(std::isfinite(force[1]), "--load-factor: ", load_factor,
+                          " with these sizes and moduli gives no finite force");
     ancf::detail::require(!beam.is_planar() || force[2] == 0.0, "--force: --element ", beam.element,
                           " lives in the XY plane and takes no force along Z, got ", force[2]);
     examples::check(examples::AllElements{}, beam);

@@ -76,7 +76,7 @@ void DoublePendulum::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(examples::SpatialBeams{}, beam);
-    motion.check();
+    motion.check(line);
 }
 
 std::string DoublePendulum::title() const {

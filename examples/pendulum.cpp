@@ -77,7 +77,7 @@ void Pendulum::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(examples::AllElements{}, beam);
-    motion.check();
+    motion.check(line);
 }
 
 std::string Pendulum::title() const {

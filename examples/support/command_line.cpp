@@ -153,13 +153,18 @@ void CommandLine::add_choice(const std::string& name, std::string& value,
 
 void CommandLine::add_file(const std::string& name, std::string& value, const std::string& text) {
     parser_->add(name, "FILE", "", text, [&value](const std::string& given) {
-        ancf::detail::require(!given.empty(), "expected the name of a file, got \"\"");
+        ancf::detail::require(!given.empty() && given.rfind("--", 0) != 0,
+                              "expected the name of a file, got \"", given, '"');
         value = given;
     });
 }
 
 void CommandLine::add_flag(const std::string& name, bool& value, const std::string& text) {
     parser_->app.add_flag(name, value, text)->disable_flag_override()->group(parser_->group);
+}
+
+void CommandLine::note_unused(const std::string& name, const std::string& what) const {
+    if (given(name)) std::cerr << name << " is of no use with " << what << '\n';
 }
 
 void CommandLine::exclude(const std::string& one, const std::string& other) {
@@ -176,6 +181,11 @@ void CommandLine::parse(int argc, const char* const* argv) {
 
 bool CommandLine::given(const std::string& name) const {
     return parser_->app.get_option(name)->count() > 0;
+}
+
+void detail::require_output() {
+    std::cout.flush();
+    ancf::detail::require(std::cout.good(), "cannot write standard output");
 }
 
 int detail::exit_code() noexcept {

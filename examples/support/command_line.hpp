@@ -65,6 +65,9 @@ public:
 
     void add_flag(const std::string& name, bool& value, const std::string& text);
 
+    /// Says on stderr that an option on the command line is of no use with `what`.
+    void note_unused(const std::string& name, const std::string& what) const;
+
     /// Lets only one of two options be given.
     void exclude(const std::string& one, const std::string& other);
 
@@ -88,16 +91,22 @@ private:
 
 namespace detail {
 
+/// @throws ancf::InvalidArgument where standard output could not be written.
+void require_output();
+
 /// Says on stderr what the exception in flight is about and returns the exit code.
 int exit_code() noexcept;
 
 }  // namespace detail
 
-/// Runs the body of a main function; what it throws becomes a message and an exit code.
+/// Runs the body of a main function; what it throws, and results that standard output did not take,
+/// become a message and an exit code.
 template <class Body>
 int run(Body&& body) noexcept {
     try {
-        return body();
+        const int code = body();
+        detail::require_output();
+        return code;
     } catch (...) {
         return detail::exit_code();
     }

@@ -8,9 +8,19 @@
 
 #include <support/files.hpp>
 
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace examples {
+
+void require_writable(const std::string& file) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(file, ignored);
+    const bool open = std::ofstream(file, std::ios::app).is_open();
+    if (!there) std::filesystem::remove(file, ignored);
+    ancf::detail::require(open, "cannot write ", file);
+}
 
 void OutputOptions::add_to(CommandLine& line) {
     line.set_group("Output");
@@ -20,13 +30,21 @@ void OutputOptions::add_to(CommandLine& line) {
 
 void OutputOptions::add_files_to(CommandLine& line) {
     line.set_group("Output");
-    line.add_file("--vtk", vtk,
-                  "the deformed beam (of the last mesh) for ParaView: .vtp, .vtu or .vtk");
+    line.add_file(
+        "--vtk", vtk,
+        "the deformed beam, of the last of several meshes, for ParaView: .vtp, .vtu or .vtk");
     line.add_file("--shape", shape, "its centre line and the outline of its sections, as CSV");
 }
 
 void OutputOptions::check() const {
-    if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
+    if (!vtk.empty()) {
+        static_cast<void>(ancf::vtk_format(vtk));
+        require_writable(vtk);
+    }
+    if (!shape.empty()) {
+        require_writable(shape);
+        ancf::detail::require(shape != vtk, "--vtk and --shape name the same file ", vtk);
+    }
 }
 
 template <class Element>

@@ -17,6 +17,10 @@
 
 namespace examples {
 
+/// Throws unless a file can be written; one that is there stays as it is.
+/// @throws ancf::InvalidArgument naming the file.
+void require_writable(const std::string& file);
+
 /// Where a program writes its results.
 struct OutputOptions {
     bool csv = false;
@@ -29,7 +33,7 @@ struct OutputOptions {
     /// Adds the files alone.
     void add_files_to(CommandLine& line);
 
-    /// Refuses a file of unknown format before any work is done.
+    /// Refuses a file of unknown format, or that cannot be written, before any work is done.
     /// @throws InvalidArgument naming the file.
     void check() const;
 

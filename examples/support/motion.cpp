@@ -3,6 +3,7 @@
 
 #include <ancf/error.hpp>
 
+#include <support/files.hpp>
 #include <support/motion.hpp>
 #include <support/report.hpp>
 
@@ -30,7 +31,11 @@ void MotionOptions::add_to(CommandLine& line) {
     line.add_file("--restart", restart, "state file to go on from");
 }
 
-void MotionOptions::check() const {
+void MotionOptions::check(const CommandLine& line) const {
+    const std::string other = "--integrator " + integrator;
+    if (!by_ida()) line.note_unused("--tolerance", other);
+    if (by_ida()) line.note_unused("--step", other);
+    if (integrator != "generalized-alpha") line.note_unused("--rho", other);
     ancf::detail::require(rho >= 0.0 && rho <= 1.0, "--rho: expected a number from 0 to 1, got ",
                           rho);
     ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
@@ -40,6 +45,7 @@ void MotionOptions::check() const {
     constexpr double most_rows = 1e7;
     ancf::detail::require(duration / interval <= most_rows, "--output-interval: ", interval,
                           " s is too short for ", duration, " s");
+    if (!save.empty()) require_writable(save);
 }
 
 void summarise(std::ostream& out, const MotionOptions& options, const Motion& motion) {

@@ -31,9 +31,10 @@ struct MotionOptions {
     MotionOptions(double for_seconds, double output_interval);
     void add_to(CommandLine& line);
 
-    /// Refuses what cannot be integrated, before any work is done.
+    /// Refuses what cannot be integrated, before any work is done; says which options belong to
+    /// another integrator.
     /// @throws InvalidArgument naming the value.
-    void check() const;
+    void check(const CommandLine& line) const;
 
     [[nodiscard]] bool by_ida() const { return integrator.rfind("ida", 0) == 0; }
 

@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cmath>
+
 namespace ancf {
 
 /// A column of fixed size.
@@ -29,6 +31,20 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// Which part of a sparse matrix is stored: `lower` of a symmetric one, or all of any.
 enum class Storage { lower, full };
+
+namespace detail {
+
+/// Returns the length of a vector whose components may be as small or large as numbers are.
+template <int Dimension>
+[[nodiscard]] double span(const Vector<double, Dimension>& v) {
+    if constexpr (Dimension == 2) {
+        return std::hypot(v[0], v[1]);
+    } else {
+        return std::hypot(v[0], v[1], v[2]);
+    }
+}
+
+}  // namespace detail
 
 /// Returns the vector product; unlike Eigen's it needs no header for geometry.
 template <class Scalar>

@@ -88,6 +88,8 @@ void add_materials(Table& table) {
 
 void add_sections(Table& table) {
     using namespace ancf;
+    table.add([] { static_cast<void>(hollow_rectangle(1.0, 0.2, 0.6, 0.12)); },
+              {"no thicker than 1/4", "0.2"});
     table.positive("width", [](double x) { return rectangle(x, 1.0); });
     table.positive("height", [](double x) { return rectangle(1.0, x); });
     table.positive("radius", [](double x) { return circle(x); });

@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/model/constraints.hpp>
+#include <ancf/model/loads.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace generalized_alpha_test {
 
@@ -21,6 +23,7 @@ using ancf::DynamicsReport;
 using ancf::Field;
 using ancf::GeneralizedAlpha;
 using ancf::GeneralizedAlphaOptions;
+using ancf::NodeId;
 using ancf::Schedule;
 using ancf::Snapshot;
 using ancf::Status;
@@ -223,6 +226,53 @@ TEST_CASE("generalized-alpha: a restarted run continues bit for bit", "[dynamics
     CHECK(distance(fresh.model.state().q, whole.model.state().q) <= 1e-4);
 }
 
+TEST_CASE("generalized-alpha: a load that begins at the start costs no order", "[dynamics]") {
+    const auto tip = [](double start, double step, bool early) {
+        Chain scene = chain(3, {0.0, 0.0, 0.0}, {3.0, 0.0, 0.0});
+        scene.model.pin(scene.first());
+        for (const NodeId node : scene.nodes)
+            for (const int k : {1, 2}) scene.model.fix(node, Field::r, k);
+        scene.model.add(ancf::Force<3>(scene.last(), {40.0, 0.0, 0.0}), [=](double t) {
+            if (early && t < start) throw std::runtime_error("asked for a time before the start");
+            return t < start ? 0.0 : 1.0;
+        });
+        scene.model.state().time = start;
+        REQUIRE(run(scene.model, fixed(step), until(start + 0.4)).status == Status::converged);
+        return scene.model.position(scene.last())[0];
+    };
+    for (const double start : {0.0, 5.0}) {
+        INFO("start " << start);
+        const double coarse = tip(start, 4e-3, true), fine = tip(start, 2e-3, true),
+                     finest = tip(start, 1e-3, false);
+        CHECK(std::abs(fine - coarse) > 1e-9);
+        CHECK((coarse - fine) / (fine - finest) > 3.5);  // 4 of second order, 2 of first
+    }
+}
+
+TEST_CASE("integrators: a scene that cannot move, or not in such steps, is refused", "[dynamics]") {
+    Chain still = chain(2, {0.0, 0.0, 0.0}, {2.0, 0.0, 0.0});
+    for (const NodeId node : still.nodes) still.model.pin(node);
+    CHECK_THROWS_WITH(run(still.model, fixed(1e-3), until(0.1)),
+                      ContainsSubstring("no free coordinate"));
+    Chain late = swing();
+    late.model.state().time = 1e12;
+    CHECK_THROWS_WITH(run(late.model, fixed(1e-5), until(1e12 + 1.0)),
+                      ContainsSubstring("resolution of time"));
+    Chain wrong = swing();
+    wrong.model.state().v.conservativeResize(2);
+    CHECK_THROWS_WITH(run(wrong.model, fixed(1e-3), until(0.1)), ContainsSubstring("2 rates"));
+}
+
+TEST_CASE("integrators: an output time at the very end is never lost", "[dynamics]") {
+    Chain scene = swing();
+    Schedule schedule = until(1e-14);
+    schedule.times = {0.0, 1e-14};
+    int seen = 0;
+    schedule.observe = [&](const Snapshot&) { ++seen; };
+    CHECK(run(scene.model, fixed(1e-3), schedule).status == Status::converged);
+    CHECK(seen == 2);
+}
+
 TEST_CASE("generalized-alpha: a memory of something else is refused", "[dynamics]") {
     Chain scene = swing();
     DynamicsReport report = run(scene.model, fixed(1e-3), until(0.01));
@@ -236,6 +286,16 @@ TEST_CASE("generalized-alpha: a memory of something else is refused", "[dynamics
     other = report.memory;
     other.values.erase(other.values.begin());
     CHECK_THROWS_WITH(resume(other, fixed(1e-3)), ContainsSubstring("values of q"));
+    const ancf::VectorX rates = scene.model.state().v;
+    scene.model.state().v.setZero();
+    CHECK_THROWS_WITH(resume(report.memory, fixed(1e-3)),
+                      ContainsSubstring("state is not the one"));
+    scene.model.state().v = rates;
+    scene.model.set_gravity({0.0, -9.0, 0.0});
+    CHECK_THROWS_WITH(resume(report.memory, fixed(1e-3)), ContainsSubstring("another scene"));
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    CHECK(resume(report.memory, fixed(1e-3)).status == Status::converged);
+    report = run(scene.model, fixed(1e-3), until(0.03));
     scene.model.state().time = 0.005;
     CHECK_THROWS_WITH(resume(report.memory, fixed(1e-3)), ContainsSubstring("is of time"));
 }

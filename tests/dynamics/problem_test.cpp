@@ -22,6 +22,7 @@ using ancf::Field;
 using ancf::NodeId;
 using ancf::Redundancy;
 using ancf::Request;
+using ancf::Start;
 using ancf::State;
 using ancf::Status;
 using ancf::VectorX;
@@ -402,6 +403,39 @@ TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dy
     const double highest = clamped ? frequency((bars - 0.5) * pi / bars) : frequency(pi);
     CHECK(problem.lowest_frequency(0.0, q) == Approx(lowest).epsilon(1e-4));
     CHECK(problem.highest_frequency(0.0, q) == Approx(highest).epsilon(0.03));
+}
+
+TEST_CASE("problem: round-off moves nothing", "[dynamics]") {
+    Chain scene = chain(4, {0.1, 0.2, 0.3}, {1.3, 0.7, -0.4});
+    scene.model.pin(scene.first());
+    BarProblem at_rest(scene.model);
+    Start start = at_rest.start();
+    REQUIRE(start.status == Status::converged);
+    CHECK(at_rest.motion_frequency(start) == 0.0);
+    CHECK(at_rest.force_scale(start) == 0.0);
+
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    BarProblem falling(scene.model);
+    start = falling.start();
+    const double length = falling.length_scale();
+    CHECK(falling.motion_frequency(start) >= std::sqrt(9.81 / length));
+    CHECK(falling.force_scale(start) > 1.0);
+
+    scene.model.set_gravity({0.0, 0.0, 0.0});
+    scene.model.set_rate(scene.last(), Field::r, {0.0, 0.0, 2.0});
+    BarProblem thrown(scene.model);
+    CHECK(thrown.motion_frequency(thrown.start()) == Approx(2.0 / length));
+}
+
+TEST_CASE("problem: a link between points that coincide is refused by name", "[dynamics]") {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {2.0, 0.0, 0.0});
+    const ancf::Motion growing{[](double t) { return t; }, [](double) { return 1.0; },
+                               [](double) { return 0.0; }};
+    scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), growing));
+    BarProblem problem(scene.model);
+    const Start start = problem.start();
+    CHECK(start.status == Status::inconsistent);
+    CHECK_THAT(start.message, ContainsSubstring("coincide"));
 }
 
 TEST_CASE("problem: a mechanism without stiffness has no frequency", "[dynamics]") {

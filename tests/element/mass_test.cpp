@@ -23,7 +23,7 @@ TEMPLATE_TEST_CASE("mass: it has the mass moments of the section and nothing els
                    "[element][mass]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>,
                    ancf::ContinuumBeam<3>, ancf::Cable<3>, ancf::TorsionBeam) {
     const auto material = ancf::Material::from_moduli(2e9, 8e8, 1200.0);
-    const ancf::Section plain = ancf::rectangle(0.1, 0.2);
+    const ancf::Section plain = ancf::rectangle(0.2, 0.2);
     const ancf::Section other = ancf::tube(0.15, 0.12);
     const ancf::Section both = plain.with_mass_moments(other.moments());
     const TestType element(material, both, 0.7);

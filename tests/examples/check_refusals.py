@@ -7,6 +7,8 @@
 Each must end with status 2, print nothing on stdout, and name the option and the value on stderr.
 """
 
+import pathlib
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True
@@ -100,6 +102,7 @@ def line_cases():
         yield program, ["--adaptive=7"], ["adaptive"]
         yield program, ["--elements", "1", "--vtk", "/no/such/folder/beam.vtp"], ["/no/such/folder/beam.vtp"]
         yield program, ["--elements", "1", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
+        yield program, ["--csv", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
     yield "cantilever", ["--force", "0,1,0", "--load-factor", "1"], ["--force", "--load-factor"]
 
 
@@ -157,7 +160,7 @@ def coordinate_cases():
     yield [], "0 0 0  1 0 0  1 0 0  0 0 1   2 0 0  1 0 0  0 1 0  0 0 1", ["degenerate"]
     yield [], "0 0 0  1 0 0  0 1 0  -2 0 0   2 0 0  1 0 0  0 1 0  0 0 1", ["degenerate"]
     half_turn = "0 0 0  1 0 0  0 1 0  0 0 1   2 0 0  1 0 0  0 -1 0  0 0 -1"  # no slope is left halfway
-    for rule in ["lobatto3", "gauss3", "gauss5"]:
+    for rule in ["paper", "gauss4", "mixed", "lobatto3", "gauss3", "gauss5"]:
         yield ["--rule", rule], half_turn, ["degenerate"]
     yield ["--element", "continuum"], "0 0 0  1 0 0  0 1 0  0 1 0   2 0 0  1 0 0  0 1 0  0 0 1", ["degenerate"]
     yield ["--element", "continuum"], with_coordinate(7, "-1"), ["degenerate"]
@@ -166,6 +169,18 @@ def coordinate_cases():
         yield ["--element", element], with_coordinate(4, "1e300"), ["overflows"]
         stiff = ["--young", "1e308", "--width", "10", "--height", "10"]
         yield ["--element", element, *stiff], with_coordinate(12, "2.5"), ["finite"]
+
+
+def lost_output(folder):
+    """What standard output does not take must not end as a success."""
+    if not pathlib.Path("/dev/full").exists():
+        return
+    for program, text in [("cantilever", ""), ("probe", " ".join(REFERENCE))]:
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([pathlib.Path(folder) / program], input=text, text=True, stdout=full,
+                                  stderr=subprocess.PIPE, check=False)
+        if done.returncode != 2 or "standard output" not in done.stderr:
+            yield f"{program} > /dev/full: status {done.returncode}, {done.stderr.strip()!r}"
 
 
 def main(folder):
@@ -182,6 +197,7 @@ def main(folder):
             findings.append(f"{shown}: wrote on stdout: {run.output[:60]!r}")
         elif not run.errors.strip() or not all(word in run.errors for word in words):
             findings.append(f"{shown}: the message lacks {words}: {run.errors.strip()!r}")
+    findings += lost_output(folder)
     if len(cases) < 600:
         findings.append(f"only {len(cases)} wrong calls were made")
     report(findings, len(cases), "wrong calls")

@@ -82,11 +82,7 @@ VectorX random_vector(Random& random, Eigen::Index size, double scale) {
 
 ancf::ConstraintResult sized(int equations, Eigen::Index size) {
     ancf::ConstraintResult out;
-    out.violation.setZero(equations);
-    out.jacobian.setZero(equations, size);
-    out.stiffness.setZero(size, size);
-    out.rate.setZero(equations);
-    out.convection.setZero(equations);
+    out.reset(equations, size);
     return out;
 }
 

@@ -170,10 +170,12 @@ void check_zero_modes(const Element& element) {
     }
 }
 
-/// Turning the element turns its force: K (n x e) = n x Q, also at stressed states.
+/// Turning the element turns its force, K (n x e) = n x Q, and moving it changes nothing, also at
+/// stressed states.
 template <class Element>
 void check_turning(const Element& element) {
     double worst = 0.0;
+    double moved = 0.0;
     for (std::uint64_t seed = 0; seed < states; ++seed) {
         Random random(seed);
         const auto e = random_state(element, random);
@@ -184,8 +186,16 @@ void check_turning(const Element& element) {
         const auto right = rotation_rate<Element>(evaluation.force, axis);
         // relative to the terms of the product, which cancel
         worst = std::max(worst, (left - right).norm() / (evaluation.tangent.norm() * e.norm()));
+        const auto along = random.direction<Element::dimension>();
+        typename Element::Coordinates translation = Element::Coordinates::Zero();
+        for_each_vector<Element>([&](int, Field field, int first) {
+            if (field == Field::r) translation.template segment<Element::dimension>(first) = along;
+        });
+        moved = std::max(moved, (evaluation.tangent * translation).norm() /
+                                    (evaluation.tangent.norm() * translation.norm()));
     }
     CHECK(worst <= 1e-12);
+    CHECK(moved <= 1e-12);
 }
 
 /// The mass is symmetric, positive definite, and gives the translational and rotary inertia of a

@@ -131,6 +131,7 @@ public:
     [[nodiscard]] const SparseMatrix& damping() const noexcept { return damping_; }
 
     /// Returns the first element whose coordinates are not finite or not admissible.
+    /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
     /// Writes the residual of the unknowns.
@@ -175,6 +176,8 @@ public:
     }
 
 private:
+    void check_size(const char* call, const char* what, const VectorX& given) const;
+
     // an element's place in the system
     struct Slots {
         std::array<int, 2> node;

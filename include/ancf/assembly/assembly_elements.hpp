@@ -29,6 +29,11 @@ std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request 
                     "Assembly::evaluate: expected ", numbering_.coordinates(),
                     " coordinates and rates and ", numbering_.multipliers(), " multipliers, got ",
                     at.q.size(), ", ", at.v.size(), " and ", at.multipliers.size());
+    if (increment) check_size("evaluate", "increments", *increment);
+    if (last) {
+        check_size("evaluate", "coordinates before the correction", last->before);
+        check_size("evaluate", "corrections", last->change);
+    }
     internal_.setZero(numbering_.coordinates());
     constraint_.setZero(numbering_.coordinates());
     strain_energy_ = 0.0;

@@ -73,6 +73,7 @@ void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
 
 template <class Scene>
 VectorX Assembly<Scene>::load_rate(const VectorX& q, double factor) const {
+    check_size("load_rate", "coordinates", q);
     constexpr double step = 1e-4;  // exact for loads in proportion to the factor
     const auto slope = [&](const auto& scale) {
         return (scale(Instant{factor + step, factor + step}) -
@@ -107,11 +108,7 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
         detail::gather(at.q, coordinates, local.q);
         detail::gather(at.v, coordinates, local.v);
         local.multipliers = at.multipliers.segment(first, equations);
-        result.violation.setZero(equations);
-        result.jacobian.setZero(equations, size);
-        result.stiffness.setZero(size, size);
-        result.rate.setZero(equations);
-        result.convection.setZero(equations);
+        result.reset(equations, size);
         constraint.evaluate(local, result);
         detail::require(result.violation.size() == equations &&
                             result.jacobian.rows() == equations && result.jacobian.cols() == size &&
@@ -158,7 +155,14 @@ void Assembly<Scene>::add_constraint_blocks(int constraint, const ConstraintResu
 }
 
 template <class Scene>
+void Assembly<Scene>::check_size(const char* call, const char* what, const VectorX& given) const {
+    detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
+                    numbering_.coordinates(), " ", what, ", got ", given.size());
+}
+
+template <class Scene>
 std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
+    check_size("inspect", "coordinates", q);
     int group_index = 0;
     std::optional<Fault> fault;
     for_each_group([&](const auto& group, const auto& slots) {
@@ -210,8 +214,7 @@ SparseMatrix Assembly<Scene>::mass() const {
 
 template <class Scene>
 VectorX Assembly<Scene>::mass_product(const VectorX& a) const {
-    detail::require(a.size() == numbering_.coordinates(), "Assembly::mass_product: expected ",
-                    numbering_.coordinates(), " coordinates, got ", a.size());
+    check_size("mass_product", "coordinates", a);
     VectorX result = VectorX::Zero(a.size());
     for_each_group([&](const auto& group, const auto& slots) {
         using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;

@@ -152,11 +152,7 @@ void ConstraintSet<Scene>::evaluate(double time, const VectorX& q, const VectorX
         detail::gather(v, coordinates_[k], local_.v);
         local_.multipliers.setZero(equations);
         ConstraintResult& result = results_[k];
-        result.violation.setZero(equations);
-        result.jacobian.setZero(equations, size);
-        result.stiffness.setZero(size, size);
-        result.rate.setZero(equations);
-        result.convection.setZero(equations);
+        result.reset(equations, size);
         constraint.evaluate(local_, result);
         violation_.segment(first_[k], equations) = result.violation;
         full_rate_.segment(first_[k], equations) =
@@ -259,11 +255,7 @@ void ConstraintSet<Scene>::add_velocity_level(const BlockPattern& pattern, const
             // with one multiplier 1 the stiffness is the Hessian of that equation
             local.multipliers.setZero(equations);
             local.multipliers[e] = 1.0;
-            result.violation.setZero(equations);
-            result.jacobian.setZero(equations, size);
-            result.stiffness.setZero(size, size);
-            result.rate.setZero(equations);
-            result.convection.setZero(equations);
+            result.reset(equations, size);
             constraint.evaluate(local, result);
             const VectorX row = detail::multiply(result.stiffness, local.v);
             const double weight = mu[first_[k] + e];

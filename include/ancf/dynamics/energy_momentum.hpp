@@ -65,6 +65,9 @@ public:
     /// @param solver  any linear solver (linear_solver.hpp). One of full storage has the exact
     ///                tangent; one of the lower half converges more slowly, to the same solution.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
+    /// What is observed is projected on the constraints, and its energy is that of the projected
+    /// state. Where constraints are not linear that differs from the energy that the scheme
+    /// conserves by the square of the step; the report's energy_drift is the scheme's own.
     /// @return as GeneralizedAlpha::integrate.
     /// @throws InvalidArgument as GeneralizedAlpha::integrate.
     template <class Scene, class LinearSolver>
@@ -252,6 +255,7 @@ void EnergyMomentumRun<Scene, LinearSolver>::remember() {
     scalars << now_.time, origin_, count_, options_.step, linearised_from_.time,
         linearised_to_.time, linearised_width_, problem_.length_scale();
     memory.put("scalars", scalars);
+    memory.put("signature", signature(problem_, now_));
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_from_q", linearised_from_.q);
     memory.put("linearised_from_v", linearised_from_.v);
@@ -270,6 +274,9 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
             "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
     problem_.set_length_scale(scalars[7]);
+    const MotionPoint end = {scalars[0], memory.get("q", n), memory.get("v", n),
+                             memory.get("lambda", m)};
+    require_continuation("EnergyMomentum", memory, problem_, now_, end);
     const double width = scalars[6];
     if (width > 0.0) {
         // evaluate the matrix again in the step that it comes from
@@ -284,7 +291,7 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
         increment_ = next_.q - now_.q;
         if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
     }
-    now_ = {scalars[0], memory.get("q", n), memory.get("v", n), memory.get("lambda", m)};
+    now_ = end;
     acceleration_ = memory.get("acceleration", n);
     origin_ = scalars[3] == options_.step ? scalars[1] : now_.time;
     count_ = scalars[3] == options_.step ? scalars[2] : 0.0;
@@ -297,7 +304,9 @@ DynamicsReport EnergyMomentum::integrate(DynamicProblem<Scene>& problem, LinearS
                                          const Schedule& schedule, const Memory& memory) const {
     require_linear_solver<LinearSolver>();
     detail::require_same_storage<LinearSolver>(problem);
+    detail::require_motion(problem);
     schedule.check(problem.model().state().time);
+    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
     DynamicsReport report;
     const Start start = problem.start();
     report.time = start.time;

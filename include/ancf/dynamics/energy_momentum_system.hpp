@@ -127,11 +127,7 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
     const auto value = [&](const VectorX& q) {
         ConstraintState at{q, VectorX::Zero(q.size()), VectorX::Zero(equations), state.time};
         ConstraintResult out;
-        out.violation.setZero(equations);
-        out.jacobian.setZero(equations, q.size());
-        out.stiffness.setZero(q.size(), q.size());
-        out.rate.setZero(equations);
-        out.convection.setZero(equations);
+        out.reset(equations, q.size());
         constraint.evaluate(at, out);
         return out.violation;
     };
@@ -287,11 +283,7 @@ void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const Vecto
             gather(q, place.at, state.q);
             state.v.setZero(size);
             state.multipliers = lambda.segment(first, equations);
-            out.violation.setZero(equations);
-            out.jacobian.setZero(equations, size);
-            out.stiffness.setZero(size, size);
-            out.rate.setZero(equations);
-            out.convection.setZero(equations);
+            out.reset(equations, size);
             constraint.evaluate(state, out);
         };
         const double middle_time = t0_ + 0.5 * h_;

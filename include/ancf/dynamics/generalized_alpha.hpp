@@ -68,8 +68,9 @@ public:
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return status converged at the end; inconsistent or redundant, with the constraint named,
     ///         where it did not start; or why it ended before, with what was observed until then.
-    /// @throws InvalidArgument for a schedule that does not fit the model's time, a memory of
-    ///         another integrator or scene, or a solver whose storage is not the problem's.
+    /// @throws InvalidArgument for a schedule that does not fit the model's time, a step below the
+    ///         resolution of time, a memory of another integrator, state or scene, a solver whose
+    ///         storage is not the problem's, or a scene without a free coordinate.
     template <class Scene, class LinearSolver>
     [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                            const Schedule& schedule,
@@ -205,7 +206,7 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
         VectorX jerk;
         if (problem_.jerk(start, 1e-3 * step_, jerk) == Status::converged)
             now_.algorithmic += offset_ * step_ * jerk;
-        report_.evaluations += 3;
+        report_.evaluations += 4;
     }
     next_ = now_;
     return true;
@@ -397,6 +398,7 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::remember() {
     scalars << now_.time, origin_, count_, step_, width_, linearised_.time, linearised_width_,
         options_.rho, problem_.length_scale();
     memory.put("scalars", scalars);
+    memory.put("signature", signature(problem_, now_));
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_q", linearised_.q);
     memory.put("linearised_v", linearised_.v);
@@ -416,8 +418,10 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
     require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],
             ", the options have ", options_.rho);
     problem_.set_length_scale(scalars[8]);
+    const MotionPoint start = now_;
     static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
                                        memory.get("lambda", m)};
+    require_continuation("GeneralizedAlpha", memory, problem_, start, now_);
     now_.acceleration = memory.get("acceleration", n);
     now_.algorithmic = memory.get("algorithmic", n);
     width_ = scalars[4];
@@ -459,7 +463,9 @@ DynamicsReport GeneralizedAlpha::integrate(DynamicProblem<Scene>& problem, Linea
                                            const Schedule& schedule, const Memory& memory) const {
     require_linear_solver<LinearSolver>();
     detail::require_same_storage<LinearSolver>(problem);
+    detail::require_motion(problem);
     schedule.check(problem.model().state().time);
+    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
     DynamicsReport report;
     detail::GeneralizedAlphaRun<Scene, LinearSolver>(problem, solver, schedule, options_, report)
         .run(memory);

@@ -22,6 +22,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,7 +105,7 @@ public:
     /// Solves for the rate of the accelerations, v'', by one more time derivative of the system.
     ///
     /// K, D and G are exact; what depends on time alone and the third derivative of the constraints
-    /// are central differences over +-step.
+    /// are differences of second order over the two steps after the start.
     [[nodiscard]] Status jerk(const Start& at, double step, VectorX& jerk);
 
     // Evaluation at (t, q, v, lambda); results stand until the next one ------------------------
@@ -219,9 +220,13 @@ public:
     /// Returns the typical size of each free coordinate: the scene's size or, for slopes, 1.
     [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
 
-    /// Returns a typical force of the scene at (t, q, v), N: the largest of the loads, of the
-    /// inertia forces of the start and of the elastic force, never zero.
+    /// Returns a typical force of the start, N: the largest of the loads, of the inertia forces and
+    /// of the elastic force; 0 where all of it is round-off.
     [[nodiscard]] double force_scale(const Start& start);
+
+    /// Returns how fast the start moves or begins to move, rad/s: the largest rate, or the root of
+    /// the largest acceleration, over length_scale(); 0 where all of it is round-off.
+    [[nodiscard]] double motion_frequency(const Start& start);
 
     /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, within some per cent
     /// (power iteration; constraints left aside, so an upper bound with them).
@@ -232,11 +237,15 @@ public:
     [[nodiscard]] double lowest_frequency(double t, const VectorX& q);
 
 private:
+    // Accelerations below so many times the square of the highest frequency are round-off.
+    static constexpr double frequency_noise = 64.0 * std::numeric_limits<double>::epsilon();
+
     struct Driven {
         int coordinate;
         const Support* support;
     };
 
+    void check_sizes() const;
     void list_driven();
     void measure();
     void expand(double t, const VectorX& q, const VectorX& v);

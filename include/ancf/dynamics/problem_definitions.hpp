@@ -28,6 +28,7 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
       constraints_(model, assembly_.numbering()),
       mass_(assembly_.mass()) {
     options_.check();
+    check_sizes();
     list_driven();
     full_q_ = model.state().q;
     full_v_.setZero(full_q_.size());
@@ -139,6 +140,11 @@ template <class Scene>
 std::string DynamicProblem<Scene>::check_constraints() {
     constraints_.evaluate(time_, full_q_, full_v_);
     const VectorX lengths = constraints_.magnitude(full_scales_);
+    for (int i = 0; i < multipliers(); ++i)
+        if (!std::isfinite(lengths[i]) || !std::isfinite(constraints_.violation()[i]) ||
+            !std::isfinite(constraints_.rate()[i]))
+            return "no direction belongs to " + constraints_.describe(i) +
+                   ": its derivatives are not finite, do points coincide?";
     const double fastest = detail::largest_ratio(full_v_, full_scales_);
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
@@ -189,7 +195,17 @@ void DynamicProblem<Scene>::find_redundant(Start& start) {
 }
 
 template <class Scene>
+void DynamicProblem<Scene>::check_sizes() const {
+    const State& state = model_.state();
+    const int size = model_.layout().size();
+    detail::require(state.q.size() == size && state.v.size() == size,
+                    "DynamicProblem: the model has ", size, " coordinates, its state ",
+                    state.q.size(), " and ", state.v.size(), " rates");
+}
+
+template <class Scene>
 Start DynamicProblem<Scene>::start() {
+    check_sizes();
     const State& state = model_.state();
     Start start;
     start.time = state.time;
@@ -271,21 +287,23 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
     detail::add_product(damping(), options_.storage, -1.0, at.acceleration, sum);
     b.head(size()) = sum;
     VectorX whole = VectorX::Zero(full_a_.size());
-    for (const double sign : {1.0, -1.0}) {
-        const double t = at.time + sign * step;
+    // one-sided: a load may begin at the start, and no function of time is asked for earlier
+    constexpr double weights[] = {-1.5, 2.0, -0.5};
+    for (int place = 0; place < 3; ++place) {
+        const double later = place * step;
+        const double t = at.time + later;
         if (const auto fault = evaluate(t, at.q, at.v, at.multipliers, Request::force))
             return fault->status;
-        b.head(size()) -= sign / (2.0 * step) * force_;
+        b.head(size()) -= weights[place] / step * force_;
         if (multipliers() == 0) continue;
-        const VectorX v = at.v + sign * step * at.acceleration;
-        evaluate_constraints(t, at.q + sign * step * (at.v + 0.5 * sign * step * at.acceleration),
-                             v);
+        const VectorX v = at.v + later * at.acceleration;
+        evaluate_constraints(t, at.q + later * (at.v + 0.5 * later * at.acceleration), v);
         whole = full_a_;  // of driven coordinates at that time
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)
                 whole[k] = at.acceleration[equation];
         b.tail(multipliers()) -=
-            sign / (2.0 * step) * (constraints_.product(whole) + constraints_.convection());
+            weights[place] / step * (constraints_.product(whole) + constraints_.convection());
     }
     evaluate_constraints(at.time, at.q, at.v);
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
@@ -497,13 +515,30 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     VectorX inertia = VectorX::Zero(full_q_.size());
     numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
                          inertia);
-    double scale = std::max({largest(assembly_.external_force()),
-                             largest(assembly_.internal_force()), largest(inertia)});
-    if (scale > 0.0) return scale;
-    // a scene at rest without loads: its momentum or, at last, the mass over a second
-    const double mass = compact_mass_.diagonal().maxCoeff();
-    const double speed = start.v.size() == 0 ? 0.0 : start.v.cwiseAbs().maxCoeff();
-    return mass * std::max(speed * speed / length_, length_);
+    const VectorX external = assembly_.external_force();
+    const double scale = std::max({largest(assembly_.external_force()),
+                                   largest(assembly_.internal_force()), largest(inertia)});
+    const double round_off = frequency_noise * length_ * compact_mass_.diagonal().maxCoeff() *
+                             std::pow(highest_frequency(start.time, start.q), 2);
+    return scale > round_off || largest(external) > 0.0 ? scale : 0.0;
+}
+
+template <class Scene>
+double DynamicProblem<Scene>::motion_frequency(const Start& start) {
+    const double turn = detail::largest_ratio(start.v, scales_);
+    const double acceleration = detail::largest_ratio(start.acceleration, scales_);
+    if (turn * turn >= acceleration) return turn;
+    // accelerations of a scene in equilibrium are round-off: of the loads or, without any, of K
+    const VectorX none = VectorX::Zero(multipliers());
+    (void)evaluate(start.time, start.q, start.v, none, Request::force);
+    VectorX loads, driven;
+    numbering().gather_free(assembly_.external_force(), loads);
+    solve_mass(loads, driven);
+    const double loaded = detail::largest_ratio(driven, scales_);
+    const double round_off =
+        loaded > 0.0 ? 1e-8 * loaded
+                     : frequency_noise * std::pow(highest_frequency(start.time, start.q), 2);
+    return acceleration > round_off ? std::sqrt(acceleration) : turn;
 }
 
 template <class Scene>

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/types.hpp>
@@ -17,8 +18,24 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace ancf::detail {
+
+/// Throws where nothing can move.
+template <class Scene>
+void require_motion(const DynamicProblem<Scene>& problem) {
+    require(problem.size() > 0,
+            "the scene has no free coordinate: there is no motion to integrate");
+}
+
+/// Throws for steps that vanish in the round-off of time.
+inline void require_resolved(double step, double start, double end) {
+    const double least =
+        16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start), std::abs(end));
+    require(step > least, "a step of ", step, " s is below the resolution of time at ", end, " s, ",
+            least, " s");
+}
 
 /// Throws unless the problem was set up for the storage of the solver.
 template <class LinearSolver, class Scene>
@@ -34,6 +51,63 @@ struct MotionPoint {
     double time = 0.0;
     VectorX q, v, lambda;
 };
+
+/// Returns the larger number; not a number where one of them is not.
+[[nodiscard]] inline double larger(double a, double b) noexcept { return b <= a ? a : b; }
+
+/// Takes what a step left into the report, before any projection: constraints and, where it is
+/// followed, energy by an evaluation of its own. Of the start the report has counted no step.
+template <class Scene>
+void note(DynamicProblem<Scene>& problem, const MotionPoint& point, bool follow_energy,
+          DynamicsReport& report) {
+    if (problem.multipliers() > 0) {
+        problem.evaluate_constraints(point.time, point.q, point.v);
+        report.violation = larger(report.violation, problem.constraint_violation());
+        report.violation_rate = larger(report.violation_rate, problem.violation_rate());
+    }
+    if (!follow_energy) return;
+    const Energies energies = problem.energies(point.time, point.q, point.v, point.lambda);
+    ++report.evaluations;
+    if (report.steps == 0) report.energy_start = energies.total();
+    report.energy_drift =
+        larger(report.energy_drift, std::abs(energies.total() - report.energy_start));
+    report.kinetic_largest = larger(report.kinetic_largest, energies.kinetic);
+}
+
+/// Energies and power of a point: what tells one scene from another.
+template <class Scene>
+[[nodiscard]] VectorX signature(DynamicProblem<Scene>& problem, const MotionPoint& point) {
+    const Energies at = problem.energies(point.time, point.q, point.v, point.lambda);
+    VectorX values(4);
+    values << at.kinetic, at.strain, at.potential, at.load_power;
+    return values;
+}
+
+/// Throws unless a run that a memory continues goes on from where it ended: the model's state, as
+/// `problem.start()` read it, and the scene.
+/// @param who    the integrator, for the message.
+/// @param point  where the memory's run ended.
+template <class Scene>
+void require_continuation(const char* who, const Memory& memory, DynamicProblem<Scene>& problem,
+                          const MotionPoint& start, const MotionPoint& point) {
+    constexpr double same = 1e-9;
+    VectorX q = point.q;
+    VectorX v = point.v;
+    (void)problem.project(point.time, q, v);
+    const double fastest = largest_ratio(v, problem.scales());
+    require(largest_ratio(q - start.q, problem.scales()) <= same &&
+                largest_ratio(v - start.v, problem.scales()) <= same * fastest,
+            who, ": the model's state is not the one that the memory belongs to");
+    const VectorX then = memory.get("signature", 4);
+    const VectorX here = signature(problem, point);
+    const double energy = then.head<3>().cwiseAbs().sum();
+    require((here - then).head<3>().cwiseAbs().maxCoeff() <= same * energy &&
+                std::abs(here[3] - then[3]) <= same * (std::abs(then[3]) + std::abs(here[3])),
+            who,
+            ": the memory is of another scene: kinetic, strain and potential energy and the "
+            "loads' power are ",
+            here.transpose(), " here, ", then.transpose(), " there");
+}
 
 /// Reports one run.
 template <class Scene>
@@ -51,7 +125,7 @@ public:
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point) {
         report_.time = point.time;
-        note(point, true);
+        note(problem_, point, energies_, report_);
         observe(point, point, 0.0);
     }
 
@@ -63,13 +137,16 @@ public:
         ++report_.steps;
         report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
         report_.largest_step = std::max(report_.largest_step, width);
-        note(to, false);
+        note(problem_, to, energies_, report_);
         observe(from, to, 1e-9 * width);
         return !schedule_.progress || schedule_.progress(to.time, schedule_.end);
     }
 
-    /// Stores the last point, projected, in the model.
+    /// Observes what lies within the round-off of the end, and stores the last point, projected, in
+    /// the model.
     void finish(const MotionPoint& point) {
+        if (report_.status == Status::converged)
+            observe(point, point, std::max(0.0, schedule_.end - point.time));
         VectorX q = point.q;
         VectorX v = point.v;
         (void)problem_.project(point.time, q, v);
@@ -79,21 +156,6 @@ public:
     }
 
 private:
-    void note(const MotionPoint& point, bool first) {
-        if (problem_.multipliers() > 0) {
-            problem_.evaluate_constraints(point.time, point.q, point.v);
-            report_.violation = std::max(report_.violation, problem_.constraint_violation());
-            report_.violation_rate = std::max(report_.violation_rate, problem_.violation_rate());
-        }
-        if (!energies_) return;
-        const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);
-        ++report_.evaluations;
-        if (first) report_.energy_start = energies.total();
-        report_.energy_drift =
-            std::max(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
-        report_.kinetic_largest = std::max(report_.kinetic_largest, energies.kinetic);
-    }
-
     void observe(const MotionPoint& from, const MotionPoint& to, double slack) {
         for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack;
              ++next_) {

@@ -101,9 +101,9 @@ public:
         return gravity_force<Dimension, 2 * (2 + slopes)>(mass_weights_, g);
     }
 
-    /// Tells whether e is a beam: finite and, at the nodes and stations, neither flattened nor
-    /// turned inside out: det [r0', r_y, r_z] > 1e-6 of the product of the three lengths. The
-    /// energy is smooth at any finite e, admissible or not.
+    /// Tells whether e is a beam: finite and, all along, neither flattened nor turned inside out:
+    /// det [r0', r_y, r_z] > 1e-6 of the product of the three lengths, the slopes turning by less
+    /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the reference length, m.

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/upright.hpp>
 
 namespace ancf {
 
@@ -54,21 +55,7 @@ template <int Components>
 
 template <int Dimension>
 bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
-    constexpr double least = 1e-6;
-    if (!e.allFinite()) return false;
-    const auto upright = [&](double xi) {
-        const Vectors v = vectors_at(e, xi);
-        const Point p = v.col(0), a = v.col(Dimension);
-        if constexpr (Dimension == 3) {
-            const Point b = v.col(4);
-            return b.dot(cross(p, a)) > least * (p.norm() * a.norm() * b.norm());
-        } else {
-            return p(0) * a(1) - p(1) * a(0) > least * (p.norm() * a.norm());
-        }
-    };
-    for (const Station& station : stations_)
-        if (!upright(station.xi)) return false;
-    return upright(0.0) && upright(1.0);
+    return e.allFinite() && detail::upright<Dimension>(e, length_);
 }
 
 template <int Dimension>

@@ -23,6 +23,7 @@
 #include <ancf/element/section_forces.hpp>
 #include <ancf/element/shear.hpp>
 #include <ancf/element/station_data.hpp>
+#include <ancf/element/upright.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/section/stiffness.hpp>
@@ -168,9 +169,9 @@ public:
         return line_.template line_load<4>(force);
     }
 
-    /// Tells whether the strains are defined at e: everything finite, and at every node and station
-    /// the tangent and the slopes longer than 1e-6, the sine of the angle between them larger than
-    /// 1e-6.
+    /// Tells whether e is a beam whose strains are defined: finite; all along, tangent and slopes
+    /// right-handed and turning by less than 120 degrees from node to node; at every station longer
+    /// than 1e-6, the sine of the angle between them larger than 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
@@ -382,20 +383,17 @@ template <int Dimension, class Directors, class Shear, class Measure>
 bool CrossSectionBeam<Dimension, Directors, Shear, Measure>::admissible(
     const Coordinates& e) const noexcept {
     using namespace detail;
-    if (!e.allFinite()) return false;
+    if (!e.allFinite() || !upright<3>(e, line_.parameter_length())) return false;
     NodalVectors<double> nodes;
     nodal_vectors(e, nodes);
     constexpr double smallest = 1e-6;  // length, and sine of the angle between slope and tangent
-    const auto distinct = [](const Vec3<double>& tangent, const Vec3<double>& slope) {
+    [[maybe_unused]] const auto distinct = [](const Vec3<double>& tangent,
+                                              const Vec3<double>& slope) {
         const double tt = dot(tangent, tangent), ss = dot(slope, slope);
         const Vec3<double> normal = cross(tangent, slope);
         return tt > smallest * smallest && ss > smallest * smallest &&
                dot(normal, normal) > smallest * smallest * tt * ss;
     };
-    for (int node = 0; node < 2; ++node) {
-        if (!distinct(nodes[n_g1 + node], nodes[n_a1 + node])) return false;
-        if (!distinct(nodes[n_g1 + node], nodes[n_b1 + node])) return false;
-    }
     for (const StationData<double>& station : kernel_.stations.full) {
         LocalVectors<double> local;
         interpolate(station.shape, nodes, local);

@@ -14,6 +14,7 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar_kernel.hpp>
+#include <ancf/element/upright.hpp>
 
 #include <cmath>
 
@@ -86,8 +87,9 @@ public:
         return line_.template line_load<3>(force);
     }
 
-    /// Tells whether the strains are defined at e: everything finite, r_x and r_y of some length,
-    /// and r_y to the left of the tangent by more than an angle of 1e-6.
+    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6 at
+    /// every station, and all along r_y to its left by more than an angle of 1e-6, turning by less
+    /// than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
@@ -254,14 +256,8 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinat
 template <class Directors, class Measure>
 bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
     const Coordinates& e) const noexcept {
-    if (!e.allFinite()) return false;
-    constexpr double smallest = 1e-6;  // slope, and sine of its angle with the tangent
-    for (int node = 0; node < 2; ++node) {
-        const Vector<double, 2> g = e.template segment<2>(6 * node + 2),
-                                a = e.template segment<2>(6 * node + 4);
-        if (!(g.norm() > smallest && a.norm() > smallest)) return false;
-        if (!(g[0] * a[1] - g[1] * a[0] > smallest * g.norm() * a.norm())) return false;
-    }
+    if (!e.allFinite() || !detail::upright<2>(e, line_.parameter_length())) return false;
+    constexpr double smallest = 1e-6;
     for (const detail::PlanarStation<double>& station : kernel_.stations) {
         Vector<double, 2> p = Vector<double, 2>::Zero();
         p += station.shape.p[0] * (e.template segment<2>(6) - e.template segment<2>(0));

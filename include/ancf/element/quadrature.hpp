@@ -68,6 +68,7 @@ public:
     [[nodiscard]] static Rule paper() { return uniform("paper", gauss_quadrature(4)); }
 
     /// Gauss points for every group. Two leave a beam element with one spurious axial mode.
+    /// @throws InvalidArgument unless there are 1 to 16.
     [[nodiscard]] static Rule gauss(int points) {
         return uniform("gauss" + std::to_string(points), gauss_quadrature(points));
     }
@@ -83,6 +84,7 @@ public:
     }
 
     /// A rule of one quadrature per group.
+    /// @throws InvalidArgument unless points lie in [0, 1] and weights are positive with sum 1.
     [[nodiscard]] static Rule grouped(std::string name, const Quadrature& axial,
                                       const Quadrature& bending, const Quadrature& shear,
                                       const Quadrature& torsion);
@@ -155,10 +157,12 @@ inline Quadrature lobatto_quadrature(int points) {
 
 inline void Rule::insert(const Quadrature& quadrature, StrainGroup group) {
     detail::require(!quadrature.empty(), "a quadrature must have at least one point, got none");
+    double sum = 0.0;
     for (const QuadraturePoint& point : quadrature) {
         detail::require(point.xi >= 0.0 && point.xi <= 1.0, "xi must lie in [0, 1], got ",
                         point.xi);
-        detail::require_finite("weight", point.weight);
+        detail::require_positive("weight", point.weight);
+        sum += point.weight;
         auto place = stations_.begin();
         while (place != stations_.end() && place->xi < point.xi) ++place;
         if (place == stations_.end() || place->xi > point.xi) {
@@ -166,6 +170,7 @@ inline void Rule::insert(const Quadrature& quadrature, StrainGroup group) {
         }
         place->weights[static_cast<unsigned>(group)] += point.weight;
     }
+    detail::require(std::abs(sum - 1.0) < 1e-12, "weights must have the sum 1, got ", sum);
 }
 
 inline Rule Rule::grouped(std::string name, const Quadrature& axial, const Quadrature& bending,

@@ -30,31 +30,20 @@ struct Beam {
     std::vector<int> prototypes;  ///< indices of the prototypes added
 
     /// Returns the node at the start.
-    [[nodiscard]] NodeId first() const { return nodes.front(); }
+    /// @throws InvalidArgument for a beam that no builder made.
+    [[nodiscard]] NodeId first() const { return node(0); }
     /// Returns the node at the end.
-    [[nodiscard]] NodeId last() const { return nodes.back(); }
+    /// @throws InvalidArgument for a beam that no builder made.
+    [[nodiscard]] NodeId last() const { return node(static_cast<int>(nodes.size()) - 1); }
 
     /// Returns a node by its place along the chain, 0 at the start.
+    /// @throws InvalidArgument for a place beyond the ends.
     [[nodiscard]] NodeId node(int place) const {
         detail::require(place >= 0 && place < static_cast<int>(nodes.size()), "Beam: there are ",
                         nodes.size(), " nodes, got place ", place);
         return nodes[static_cast<std::size_t>(place)];
     }
 };
-
-namespace detail {
-
-/// Returns the length of a vector of any size between the smallest and the largest number.
-template <int Dimension>
-[[nodiscard]] double span(const Vector<double, Dimension>& v) {
-    if constexpr (Dimension == 2) {
-        return std::hypot(v[0], v[1]);
-    } else {
-        return std::hypot(v[0], v[1], v[2]);
-    }
-}
-
-}  // namespace detail
 
 /// Returns orthonormal reference slopes (columns) of a beam along a direction.
 ///
@@ -66,9 +55,13 @@ template <int Dimension>
     detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     direction.transpose());
+    const double width = detail::span(y_axis);
+    detail::require(std::isfinite(width) && width > 0.0,
+                    "reference_slopes: the y axis must have a length, got ", y_axis.transpose());
     const Vector<double, 3> t = direction / length;
-    const Vector<double, 3> normal = y_axis - y_axis.dot(t) * t;
-    detail::require(y_axis.allFinite() && normal.norm() > 1e-8 * y_axis.norm(),
+    const Vector<double, 3> y = y_axis / width;
+    const Vector<double, 3> normal = y - y.dot(t) * t;
+    detail::require(normal.norm() > 1e-8,
                     "reference_slopes: the y axis must not be parallel to the beam, got ",
                     y_axis.transpose());
     Matrix<double, 3> slopes;
@@ -105,6 +98,20 @@ template <int Dimension>
     return slopes;
 }
 
+namespace detail {
+
+/// Returns the distance of a beam's ends.
+template <int Dimension>
+[[nodiscard]] double distance_apart(const Vector<double, Dimension>& from,
+                                    const Vector<double, Dimension>& to) {
+    const double length = span(Vector<double, Dimension>(to - from));
+    require(std::isfinite(length) && length > 0.0,
+            "straight_beam: the ends must be finite and apart, got a length of ", length);
+    return length;
+}
+
+}  // namespace detail
+
 /// Adds a straight chain of equal elements with the given reference slopes.
 ///
 /// @param options  handed to the element's constructor after material, section and length.
@@ -120,9 +127,7 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
     using Chosen =
         std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
-    const double length = detail::span(typename Scene::Point(to - from));
-    detail::require(std::isfinite(length) && length > 0.0,
-                    "straight_beam: the ends must be finite and apart, got a length of ", length);
+    const double length = detail::distance_apart<Scene::dimension>(from, to);
     Beam<Chosen> beam;
     const int prototype = model.add_prototype(
         Chosen(material, section, length / elements, std::forward<Options>(options)...));
@@ -146,6 +151,7 @@ auto straight_beam(Model<Elements...>& model, const Material& material, const Se
                    const typename Model<Elements...>::Point& to, int elements,
                    Options&&... options) {
     using Point = typename Model<Elements...>::Point;
+    static_cast<void>(detail::distance_apart<Model<Elements...>::dimension>(from, to));
     return straight_beam_with_slopes<Element>(model, material, section, from, to,
                                               reference_slopes(Point(to - from)), elements,
                                               std::forward<Options>(options)...);
@@ -196,7 +202,7 @@ void add_line_load(Model<Elements...>& model, const Beam<Element>& beam,
                     force_per_length.transpose());
     const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {
-        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        const Connection& connection = group.connection(index);
         const VectorX force = detail::line_load(group.element(index), force_per_length);
         model.add(GeneralisedForce(coupling_of<Element>(connection), force), amplitude);
     }

@@ -36,6 +36,15 @@ struct ConstraintResult {
     MatrixX stiffness;   ///< d(G^T lambda)/dq
     VectorX rate;        ///< g_t, zero unless the constraint moves in time
     VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
+
+    /// Makes everything zero, for so many equations in so many local coordinates.
+    void reset(Eigen::Index equations, Eigen::Index coordinates) {
+        violation.setZero(equations);
+        jacobian.setZero(equations, coordinates);
+        stiffness.setZero(coordinates, coordinates);
+        rate.setZero(equations);
+        convection.setZero(equations);
+    }
 };
 
 template <class T, class = void>

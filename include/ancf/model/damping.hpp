@@ -67,7 +67,7 @@ void add_damping(Model<Elements...>& model, const Beam<Element>& beam, const Amp
                  const MatrixOf& matrix) {
     const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {
-        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        const Connection& connection = group.connection(index);
         const MatrixX D =
             matrix(group.element(index), model.template element_coordinates<Element>(index));
         model.add(LinearDamping(coupling_of<Element>(connection), D), amplitude);
@@ -200,7 +200,7 @@ void add_kelvin_voigt(Model<Elements...>& model, const Beam<Element>& beam, doub
     const auto& group = model.template group<Element>();
     std::vector<std::shared_ptr<const Element>> shared(group.prototypes.size());
     for (const int index : beam.elements) {
-        const Connection& connection = group.connections[static_cast<std::size_t>(index)];
+        const Connection& connection = group.connection(index);
         auto& element = shared[static_cast<std::size_t>(connection.prototype)];
         if (!element) element = std::make_shared<const Element>(group.element(index));
         model.add(KelvinVoigt<Element>(element, coupling_of<Element>(connection), eta), amplitude);

@@ -44,7 +44,10 @@ public:
     [[nodiscard]] int size(int node) const { return first(node + 1) - first(node); }
 
     /// Returns the index of a vector's first component, -1 where the node does not carry it.
+    /// @throws InvalidArgument for a node that does not exist.
     [[nodiscard]] int index(NodeField at) const {
+        detail::require(at.node.index >= 0 && at.node.index < nodes(), "Layout: there are ",
+                        nodes(), " nodes, got node ", at.node.index);
         const Fields carried = fields(at.node.index);
         if (!carried.contains(at.field)) return -1;
         return first(at.node.index) + dimension_ * carried.rank(at.field);

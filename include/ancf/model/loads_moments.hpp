@@ -107,10 +107,12 @@ inline void require_slope(const char* load, Field slope) {
 
 inline SlopeMoment::SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis,
                                 double moment)
-    : node_(node), slope_(slope), axis_(axis.normalized()), moment_(moment) {
+    : node_(node), slope_(slope), axis_(axis), moment_(moment) {
     detail::require_slope("SlopeMoment", slope);
-    detail::require(axis.allFinite() && axis.norm() > 0.0,
+    const double length = detail::span(axis);
+    detail::require(std::isfinite(length) && length > 0.0,
                     "SlopeMoment: the axis must have a length, got ", axis.transpose());
+    axis_ /= length;
     detail::require_finite("SlopeMoment: moment", moment);
 }
 

@@ -42,10 +42,19 @@ struct ElementGroup {
     std::vector<Element> prototypes;      ///< constant data, shared by equal elements
     std::vector<Connection> connections;  ///< one for each element
 
-    /// Returns the prototype of an element by its index.
+    /// Returns which prototype an element has and its nodes.
+    /// @throws InvalidArgument for an index of no element.
+    [[nodiscard]] const Connection& connection(int index) const {
+        detail::require(index >= 0 && index < static_cast<int>(connections.size()),
+                        "Model: there are ", connections.size(),
+                        " elements of this type, got index ", index);
+        return connections[static_cast<std::size_t>(index)];
+    }
+
+    /// Returns the prototype of an element.
+    /// @throws InvalidArgument for an index of no element.
     [[nodiscard]] const Element& element(int index) const {
-        const auto at = static_cast<std::size_t>(index);
-        return prototypes[static_cast<std::size_t>(connections[at].prototype)];
+        return prototypes[static_cast<std::size_t>(connection(index).prototype)];
     }
 };
 
@@ -97,23 +106,31 @@ public:
     template <class Element = DefaultElement>
     int connect(int prototype, NodeId first, NodeId second);
 
-    /// Holds every component of the given vectors at their initial values.
+    // Supports. A component has one: the last that was given to it replaces those before.
+
+    /// Holds every component of the given vectors where they stand.
+    /// @throws InvalidArgument for a node that does not exist.
     void fix(NodeId node, Fields fields);
 
-    /// Holds one component of a vector at its initial value.
+    /// Holds one component of a vector where it stands.
+    /// @throws InvalidArgument for a node or component that does not exist.
     void fix(NodeId node, Field field, int component);
 
     /// Drives one component of a vector; rate and acceleration are needed in dynamics only.
+    /// @throws InvalidArgument for a node or component that does not exist, or no value.
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
 
     /// Holds all vectors of a node, or all but r_x.
+    /// @throws InvalidArgument for a node that does not exist.
     void clamp(NodeId node, Clamp clamp = Clamp::full);
 
     /// Holds the position of a node.
+    /// @throws InvalidArgument for a node that does not exist.
     void pin(NodeId node) { fix(node, Field::r); }
 
     /// Frees what was held or driven of a vector.
+    /// @throws InvalidArgument for a node that does not exist.
     void release(NodeId node, Field field);
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
@@ -122,6 +139,7 @@ public:
     void add(Load load, Amplitude amplitude = {});
 
     /// Adds a constraint.
+    /// @throws InvalidArgument for a node that does not exist, or a constraint of no equations.
     template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
     void add(Constraint constraint);
 
@@ -137,9 +155,11 @@ public:
     }
 
     /// Adds a mass at a node, kg; gravity acts on it.
+    /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
     void add_mass(NodeId node, double mass);
 
     /// Sets the acceleration of gravity, m/s^2.
+    /// @throws InvalidArgument unless every component is finite.
     void set_gravity(const Point& gravity, Amplitude amplitude = {});
 
     // What a scene holds ---------------------------------------------------------------------
@@ -151,6 +171,7 @@ public:
     }
 
     /// Returns a prototype for a change of stiffness, density or rest length.
+    /// @throws InvalidArgument for an index of none.
     template <class Element = DefaultElement>
     [[nodiscard]] Element& prototype(int index) {
         auto& prototypes = std::get<ElementGroup<Element>>(groups_).prototypes;
@@ -224,14 +245,17 @@ public:
     }
 
     /// Returns the position of a node, m.
+    /// @throws InvalidArgument for a node that does not exist or has no position.
     [[nodiscard]] Point position(NodeId node) const { return value(node, Field::r); }
 
     /// Returns the velocity of a node, m/s.
+    /// @throws InvalidArgument for a node that does not exist or has no position.
     [[nodiscard]] Point velocity(NodeId node) const {
         return state().v.template segment<dimension>(coordinate(node, Field::r));
     }
 
     /// Returns the nodal coordinates of an element, taken from `q` of this model's layout.
+    /// @throws InvalidArgument for an element that does not exist or a q of another size.
     template <class Element = DefaultElement>
     [[nodiscard]] typename Element::Coordinates element_coordinates(int index,
                                                                     const VectorX& q) const;
@@ -419,10 +443,9 @@ template <class... Elements>
 template <class Element>
 typename Element::Coordinates Model<Elements...>::element_coordinates(int index,
                                                                       const VectorX& q) const {
-    const auto& connections = group<Element>().connections;
-    detail::require(index >= 0 && index < static_cast<int>(connections.size()), "Model: there are ",
-                    connections.size(), " elements of this type, got index ", index);
-    const Connection& connection = connections[static_cast<std::size_t>(index)];
+    const Connection& connection = group<Element>().connection(index);
+    detail::require(q.size() == layout().size(), "Model::element_coordinates: expected ",
+                    layout().size(), " coordinates, got ", q.size());
     typename Element::Coordinates e;
     int at = 0;
     for (const NodeId node : {connection.first, connection.second})

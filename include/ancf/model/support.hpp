@@ -16,7 +16,7 @@ struct Support {
     NodeId node;             ///< where
     Field field;             ///< which vector
     int component;           ///< from 0
-    Amplitude value;         ///< the coordinate over time; empty: it keeps its initial value
+    Amplitude value;         ///< the coordinate over time; empty: it stays where it stands
     Amplitude rate;          ///< first derivative; dynamics needs it where value is given
     Amplitude acceleration;  ///< second derivative; dynamics needs it where value is given
 };

@@ -46,7 +46,7 @@ void write_state(std::ostream& out, const SavedState& saved);
 /// @throws InvalidArgument naming the line that is not as expected.
 [[nodiscard]] SavedState read_state(std::istream& in);
 
-/// Writes a state to a file.
+/// Writes a state to a file; one that is there stays as it is until the new one is complete.
 /// @throws InvalidArgument also for a file that cannot be written.
 void save_state(const std::filesystem::path& file, const SavedState& saved);
 
@@ -173,10 +173,16 @@ inline SavedState read_state(std::istream& in) {
 }
 
 inline void save_state(const std::filesystem::path& file, const SavedState& saved) {
-    std::ofstream out(file);
-    write_state(out, saved);
+    std::ostringstream text;
+    write_state(text, saved);
+    std::filesystem::path fresh = file;
+    fresh += ".new";
+    std::ofstream out(fresh);
+    out << text.str();
     out.close();
-    detail::require(!out.fail(), "cannot write ", file.string());
+    std::error_code failure;
+    if (!out.fail()) std::filesystem::rename(fresh, file, failure);
+    detail::require(!out.fail() && !failure, "cannot write ", file.string());
 }
 
 inline SavedState load_state(const std::filesystem::path& file) {

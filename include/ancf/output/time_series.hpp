@@ -165,11 +165,7 @@ void TimeSeries<Scene>::append_reaction(int constraint, NodeId node, const State
             state.q.template segment<dimension>(
                 model_.coordinate(coupling[k].node, coupling[k].field));
     ConstraintResult out;
-    out.violation.setZero(held.equations());
-    out.jacobian.setZero(held.equations(), size);
-    out.stiffness.setZero(size, size);
-    out.rate.setZero(held.equations());
-    out.convection.setZero(held.equations());
+    out.reset(held.equations(), size);
     held.evaluate(at, out);
     const VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
     Vector<double, 3> force = Vector<double, 3>::Zero(), moment = Vector<double, 3>::Zero();

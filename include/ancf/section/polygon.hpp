@@ -127,8 +127,11 @@ inline Section polygon(const std::vector<SectionPoint>& points, SectionPoint ori
         std::reverse(outline.begin(), outline.end());
     }
     detail::require_positive("the polygon's area", table[0][0]);
-    return {translated(detail::from_table(table), mean.y - origin.y, mean.z - origin.z),
-            std::move(outline)};
+    const Moments moments =
+        translated(detail::from_table(table), mean.y - origin.y, mean.z - origin.z);
+    detail::require_positive("the polygon's int y^2 dA", moments.yy);
+    detail::require_positive("the polygon's int z^2 dA", moments.zz);
+    return {moments, std::move(outline)};
 }
 
 }  // namespace ancf

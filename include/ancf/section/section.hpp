@@ -90,6 +90,7 @@ public:
     [[nodiscard]] Section with_mass_moments(const Moments& moments) const;
 
     /// Returns the same section with another outline, for pictures only.
+    /// @throws InvalidArgument unless every point is finite.
     [[nodiscard]] Section with_outline(std::vector<SectionPoint> outline) const;
 
 private:

@@ -37,14 +37,15 @@ struct StaticsOptions {
     int max_iterations = 100;               ///< linear solves per step
     int mixed_iterations = 25;              ///< the same before a step is repeated as plain
     double residual_tolerance = 1e-9;       ///< relative to loads and reactions
-    double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely
+    double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely;
+                                            ///< 1e-3 where the residual is at its round-off
     bool line_search = false;               ///< halve corrections that double the residual
     bool adaptive = false;                  ///< halve a step that fails, widen one that does well
     double min_step = 1e-4;                 ///< smallest load step of an adaptive run
     double first_factor = 0.0;              ///< load factor of the state that the model is in
     double last_factor = 1.0;               ///< load factor to reach
 
-    /// Called after every converged step; returning false stops there.
+    /// Called after every converged step; returning false stops there, with Status::stopped.
     std::function<bool(double factor, const State& state)> progress;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
@@ -68,7 +69,10 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    FactorReport factorisation;         ///< of the last tangent: conditioning, negative pivots
+    FactorReport factorisation;  ///< of the last tangent: conditioning, negative pivots. Where no
+                                 ///< multipliers account for them, negative pivots say that the
+                                 ///< state is not stable under dead loads: a bifurcation or limit
+                                 ///< point was passed, or the mesh has a branch of its own
     VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
     Resultant imbalance;         ///< loads plus reactions: zero at equilibrium
     double strain_energy = 0.0;  ///< J
@@ -83,8 +87,9 @@ struct StaticsReport {
 
 /// Brings a model to static equilibrium under its loads.
 ///
-/// The model's state is the first guess and receives the solution; where the run fails it keeps
-/// the last converged load step. Loads without an amplitude grow with the load factor.
+/// The model's state is the first guess and receives the solution; where the run fails, or a
+/// function of the user's throws, it keeps the last converged load step. Loads without an amplitude
+/// grow with the load factor.
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.

@@ -55,7 +55,10 @@ public:
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
-                if (options_.progress && !options_.progress(done, model_.state())) break;
+                if (options_.progress && !options_.progress(done, model_.state())) {
+                    report_.status = Status::stopped;
+                    break;
+                }
                 if (result.iterations <= 6)
                     step = std::min(2.0 * std::abs(step), std::abs(equal)) *
                            (whole < 0.0 ? -1.0 : 1.0);
@@ -78,14 +81,22 @@ private:
     }
 
     const LoadStep& attempt(double factor, NewtonKind newton) {
-        const State before = model_.state();
+        // whatever ends the iteration, an exception of a user's function too
+        struct Keep {
+            State& state;
+            State before;
+            bool reached = false;
+            ~Keep() {
+                if (!reached) state = std::move(before);
+            }
+        } keep{model_.state(), model_.state()};
         report_.fault.reset();
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
         instant_ = {factor, factor};
         step.status = iterate(step);
-        if (step.status != Status::converged) model_.state() = before;
+        keep.reached = step.status == Status::converged;
         return step;
     }
 

@@ -49,6 +49,9 @@ public:
     /// Returns what SUNDIALS said last, empty if nothing.
     [[nodiscard]] const std::string& message() const noexcept { return message_; }
 
+    /// Forgets it.
+    void forget_message() noexcept { message_.clear(); }
+
     /// Turns the messages of an IDA object to this context.
     void silence(void* ida) noexcept;
 

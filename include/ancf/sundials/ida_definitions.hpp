@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
+#include <ancf/dynamics/recorder.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida.hpp>
 #include <ancf/sundials/ida_system.hpp>
@@ -89,6 +91,7 @@ private:
     LinearSolverOwner klu_;
     IdaOwner ida_;
 
+    double slow_frequency_ = 0.0;  // rad/s: of the motion that is followed
     double time_;
     int code_ = IDA_SUCCESS;  // of the last call of IDASolve
     std::size_t next_ = 0;    // of the schedule's times
@@ -126,6 +129,8 @@ IdaRun<Scene>::IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule,
 template <class Scene>
 void IdaRun<Scene>::set_up() {
     void* ida = ida_.get();
+    slow_frequency_ = problem_.motion_frequency(start_);
+    if (slow_frequency_ == 0.0) slow_frequency_ = problem_.lowest_frequency(start_.time, start_.q);
     report_.order = order_limit();
     call(IDAInit(ida, &IdaSystem<Scene>::residual, start_.time, y_.get(), dy_.get()));
     call(IDASetUserData(ida, &system_));
@@ -149,12 +154,12 @@ template <class Scene>
 typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
     Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
     if (s.length == 0.0) s.length = problem_.length_scale();
-    if (s.velocity == 0.0)
-        s.velocity = s.length *
-                     std::max(rate_of_turn(start_.v), std::sqrt(rate_of_turn(start_.acceleration)));
-    if (s.velocity == 0.0) s.velocity = s.length * problem_.lowest_frequency(start_.time, start_.q);
+    if (s.velocity == 0.0) s.velocity = s.length * slow_frequency_;
     if (s.velocity == 0.0) s.velocity = s.length;  // nothing moves: one length in a second
     if (s.force == 0.0) s.force = problem_.force_scale(start_);
+    if (s.force == 0.0)
+        s.force =
+            problem_.compact_mass().diagonal().maxCoeff() * s.velocity * s.velocity / s.length;
     return s;
 }
 
@@ -183,14 +188,13 @@ void IdaRun<Scene>::set_tolerances() {
 template <class Scene>
 int IdaRun<Scene>::order_limit() {
     if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
-    // Order 5 holds the step below 0.7/omega_max; that many steps in one slow period are too many.
+    // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are too
+    // many.
     constexpr double steps_in_a_period = 20000.0;
     constexpr double stable = 0.7;
     report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
-    double slow = problem_.lowest_frequency(start_.time, start_.q);
-    if (slow == 0.0) slow = std::sqrt(rate_of_turn(start_.acceleration));
-    if (slow == 0.0) return 5;
-    const double period = 2.0 * 3.141592653589793 / slow;
+    if (slow_frequency_ == 0.0) return 5;
+    const double period = 2.0 * pi / slow_frequency_;
     return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
 }
 
@@ -227,6 +231,8 @@ bool IdaRun<Scene>::step() {
         return false;
     }
     double reached = time_;
+    system_.forget_fault();
+    context_.forget_message();
     const int code =
         IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
     system_.rethrow();
@@ -235,7 +241,6 @@ bool IdaRun<Scene>::step() {
         return false;
     }
     code_ = code;
-    system_.forget_fault();
     ++report_.steps;
     time_ = reached;
     double length = 0.0;
@@ -259,17 +264,7 @@ void IdaRun<Scene>::monitor() {
     q_ = system_.q(y);
     v_ = system_.v(y);
     lambda_ = system_.lambda(y);
-    if (problem_.multipliers() > 0) {
-        problem_.evaluate_constraints(time_, q_, v_);
-        report_.violation = std::max(report_.violation, problem_.constraint_violation());
-        report_.violation_rate = std::max(report_.violation_rate, problem_.violation_rate());
-    }
-    if (!options_.follow_energy) return;
-    const Energies energies = problem_.energies(time_, q_, v_, lambda_);
-    if (report_.steps == 0) report_.energy_start = energies.total();
-    report_.energy_drift =
-        std::max(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
-    report_.kinetic_largest = std::max(report_.kinetic_largest, energies.kinetic);
+    ancf::detail::note(problem_, {time_, q_, v_, lambda_}, options_.follow_energy, report_);
 }
 
 template <class Scene>
@@ -288,7 +283,10 @@ void IdaRun<Scene>::observe_until(double time) {
 template <class Scene>
 void IdaRun<Scene>::fail(int code) {
     code_ = code;
-    report_.fault = system_.fault();
+    // an element that failed in an attempt that IDA got over is not to blame
+    if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
+        code == IDA_CONV_FAIL)
+        report_.fault = system_.fault();
     report_.status = report_.fault ? report_.fault->status : status_of(code);
     std::ostringstream message;
     message.precision(6);
@@ -307,7 +305,9 @@ void IdaRun<Scene>::finish() {
     IDAGetNumErrTestFails(ida, &report_.rejected);
     IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
     IDAGetNumNonlinSolvIters(ida, &report_.iterations);
-    IDAGetNumResEvals(ida, &report_.evaluations);
+    long evaluations = 0;
+    IDAGetNumResEvals(ida, &evaluations);
+    report_.evaluations += evaluations;
     IDAGetNumJacEvals(ida, &report_.jacobians);
     IDAGetNumLinSolvSetups(ida, &report_.factorisations);
     report_.code = code_name(code_);
@@ -323,10 +323,11 @@ IdaReport Ida::integrate(DynamicProblem<Scene>& problem, const Schedule& schedul
     const auto began = std::chrono::steady_clock::now();
     ancf::detail::require(problem.assembly().pattern().storage() == Storage::full,
                           "Ida: the problem must have full storage");
-    ancf::detail::require(problem.size() > 0, "Ida: the scene has no free coordinate");
+    ancf::detail::require_motion(problem);
     schedule.check(problem.model().state().time);
     IdaReport report;
     const Start start = problem.start();
+    ++report.evaluations;
     report.time = start.time;
     report.status = start.status;
     report.message = start.message;

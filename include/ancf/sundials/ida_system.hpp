@@ -76,7 +76,7 @@ public:
         if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 
-    /// Returns the element that failed since the last call of forget_fault.
+    /// Returns the element that failed in the last evaluation, if one did.
     [[nodiscard]] const std::optional<Fault>& fault() const noexcept { return fault_; }
     void forget_fault() noexcept { fault_.reset(); }
 
@@ -103,7 +103,7 @@ private:
         lambda_ = lambda(y);
         mu_ = mu(y);
         const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
-        if (fault) fault_ = fault;
+        fault_ = fault;
         return !fault;
     }
 
