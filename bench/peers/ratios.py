@@ -25,8 +25,9 @@ def rows(folder, code):
     return list(best.values())
 
 
-def is_planar(element):
-    return element in PLANAR or "2d" in element
+def kind(element):
+    """In the plane or in space, with shear or without."""
+    return element in PLANAR or "2d" in element, "cable" in element
 
 
 def pairs(folder):
@@ -37,7 +38,7 @@ def pairs(folder):
             sys.exit(f"ratios.py: no run in {folder}/{code}-*.csv")
     for peer in exudyn:
         rivals = [row for row in ours if row["case"] == peer["case"] and row["error"] <= peer["error"]
-                  and is_planar(row["element"]) == is_planar(peer["element"])]
+                  and kind(row["element"]) == kind(peer["element"])]
         yield peer, min(rivals, key=lambda row: row["cpu_ms"], default=None)
 
 
