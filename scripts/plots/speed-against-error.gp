@@ -14,15 +14,22 @@ set multiplot layout 2, 3 title "Processor time against error" font ",18"
 set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
+set xtics 100
 set grid
 set key top right Left reverse spacing 1.0 samplen 0.6 font ",9"
+point(j) = j < 7 ? 6 : 4
+colour(j) = (j - 1) % 6 + 1
 do for [k = 1:words(cases)] {
     scene = word(cases, k)
     set title word(titles, k)
     set xlabel word(errors, k)
     set ylabel "processor time (ms)"
-    if (k > 1) { unset key }
-    plot for [j = 1:words(elements)] rows(scene, word(elements, j)) using "error":"cpu_ms" with points pointtype (j < 7 ? 6 : 4) pointsize 0.5 linecolor ((j - 1) % 6 + 1) title word(elements, j), \
-        front(scene) using "error":"cpu_ms" with lines linecolor rgb "black" linewidth 1.5 title "front"
+    # the bend has room for what all pictures need
+    if (scene eq "bend45") { set key; set yrange [* : 1e4] } else { unset key; set yrange [* : *] }
+    named = scene eq "bend45" ? words(elements) : 0
+    plot for [j = 1:words(elements)] rows(scene, word(elements, j)) using "error":"cpu_ms" with points pointtype point(j) pointsize 0.5 linecolor colour(j) notitle, \
+        front(scene) using "error":"cpu_ms" with lines linecolor rgb "black" linewidth 1.5 notitle, \
+        for [j = 1:named] keyentry with points pointtype point(j) pointsize 0.8 linecolor colour(j) title word(elements, j), \
+        for [j = 1:(named > 0 ? 1 : 0)] keyentry with lines linecolor rgb "black" linewidth 1.5 title "no run is better in both"
 }
 unset multiplot
