@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
 
 #include <cstddef>
