@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
 
 #include <cstddef>
@@ -44,11 +43,10 @@ public:
     /// Returns the number of coordinates of a node.
     [[nodiscard]] int size(int node) const { return first(node + 1) - first(node); }
 
-    /// Returns the index of a vector's first component, -1 where the node does not carry it.
-    /// @throws InvalidArgument for a node that does not exist.
+    /// Returns the index of a vector's first component, -1 where the node does not carry it or does
+    /// not exist.
     [[nodiscard]] int index(NodeField at) const {
-        detail::require(at.node.index >= 0 && at.node.index < nodes(), "Layout: there are ",
-                        nodes(), " nodes, got node ", at.node.index);
+        if (at.node.index < 0 || at.node.index >= nodes()) return -1;
         const Fields carried = fields(at.node.index);
         if (!carried.contains(at.field)) return -1;
         return first(at.node.index) + dimension_ * carried.rank(at.field);
