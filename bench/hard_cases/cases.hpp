@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/constants.hpp>
+#include <ancf/dynamics/report.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <chrono>
@@ -32,6 +33,18 @@ struct Row {
     double seconds = 0.0;
     double limit = 0.0;  ///< largest error of an answer that may call itself converged
 };
+
+/// Returns a row that waits for its results.
+[[nodiscard]] inline Row make_row(std::string element, std::string rule, std::string name,
+                                  int elements, double limit) {
+    Row row;
+    row.name = std::move(name);
+    row.element = std::move(element);
+    row.rule = std::move(rule);
+    row.elements = elements;
+    row.limit = limit;
+    return row;
+}
 
 using Rows = std::vector<Row>;
 
@@ -60,6 +73,13 @@ struct Case {
 inline void set(Row& row, const ancf::StaticsReport& report) {
     row.iterations = report.iterations();
     row.steps = static_cast<int>(report.steps.size());
+    row.status = std::string(to_string(report.status));
+}
+
+/// Fills in what the report of a motion tells.
+inline void set(Row& row, const ancf::DynamicsReport& report) {
+    row.iterations = static_cast<int>(report.iterations);
+    row.steps = static_cast<int>(report.steps);
     row.status = std::string(to_string(report.status));
 }
 

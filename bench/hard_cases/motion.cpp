@@ -30,13 +30,7 @@ using Scene = ancf::Model<Beam>;
 using Point = ancf::Vector<double, 3>;
 
 Row make(std::string name, int elements, double limit) {
-    Row row;
-    row.name = std::move(name);
-    row.element = "geodesic-engineering";
-    row.rule = "mixed";
-    row.elements = elements;
-    row.limit = limit;
-    return row;
+    return make_row("geodesic-engineering", "mixed", std::move(name), elements, limit);
 }
 
 /// A section given by its radius of gyration and GJ = EI, with rotary inertia of its own.
@@ -65,10 +59,7 @@ template <class Integrator>
 void integrate(const Integrator& integrator, ancf::DynamicProblem<Scene>& problem, Row& row,
                const ancf::Schedule& schedule) {
     ancf::EigenLu solver;
-    const auto report = integrator.integrate(problem, solver, schedule);
-    row.iterations = static_cast<int>(report.iterations);
-    row.steps = static_cast<int>(report.steps);
-    row.status = std::string(to_string(report.status));
+    set(row, integrator.integrate(problem, solver, schedule));
 }
 
 /// Simo and Vu-Quoc's right-angle cantilever, struck at its elbow: the tip out of the plane.
@@ -148,8 +139,8 @@ void spaghetti(Rows& rows, bool quick) {
 
 std::vector<Case> motion_cases() {
     return {
-        {"right_angle", [](Rows& rows, bool quick) { right_angle(rows, quick); }},
-        {"flying_spaghetti", [](Rows& rows, bool quick) { spaghetti(rows, quick); }},
+        {"right_angle", right_angle},
+        {"flying_spaghetti", spaghetti},
     };
 }
 

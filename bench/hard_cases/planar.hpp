@@ -23,13 +23,7 @@ using Scene = ancf::Model<Beam>;
 using Plane = ancf::Vector<double, 2>;
 
 inline Row make(std::string name, int elements, double limit) {
-    Row row;
-    row.name = std::move(name);
-    row.element = "planar-engineering";
-    row.rule = "mixed";
-    row.elements = elements;
-    row.limit = limit;
-    return row;
+    return make_row("planar-engineering", "mixed", std::move(name), elements, limit);
 }
 
 inline ancf::CrossSectionOptions mixed() {

@@ -31,10 +31,7 @@ void integrate(Scene& scene, Row& row, double step, const ancf::Schedule& schedu
     options.rho = 0.9;
     options.follow_energy = false;
     ancf::EigenLu solver;
-    const auto report = ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
-    row.iterations = static_cast<int>(report.iterations);
-    row.steps = static_cast<int>(report.steps);
-    row.status = std::string(to_string(report.status));
+    set(row, ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule));
 }
 
 /// Kane's beam, turned at its end up to 6 rad/s in 15 s: how far the tip stays behind.
@@ -122,8 +119,8 @@ void pendulum(Rows& rows, bool quick) {
 
 std::vector<Case> planar_motion_cases() {
     return {
-        {"spin_up", [](Rows& rows, bool quick) { spin_up(rows, quick); }},
-        {"pendulum", [](Rows& rows, bool quick) { pendulum(rows, quick); }},
+        {"spin_up", spin_up},
+        {"pendulum", pendulum},
     };
 }
 

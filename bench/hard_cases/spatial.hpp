@@ -102,13 +102,7 @@ private:
     }
 
     [[nodiscard]] Row make(std::string name, int elements, double limit) const {
-        Row row;
-        row.name = std::move(name);
-        row.element = element_;
-        row.rule = rule_;
-        row.elements = elements;
-        row.limit = limit;
-        return row;
+        return make_row(element_, rule_, std::move(name), elements, limit);
     }
 
     static void finish(Rows& rows, Row& row, double start) {

@@ -515,12 +515,12 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     VectorX inertia = VectorX::Zero(full_q_.size());
     numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
                          inertia);
-    const VectorX external = assembly_.external_force();
-    const double scale = std::max({largest(assembly_.external_force()),
-                                   largest(assembly_.internal_force()), largest(inertia)});
+    const double loads = largest(assembly_.external_force());
+    const double scale = std::max({loads, largest(assembly_.internal_force()), largest(inertia)});
+    if (loads > 0.0) return scale;
     const double round_off = frequency_noise * length_ * compact_mass_.diagonal().maxCoeff() *
                              std::pow(highest_frequency(start.time, start.q), 2);
-    return scale > round_off || largest(external) > 0.0 ? scale : 0.0;
+    return scale > round_off ? scale : 0.0;
 }
 
 template <class Scene>

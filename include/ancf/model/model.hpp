@@ -117,7 +117,7 @@ public:
     void fix(NodeId node, Field field, int component);
 
     /// Drives one component of a vector; rate and acceleration are needed in dynamics only.
-    /// @throws InvalidArgument for a node or component that does not exist, or no value.
+    /// @throws InvalidArgument for a node or component that does not exist.
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
 
