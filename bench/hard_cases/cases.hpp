@@ -58,6 +58,8 @@ struct Case {
 [[nodiscard]] std::vector<Case> projected_cases();
 [[nodiscard]] std::vector<Case> geodesic_cases();
 [[nodiscard]] std::vector<Case> engineering_cases();
+[[nodiscard]] std::vector<Case> continuum_cases();
+[[nodiscard]] std::vector<Case> cable_cases();
 [[nodiscard]] std::vector<Case> planar_cases();
 [[nodiscard]] std::vector<Case> planar_motion_cases();
 [[nodiscard]] std::vector<Case> motion_cases();

@@ -6,7 +6,8 @@
 std::vector<hard_cases::Case> hard_cases::engineering_cases() {
     using Element =
         ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
-    const Spatial<Element> spatial("geodesic-engineering", "mixed", engineering_tip);
+    const Spatial<Element> spatial("geodesic-engineering", with_rule(ancf::Rule::mixed()),
+                                   engineering_tip);
     std::vector<Case> all = spatial.cases();
     all.push_back({"helix", [spatial](Rows& rows, bool quick) { spatial.helix(rows, quick); }});
     return all;

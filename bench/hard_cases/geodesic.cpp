@@ -4,5 +4,6 @@
 #include <hard_cases/spatial.hpp>
 
 std::vector<hard_cases::Case> hard_cases::geodesic_cases() {
-    return spatial_cases<ancf::CrossSectionBeam<3, ancf::Geodesic>>("geodesic", {"mixed"});
+    using Element = ancf::CrossSectionBeam<3, ancf::Geodesic>;
+    return Spatial<Element>("geodesic", with_rule(ancf::Rule::mixed()), green_tip).cases();
 }

@@ -4,5 +4,11 @@
 #include <hard_cases/spatial.hpp>
 
 std::vector<hard_cases::Case> hard_cases::projected_cases() {
-    return spatial_cases<ancf::CrossSectionBeam<3>>("cross-section", {"paper", "mixed"});
+    std::vector<Case> all;
+    for (const ancf::Rule& rule : {ancf::Rule::paper(), ancf::Rule::mixed()})
+        for (Case& one :
+             Spatial<ancf::CrossSectionBeam<3>>("cross-section", with_rule(rule), green_tip)
+                 .cases())
+            all.push_back(std::move(one));
+    return all;
 }

@@ -18,7 +18,9 @@
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
+#include <ancf/element/reference_line.hpp>
 #include <ancf/element/section_forces.hpp>
+#include <ancf/element/station_data.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
@@ -26,6 +28,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -76,6 +79,16 @@ public:
     ContinuumBeam(const Material& material, const Section& section, double length,
                   const Options& options = {});
 
+    /// Makes the element of a beam whose stress-free state is given: curved, twisted, or both.
+    ///
+    /// The strains of that state are subtracted; integrals run over the arc length of its axis.
+    /// @param reference  nodal coordinates, 24 x 1, in the plane 12 x 1
+    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
+    ///                   arc length
+    /// @throws InvalidArgument as above, and for a reference that is not admissible.
+    ContinuumBeam(const Material& material, const Section& section, const Coordinates& reference,
+                  double length, const Options& options = {});
+
     /// Returns the strain energy U, J.
     /// @param e  nodal coordinates, [r r_x r_y r_z] per node; m and 1
     /// @note     noexcept, no heap allocation; so are all functions of e.
@@ -101,13 +114,19 @@ public:
         return gravity_force<Dimension, 2 * (2 + slopes)>(mass_weights_, g);
     }
 
+    /// Returns the nodal force of a dead force per length of the stress-free axis.
+    /// @param force  N/m
+    [[nodiscard]] Vector<double, dofs> line_load(const Point& force) const {
+        return line_.template line_load<2 + slopes>(force);
+    }
+
     /// Tells whether e is a beam: finite and, all along, neither flattened nor turned inside out:
     /// det [r0', r_y, r_z] > 1e-6 of the product of the three lengths, the slopes turning by less
     /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Returns the reference length, m.
-    [[nodiscard]] double length() const noexcept { return length_; }
+    /// Returns the length of the stress-free element, m.
+    [[nodiscard]] double length() const noexcept { return line_.length(); }
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
@@ -157,12 +176,21 @@ private:
     using Vectors = detail::continuum::Vectors<double, Dimension>;
     using Strain = detail::continuum::Strain<double, Dimension>;
 
+    ContinuumBeam(const Material& material, const Section& section, ReferenceLine<Dimension> line,
+                  const Coordinates& reference, const Options& options);
+
+    /// Returns the weights of (r_j - r_i, r_x at i, r_x at j) in r0', by the arc length.
     [[nodiscard]] Vector<double, 3> tangent_weights(double xi) const noexcept;
+    /// Returns ds/dxi, m: the unit in which the stations measure y and z.
+    [[nodiscard]] double unit(double xi) const noexcept {
+        return line_.parameter_length() * line_.metric(xi);
+    }
     [[nodiscard]] Station station(const RuleStation& place, double axial_stiffness) const;
     [[nodiscard]] Vectors vectors_at(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] Strain strain_at(const Coordinates& e, double xi) const noexcept;
 
-    double length_;
+    ReferenceLine<Dimension> line_;
+    Coordinates reference_;  ///< nodal coordinates of the stress-free state, where it is curved
     Options options_;
     Law law_;                       ///< of the section, per length
     detail::PointStiffness point_;  ///< on the strain of a point
@@ -176,7 +204,34 @@ private:
 template <int Dimension>
 ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
                                         double length, const Options& options)
-    : length_((detail::require_positive("length", length), length)),
+    : ContinuumBeam(material, section,
+                    ReferenceLine<Dimension>((detail::require_positive("length", length), length)),
+                    Coordinates::Zero(), options) {}
+
+template <int Dimension>
+ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
+                                        const Coordinates& reference, double length,
+                                        const Options& options)
+    : ContinuumBeam(
+          material, section,
+          ReferenceLine<Dimension>((detail::require_positive("length", length), length),
+                                   reference.template segment<Dimension>(node_dofs) -
+                                       reference.template segment<Dimension>(0),
+                                   reference.template segment<Dimension>(Dimension),
+                                   reference.template segment<Dimension>(node_dofs + Dimension)),
+          reference, options) {
+    detail::require(admissible(reference),
+                    "the reference coordinates of an element must be finite, its slopes a "
+                    "right-handed system, got ",
+                    reference.transpose());
+}
+
+template <int Dimension>
+ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
+                                        ReferenceLine<Dimension> line, const Coordinates& reference,
+                                        const Options& options)
+    : line_(std::move(line)),
+      reference_(reference),
       options_(options),
       law_(detail::continuum_law<Dimension>(material, section, options.material)),
       point_(options.material == ContinuumMaterial::hooke
@@ -185,7 +240,7 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
       axis_{0.0, 0.0, {0.0, 0.0}, 0.0},
       centroid_y_(section.moments().y / section.moments().area),
       centroid_z_(section.moments().z / section.moments().area),
-      mass_weights_(mass_weights<2 + slopes>(material.density, section.mass_moments(), length)) {
+      mass_weights_(line_.template mass<2 + slopes>(material.density, section.mass_moments())) {
     if (options.material == ContinuumMaterial::enhanced) {
         const detail::PointStiffness hooke = detail::hooke_stiffness<Dimension>(material, section);
         axis_ = {hooke.normal - point_.normal,
@@ -206,7 +261,7 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
                         rule.points(group), " in \"", rule.name(), "\"");
     const double axial_stiffness = material.young * section.moments().area;
     for (const RuleStation& place : options.rule.stations()) {
-        const double weight = place.weight(StrainGroup::axial) * length_;
+        const double weight = place.weight(StrainGroup::axial) * unit(place.xi);
         if (place.axial_only())
             axial_stations_.push_back({tangent_weights(place.xi), weight * axial_stiffness, 0.5});
         else
@@ -216,8 +271,8 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
 
 template <int Dimension>
 Vector<double, 3> ContinuumBeam<Dimension>::tangent_weights(double xi) const noexcept {
-    const auto line = hermite_first(xi, length_);
-    return {line[2], line[1], line[3]};
+    const StationShape<double> shape = line_.shape(xi);
+    return {shape.p[0], shape.p[1], shape.p[2]};
 }
 
 template <int Dimension>
@@ -228,16 +283,22 @@ typename ContinuumBeam<Dimension>::Station ContinuumBeam<Dimension>::station(
     result.tangent = tangent_weights(place.xi);
     // E A eps^2/2 is the group `axial`; what Hooke's law adds to it goes with the transverse
     // strains.
-    Law law = law_.scaled(place.weight(StrainGroup::bending) * length_, length_);
+    const double length = unit(place.xi);
+    Law law = law_.scaled(place.weight(StrainGroup::bending) * length, length);
     law.axial(0, 0) += (place.weight(StrainGroup::axial) - place.weight(StrainGroup::bending)) *
-                       length_ * axial_stiffness;
-    law.shear = law_.scaled(place.weight(StrainGroup::torsion) * length_, length_).shear;
-    law.shear.row(0) = place.weight(StrainGroup::shear) * length_ * law_.shear.row(0);
+                       length * axial_stiffness;
+    law.shear = law_.scaled(place.weight(StrainGroup::torsion) * length, length).shear;
+    law.shear.row(0) = place.weight(StrainGroup::shear) * length * law_.shear.row(0);
     result.law = law;
-    detail::continuum::Vectors<double, Dimension> reference;
-    reference.columns.setZero();
-    reference.columns(0, 0) = 1.0;
-    for (int c = 0; c < slopes; ++c) reference.columns(1 + c, Dimension + c) = 1.0;
+    Vectors reference;
+    if (line_.curved()) {
+        reference =
+            detail::continuum::Nodes<double, Dimension>(reference_).at(place.xi, result.tangent);
+    } else {
+        reference.columns.setZero();
+        reference.columns(0, 0) = 1.0;
+        for (int c = 0; c < slopes; ++c) reference.columns(1 + c, Dimension + c) = 1.0;
+    }
     result.reference = detail::continuum::strain_coefficients(reference);
     return result;
 }

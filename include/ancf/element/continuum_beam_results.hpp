@@ -55,14 +55,14 @@ template <int Components>
 
 template <int Dimension>
 bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
-    return e.allFinite() && detail::upright<Dimension>(e, length_);
+    return e.allFinite() && detail::upright<Dimension>(e, line_.parameter_length());
 }
 
 template <int Dimension>
 typename ContinuumBeam<Dimension>::Vectors ContinuumBeam<Dimension>::vectors_at(
     const Coordinates& e, double xi) const noexcept {
     Vectors v = detail::continuum::Nodes<double, Dimension>(e).at(xi, tangent_weights(xi));
-    v.columns.template middleCols<slopes>(1) /= length_;
+    v.columns.template middleCols<slopes>(1) /= unit(xi);
     return v;
 }
 
@@ -70,8 +70,16 @@ template <int Dimension>
 typename ContinuumBeam<Dimension>::Strain ContinuumBeam<Dimension>::strain_at(
     const Coordinates& e, double xi) const noexcept {
     Strain strain = detail::continuum::strain_coefficients(vectors_at(e, xi));
-    strain.axial(0) -= 0.5;
-    strain.normal.array() -= 0.5;
+    if (line_.curved()) {
+        const Strain rest = detail::continuum::strain_coefficients(vectors_at(reference_, xi));
+        strain.axial -= rest.axial;
+        strain.shear -= rest.shear;
+        strain.normal -= rest.normal;
+        strain.transverse -= rest.transverse;
+    } else {
+        strain.axial(0) -= 0.5;
+        strain.normal.array() -= 0.5;
+    }
     return strain;
 }
 
@@ -84,7 +92,7 @@ typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::position(
 template <int Dimension>
 typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_jacobian(
     const Coordinates& /*e*/, double xi, double y, double z) const noexcept {
-    const auto line = hermite(xi, length_);
+    const auto line = hermite(xi, line_.parameter_length());
     const double place[2] = {y, z};
     const Matrix<double, Dimension> identity = Matrix<double, Dimension>::Identity();
     Jacobian jacobian;
