@@ -9,6 +9,8 @@ std::vector<hard_cases::Case> hard_cases::engineering_cases() {
     const Spatial<Element> spatial("geodesic-engineering", with_rule(ancf::Rule::mixed()),
                                    engineering_tip);
     std::vector<Case> all = spatial.cases();
-    all.push_back({"helix", [spatial](Rows& rows, bool quick) { spatial.helix(rows, quick); }});
+    const Spatial<Element> fine("geodesic-engineering", with_rule(ancf::Rule::gauss(3)),
+                                engineering_tip);
+    all.push_back({"helix", [fine](Rows& rows, bool quick) { fine.helix(rows, quick); }});
     return all;
 }

@@ -186,22 +186,27 @@ TEST_CASE("joints of frames: derivatives equal complex steps", "[constraint]") {
     Random random(seed);
     const auto model = random_scene<ancf::test::BeamCarrier>(random);
     const NodeId a{0}, b{1};
-    const ancf::FrameAt section{b, Field::r_y, Field::r_z};
+    const ancf::FrameAt tangent{a, Field::r_x, Field::r_y}, across{b, Field::r_z, Field::r_y};
     const Vector3 axis = random.direction<3>(), other = ancf::cross(axis, random.direction<3>());
 
     check_derivatives(model, ancf::Revolute(model, a, b, axis), random);
-    check_derivatives(model, ancf::Revolute(model, a, section, axis), random);
+    check_derivatives(model, ancf::Revolute(model, a, across, axis), random);
+    check_derivatives(model, ancf::Revolute(model, tangent, across, axis), random);
     check_derivatives(model, ancf::Revolute(model, a, axis), random);
     check_derivatives(model, ancf::Weld(model, a, b), random);
-    check_derivatives(model, ancf::Weld(model, section), random);
+    check_derivatives(model, ancf::Weld(model, tangent, b), random);
+    check_derivatives(model, ancf::Weld(model, b), random);
+    check_derivatives(model, ancf::Weld(model, across), random);
     check_derivatives(model, ancf::DrivenRevolute(model, a, b, axis, wave(1.5)), random);
     check_derivatives(model, ancf::DrivenRevolute(model, a, axis, wave(1.5)), random);
+    check_derivatives(model, ancf::DrivenRevolute(model, tangent, axis, wave(1.5)), random);
     check_derivatives(model, ancf::Universal(model, a, b, axis, other), random);
     check_derivatives(model, ancf::Universal(model, a, axis, other), random);
     check_derivatives(
         model, ancf::Driven(ancf::Universal(model, a, b, axis, other), {{3, wave(0.4)}}), random);
     check_derivatives(model, ancf::AlignedTangent(model, a, b), random);
     check_derivatives(model, ancf::AlignedTangent(model, b), random);
+    check_derivatives(model, ancf::RigidSection(b), random);
 }
 
 TEST_CASE("planar constraints: derivatives equal complex steps", "[constraint]") {
@@ -215,7 +220,7 @@ TEST_CASE("planar constraints: derivatives equal complex steps", "[constraint]")
     check_derivatives(model, ancf::Pin(a, place), random);
     check_derivatives(model, ancf::Distance<2>(a, b, 0.7), random);
     check_derivatives(model, ancf::PlanarWeld(model, a, b), random);
-    check_derivatives(model, ancf::PlanarWeld(model, a, b, Field::r_y), random);
+    check_derivatives(model, ancf::PlanarWeld(model, a, b, Field::r_x), random);
     check_derivatives(model, ancf::PlanarWeld(model, a), random);
     check_derivatives(model, ancf::PlanarWeld(model, a, b, wave(2.0)), random);
     check_derivatives(model, ancf::PlanarWeld(model, a, wave(2.0)), random);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/constants.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/catch.hpp>
@@ -38,6 +39,14 @@ ancf::LoadResult evaluate(const Load& load, const ancf::VectorX& q) {
     return out;
 }
 
+/// Returns a moment on the section of a node that carries all vectors.
+ancf::Moment on_section(const Vector3& moment,
+                        ancf::Attachment attachment = ancf::Attachment::space) {
+    ancf::Moment load(NodeId{0}, moment, attachment);
+    load.settle(ancf::Layout(3, {Field::r | Field::r_x | Field::r_y | Field::r_z}));
+    return load;
+}
+
 template <class Load, int Size>
 void check_stiffness(const Load& load, const ancf::Vector<double, Size>& q) {
     const auto out = evaluate(load, q);
@@ -63,6 +72,8 @@ TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of th
     check_stiffness(ancf::TangentMoment(NodeId{0}, vector), Vector3(slopes.head<3>()));
     check_stiffness(ancf::Moment(NodeId{0}, vector), slopes);
     check_stiffness(ancf::Moment(NodeId{0}, vector, ancf::Attachment::frame), slopes);
+    check_stiffness(on_section(vector), slopes);
+    check_stiffness(on_section(vector, ancf::Attachment::frame), slopes);
 }
 
 TEST_CASE("FollowerForce: stiffness equals the complex-step derivative of the force", "[load]") {
@@ -89,10 +100,24 @@ TEST_CASE("Moment: the generalised force has the moment as its resultant", "[loa
     ancf::test::Random random(seed);
     const Vector3 moment = random.vector<3>();
     const Vector6 slopes = random_slopes(random);
-    const Vector6 force = ancf::Moment(NodeId{0}, moment).force(slopes);
-    const Vector3 sum = ancf::cross(Vector3(slopes.head<3>()), Vector3(force.head<3>())) +
-                        ancf::cross(Vector3(slopes.tail<3>()), Vector3(force.tail<3>()));
-    CHECK((sum - moment).norm() <= tolerance * moment.norm());
+    for (const ancf::Moment& load : {ancf::Moment(NodeId{0}, moment), on_section(moment)}) {
+        const Vector6 force = load.force(slopes);
+        const Vector3 sum = ancf::cross(Vector3(slopes.head<3>()), Vector3(force.head<3>())) +
+                            ancf::cross(Vector3(slopes.tail<3>()), Vector3(force.tail<3>()));
+        CHECK((sum - moment).norm() <= tolerance * moment.norm());
+    }
+}
+
+TEST_CASE("Moment: on a section it stretches no slope and shares a torque evenly", "[load]") {
+    const Vector3 y(0.0, 1.1, 0.0), z(0.0, 0.0, 0.9);
+    Vector6 slopes;
+    slopes << y, z;
+    const Vector6 torque = on_section({2.0, 0.0, 0.0}).force(slopes);
+    CHECK((torque.head<3>() - Vector3(0.0, 0.0, 1.0 / 1.1)).norm() <= tolerance);
+    CHECK((torque.tail<3>() - Vector3(0.0, -1.0 / 0.9, 0.0)).norm() <= tolerance);
+    const Vector6 bending = on_section({0.0, 0.0, 2.0}).force(slopes);
+    CHECK((bending.head<3>() - Vector3(-2.0 / 1.1, 0.0, 0.0)).norm() <= tolerance);
+    CHECK(bending.tail<3>().norm() <= tolerance);
 }
 
 TEST_CASE("SlopeMoment: the work over one turn of a normal slope is 2 pi m", "[load]") {

@@ -205,6 +205,8 @@ private:
 
     template <class Element, class Block>
     void scatter(const Slots& slots, const Block& block, double* values) const;
+    template <class Element, class Block>
+    void scatter(const Slots& slots, int a, int b, const Block& block, double* values) const;
 
     // Each adds elements and returns their energy: all of a group, one, or as many as a pack has
     // lanes, equal but for their coordinates.

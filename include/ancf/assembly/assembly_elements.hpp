@@ -145,11 +145,20 @@ double Assembly<Scene>::add_pack(const Element& element, const Slots* slots,
     }
     const auto result = element.evaluate(e);
     add_force(result.force);
-    Matrix<double, Element::dofs> tangent;
-    for (int lane = 0; lane < Lanes; ++lane) {
-        for (int k = 0; k < tangent.size(); ++k) tangent(k) = result.tangent(k)[lane];
-        scatter<Element>(slots[lane], tangent, tangent_.valuePtr());
-    }
+    // a block of all lanes at a time: the packs are read once, and what is written stays in cache
+    constexpr int half = Element::dofs / 2;
+    Matrix<double, half> blocks[Lanes];
+    for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) {
+            const auto stores = [&](const Slots& one) { return one.base[a][b] >= 0; };
+            if (std::none_of(slots, slots + Lanes, stores)) continue;
+            for (int j = 0; j < half; ++j)
+                for (int i = 0; i < half; ++i)
+                    for (int lane = 0; lane < Lanes; ++lane)
+                        blocks[lane](i, j) = result.tangent(a * half + i, b * half + j)[lane];
+            for (int lane = 0; lane < Lanes; ++lane)
+                scatter<Element>(slots[lane], a, b, blocks[lane], tangent_.valuePtr());
+        }
     return lane_sum(result.energy);
 }
 
@@ -157,38 +166,42 @@ template <class Scene>
 template <class Element, class Block>
 void Assembly<Scene>::scatter(const Slots& slots, const Block& block, double* values) const {
     constexpr int half = Element::dofs / 2;
-    if (slots.plain) {
+    for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
-            for (int j = 0; j < half; ++j) {
-                const int offset = pattern_.column_offset(slots.node[b], j);
-                for (int a = 0; a < 2; ++a) {
-                    if (slots.base[a][b] < 0) continue;
-                    double* column = values + slots.base[a][b] + offset;
-                    const int from = a == b && pattern_.storage() == Storage::lower ? j : 0;
-                    for (int i = from; i < half; ++i)
-                        column[i] += block(a * half + i, b * half + j);
-                }
-            }
+            scatter<Element>(slots, a, b, block.template block<half, half>(a * half, b * half),
+                             values);
+}
+
+template <class Scene>
+template <class Element, class Block>
+void Assembly<Scene>::scatter(const Slots& slots, int a, int b, const Block& block,
+                              double* values) const {
+    if (slots.base[a][b] < 0) return;
+    constexpr int half = Element::dofs / 2;
+    const bool lower = a == b && pattern_.storage() == Storage::lower;
+    double* base = values + slots.base[a][b];
+    if (slots.plain) {
+        for (int j = 0; j < half; ++j) {
+            double* column = base + pattern_.column_offset(slots.node[b], j);
+            for (int i = lower ? j : 0; i < half; ++i) column[i] += block(i, j);
+        }
         return;
     }
-    int row_of[Element::dofs];  // row within the node's block, -1 where held
-    element_coordinates<Element>(slots, row_of);
+    int place[Element::dofs];  // within the node's block, -1 where held
+    element_coordinates<Element>(slots, place);
     for (int i = 0; i < Element::dofs; ++i) {
-        const int equation = numbering_.equation(row_of[i]);
-        row_of[i] = equation < 0 ? -1 : equation - pattern_.first(slots.node[i >= half]);
+        const int equation = numbering_.equation(place[i]);
+        place[i] = equation < 0 ? -1 : equation - pattern_.first(slots.node[i >= half]);
     }
-    for (int b = 0; b < 2; ++b)
-        for (int j = b * half; j < (b + 1) * half; ++j) {
-            if (row_of[j] < 0) continue;
-            const int offset = pattern_.column_offset(slots.node[b], row_of[j]);
-            for (int a = 0; a < 2; ++a) {
-                if (slots.base[a][b] < 0) continue;
-                double* column = values + slots.base[a][b] + offset;
-                const int above = a == b && pattern_.storage() == Storage::lower ? row_of[j] : 0;
-                for (int i = a * half; i < (a + 1) * half; ++i)
-                    if (row_of[i] >= above) column[row_of[i]] += block(i, j);
-            }
+    for (int j = 0; j < half; ++j) {
+        const int own = place[b * half + j];
+        if (own < 0) continue;
+        double* column = base + pattern_.column_offset(slots.node[b], own);
+        for (int i = 0; i < half; ++i) {
+            const int row = place[a * half + i];
+            if (row >= (lower ? own : 0)) column[row] += block(i, j);
         }
+    }
 }
 
 template <class Scene>

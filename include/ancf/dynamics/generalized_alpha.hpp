@@ -63,7 +63,8 @@ public:
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints.
     ///
-    /// Fixed steps stay on the grid start + k step; only a last, shorter step leaves it.
+    /// Fixed steps stay on the grid start + k step; only a last, shorter step leaves it. Where
+    /// Newton's method fails a step is taken in halves, quarters and so on.
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return status converged at the end; inconsistent or redundant, with the constraint named,
@@ -98,9 +99,13 @@ private:
         VectorX acceleration, algorithmic;
     };
 
+    enum class Ends { within, on_grid, off_grid };  // within a step that is taken in parts
     struct Step {
         double width, end;
+        Ends ends;
     };
+
+    static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
 
     [[nodiscard]] bool begin(const Memory& memory);
     void recall(const Memory& memory);
@@ -136,6 +141,7 @@ private:
 
     Point now_, next_;
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
+    double part_ = 0.0;                               // of a step that failed; 0: whole steps
     double width_ = 0.0;                              // step that now_.algorithmic belongs to
     MotionPoint linearised_;                          // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
@@ -212,16 +218,21 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
     return true;
 }
 
-/// Returns the step to the next point of the grid, or to the schedule's end if that comes first.
+/// Returns the step to the next point of the grid, or to the schedule's end if that comes first;
+/// where steps are divided, the next part of it.
 template <class Scene, class LinearSolver>
 typename GeneralizedAlphaRun<Scene, LinearSolver>::Step
 GeneralizedAlphaRun<Scene, LinearSolver>::propose() const {
     const double grid = origin_ + (count_ + 1.0) * step_;
-    if (schedule_.end >= grid - 1e-9 * step_) return {step_, grid};
-    return {schedule_.end - now_.time, schedule_.end};
+    const bool on_grid = schedule_.end >= grid - 1e-9 * step_;
+    const double end = on_grid ? grid : schedule_.end, rest = end - now_.time;
+    if (part_ > 0.0 && rest > part_ * (1.0 + 1e-6)) return {part_, now_.time + part_, Ends::within};
+    const bool full = on_grid && std::abs(rest - step_) <= 1e-6 * step_;
+    return {full ? step_ : rest, end, on_grid ? Ends::on_grid : Ends::off_grid};
 }
 
-/// Takes one step into next_, again with smaller ones where the run is adaptive.
+/// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
+/// it is not.
 template <class Scene, class LinearSolver>
 bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
     const bool adaptive = options_.tolerance > 0.0;
@@ -237,11 +248,13 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
         if (status == Status::converged && error <= 1.0) {
             width_ = step.width;
+            if (step.ends == Ends::within) return true;
+            part_ = 0.0;
             count_ += 1.0;
             // a step keeps its width, and the matrix, unless a change is worth it
             const bool change = adaptive && step.width == step_ && (factor < 0.95 || factor > 1.4);
             if (change) step_ = std::min(step_ * std::min(factor, 2.0), options_.max_step);
-            if (change || step.width != step_) {
+            if (change || step.ends == Ends::off_grid) {
                 origin_ = next_.time;
                 count_ = 0.0;
             }
@@ -249,9 +262,12 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         }
         status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         if (!adaptive) {
+            part_ = 0.5 * step.width;
+            if (part_ > smallest_part * step_) continue;
             std::ostringstream message;
             message << "Newton's method failed in the step from " << now_.time
-                    << " s: " << to_string(status);
+                    << " s: " << to_string(status) << ", also in parts of " << step.width
+                    << " s; a shorter step or adaptive steps (tolerance > 0) may pass";
             fail(status, message.str());
             return false;
         }

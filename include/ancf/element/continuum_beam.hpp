@@ -127,6 +127,8 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
@@ -221,8 +223,8 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
                                    reference.template segment<Dimension>(node_dofs + Dimension)),
           reference, options) {
     detail::require(admissible(reference),
-                    "the reference coordinates of an element must be finite, its slopes a "
-                    "right-handed system, got ",
+                    "the reference coordinates of an element need slopes of some length, "
+                    "right-handed and turning by less than 120 degrees from node to node, got ",
                     reference.transpose());
 }
 

@@ -176,6 +176,8 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
@@ -305,8 +307,8 @@ CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(
                     reference.transpose());
     set_up(material, section);
     detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, not "
-                    "parallel to the tangent, got ",
+                    "the reference coordinates of an element need slopes of some length, "
+                    "right-handed and turning by less than 120 degrees from node to node, got ",
                     reference.transpose());
     kernel_.set_reference(reference);
 }

@@ -94,6 +94,8 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
@@ -207,7 +209,7 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
     set_up(material, section);
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, r_y to "
-                    "the left of r_x, got ",
+                    "the left of r_x, turning by less than 120 degrees from node to node, got ",
                     reference.transpose());
     kernel_.set_reference(reference);
 }

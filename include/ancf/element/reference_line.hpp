@@ -77,15 +77,30 @@ public:
     }
 
     /// Returns the stations of a rule along the line; reference strains are zero.
+    ///
+    /// A rule that gives the axial term points of its own takes eps^2 there: on a straight line
+    /// that is never less than at the points of bending, which keeps the energy positive where eps
+    /// couples with curvature. On a curve whose parameter runs unevenly it may be less; there the
+    /// strain of the centroid takes the place of eps.
     /// @param own_axial  stations of the axial term alone are kept apart: its strain is Green's
     [[nodiscard]] StationTable<double> stations(const Rule& rule, const SectionStiffness& section,
                                                 bool own_axial = true) const {
         StationTable<double> table;
+        const auto& C = section.axial;
+        const bool by_centroid =
+            curved_ && C.block<1, 2>(0, 1).squaredNorm() > 1e-24 * C(0, 0) * (C(1, 1) + C(2, 2));
         for (const RuleStation& station : rule.stations()) {
             const StationShape<double> at = shape(station.xi);
-            const SectionMatrix<double> stiffness =
-                station_stiffness(section, station, parameter_length_ * metric(station.xi));
-            if (own_axial && station.axial_only()) {
+            const double length = parameter_length_ * metric(station.xi);
+            SectionMatrix<double> stiffness = station_stiffness(section, station, length);
+            const double excess =
+                station.weight(StrainGroup::axial) - station.weight(StrainGroup::bending);
+            if (by_centroid && excess != 0.0) {
+                for (int i = 0; i < 6; ++i)
+                    for (int j = i == 0 ? 1 : 0; j < 6; ++j)
+                        stiffness.axial[i][j] += excess * length * C(0, i) * C(0, j) / C(0, 0);
+            }
+            if (own_axial && station.axial_only() && !by_centroid) {
                 table.axial.push_back({{at.p[0], at.p[1], at.p[2]}, 0.0, stiffness.axial[0][0]});
             } else {
                 table.full.push_back({at, {}, stiffness});

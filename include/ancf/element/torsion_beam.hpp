@@ -112,6 +112,8 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 

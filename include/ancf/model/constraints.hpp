@@ -11,3 +11,4 @@
 #include <ancf/model/constraints_motion.hpp>
 #include <ancf/model/constraints_planar.hpp>
 #include <ancf/model/constraints_points.hpp>
+#include <ancf/model/constraints_sections.hpp>

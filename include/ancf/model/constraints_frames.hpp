@@ -19,20 +19,25 @@
 
 namespace ancf {
 
-/// A frame at a node: t along the first slope, n the part of the second normal to it, c = t x n.
+/// A frame at a node.
 ///
-/// The default is the frame of the tangent. {node, Field::r_y, Field::r_z} is that of the section,
-/// which a shear deformation at the joint leaves free to turn against the tangent.
+/// By default that of its section: evenly between r_y and r_z, or, where a node has no r_z, t along
+/// r_x and n the part of r_y normal to it. What a joint transmits then enters through the section.
+/// Two slopes make the frame t along the first, n the part of the second normal to t: with r_x and
+/// r_y the joint turns the tangent, and one element's shear alone passes the moment on, which is
+/// too soft by 3 M/(k G A l) whatever the mesh.
 struct FrameAt {
     NodeId node;                ///< where
+    bool of_section = true;     ///< the default; the slopes do not count then
     Field first = Field::r_x;   ///< along the axis t
     Field second = Field::r_y;  ///< in the plane of t and n
 
-    /// The frame of the given slopes of a node.
+    /// The frame of a node's section.
     FrameAt(NodeId at) : node(at) {}  // NOLINT: a node has a frame
 
     /// @throws InvalidArgument unless both are slopes and differ.
-    FrameAt(NodeId at, Field along, Field across) : node(at), first(along), second(across) {
+    FrameAt(NodeId at, Field along, Field across)
+        : node(at), of_section(false), first(along), second(across) {
         detail::require(along != Field::r && across != Field::r && along != across,
                         "FrameAt: a frame needs two different slopes, got ", to_string(along),
                         " and ", to_string(across));
@@ -43,9 +48,10 @@ namespace detail {
 
 /// What a joint holds on one side.
 enum class SideKind {
-    space,   ///< a frame that rests
-    frame,   ///< two slopes of a node
-    tangent  ///< one slope of a node
+    space,    ///< a frame that rests
+    frame,    ///< two slopes of a node
+    section,  ///< r_y and r_z of a node
+    tangent   ///< one slope of a node
 };
 
 /// The bilinear form g = sum_ij C_ij A_i.B_j of the axes of two frames.

@@ -38,7 +38,7 @@ struct JointSide {
     Vector<double, 3> place = Vector<double, 3>::Zero();     ///< at the start
 
     [[nodiscard]] int vectors() const noexcept {
-        return kind == SideKind::frame ? 2 : kind == SideKind::tangent ? 1 : 0;
+        return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;
     }
 
     [[nodiscard]] std::string name() const {
@@ -49,9 +49,14 @@ struct JointSide {
     static JointSide frame(const Scene& model, const FrameAt& at) {
         static_assert(Scene::dimension == 3, "joints of frames are of three dimensions");
         JointSide side{SideKind::frame, at};
-        const Vector<double, 3> p = model.value(at.node, at.first);
-        const Vector<double, 3> a = model.value(at.node, at.second);
-        side.axes = Triad<double>::of_slopes(p, a).axes;
+        if (at.of_section && model.layout().index({at.node, Field::r_z}) >= 0) {
+            side.kind = SideKind::section;
+            side.at.first = Field::r_y;
+            side.at.second = Field::r_z;
+        }
+        const Vector<double, 3> p = model.value(at.node, side.at.first);
+        const Vector<double, 3> a = model.value(at.node, side.at.second);
+        side.axes = side.triad_of<double>(p, a).axes;
         side.place = model.position(at.node);
         require(side.axes.allFinite(), "a joint needs a frame: the slopes of node ", at.node.index,
                 " are parallel or of no length");
@@ -82,7 +87,14 @@ struct JointSide {
         if (kind == SideKind::space) return Triad<Scalar>::at_rest(axes);
         const Vector<Scalar, 3> p = q.template segment<3>(first);
         if (kind == SideKind::tangent) return Triad<Scalar>::of_tangent(p);
-        return Triad<Scalar>::of_slopes(p, q.template segment<3>(first + 3));
+        return triad_of<Scalar>(p, q.template segment<3>(first + 3));
+    }
+
+    template <class Scalar>
+    [[nodiscard]] Triad<Scalar> triad_of(const Vector<Scalar, 3>& p,
+                                         const Vector<Scalar, 3>& a) const {
+        return kind == SideKind::section ? Triad<Scalar>::of_section(p, a)
+                                         : Triad<Scalar>::of_slopes(p, a);
     }
 };
 

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints_motion.hpp>
@@ -17,6 +18,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -25,45 +27,55 @@ namespace ancf {
 /// Positions and the angle between two slopes held, or that angle driven; 3 equations.
 class PlanarWeld {
 public:
-    /// @param slope  whose direction counts: r_x, or r_y for the section.
+    /// @param slope  whose direction counts on both sides; without it r_y, the section's, where a
+    ///               node carries it, and r_x elsewhere.
     /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
     ///         is not complete.
     template <class Scene>
-    PlanarWeld(const Scene& model, NodeId a, NodeId b, Field slope = Field::r_x)
+    PlanarWeld(const Scene& model, NodeId a, NodeId b, std::optional<Field> slope = {})
         : PlanarWeld(model, a, b, resting(), slope) {}
 
     /// As above, the angle driven.
     /// @param angle  added to the angle of the start, rad.
     template <class Scene>
-    PlanarWeld(const Scene& model, NodeId a, NodeId b, Motion angle, Field slope = Field::r_x)
-        : a_(a), b_(b), to_space_(false), slope_(slope), angle_(std::move(angle)) {
+    PlanarWeld(const Scene& model, NodeId a, NodeId b, Motion angle,
+               std::optional<Field> slope = {})
+        : a_(a),
+          b_(b),
+          to_space_(false),
+          slope_a_(chosen(model, a, slope)),
+          slope_b_(chosen(model, b, slope)),
+          angle_(std::move(angle)) {
         static_assert(Scene::dimension == 2, "a planar weld is of two dimensions");
         detail::require(a != b, "PlanarWeld: two nodes are joined, got node ", a.index, " twice");
-        detail::require(slope != Field::r, "PlanarWeld: an angle is that of a slope, got r");
         angle_.check("PlanarWeld");
-        start_ = heading(model, b) - heading(model, a);
+        start_ = heading(model, b, slope_b_) - heading(model, a, slope_a_);
     }
 
     /// A weld to space, at the node's place.
     template <class Scene>
-    explicit PlanarWeld(const Scene& model, NodeId a, Field slope = Field::r_x)
+    explicit PlanarWeld(const Scene& model, NodeId a, std::optional<Field> slope = {})
         : PlanarWeld(model, a, resting(), slope) {}
 
     /// A driven hinge to space: the node turns by -angle(t).
     template <class Scene>
-    PlanarWeld(const Scene& model, NodeId a, Motion angle, Field slope = Field::r_x)
-        : a_(a), b_(a), to_space_(true), slope_(slope), angle_(std::move(angle)) {
+    PlanarWeld(const Scene& model, NodeId a, Motion angle, std::optional<Field> slope = {})
+        : a_(a),
+          b_(a),
+          to_space_(true),
+          slope_a_(chosen(model, a, slope)),
+          slope_b_(slope_a_),
+          angle_(std::move(angle)) {
         static_assert(Scene::dimension == 2, "a planar weld is of two dimensions");
-        detail::require(slope != Field::r, "PlanarWeld: an angle is that of a slope, got r");
         angle_.check("PlanarWeld");
         place_ = model.position(a);
-        start_ = -heading(model, a);
+        start_ = -heading(model, a, slope_a_);
     }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {
-        if (to_space_) return {{a_, Field::r}, {a_, slope_}};
-        return {{a_, Field::r}, {b_, Field::r}, {a_, slope_}, {b_, slope_}};
+        if (to_space_) return {{a_, Field::r}, {a_, slope_a_}};
+        return {{a_, Field::r}, {b_, Field::r}, {a_, slope_a_}, {b_, slope_b_}};
     }
     /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 3; }
@@ -135,21 +147,28 @@ private:
     }
 
     template <class Scene>
-    [[nodiscard]] double heading(const Scene& model, NodeId node) const {
-        const Vector<double, 2> p = model.value(node, slope_);
-        detail::require(p.norm() > 0.0, "PlanarWeld: ", to_string(slope_), " of node ", node.index,
+    static Field chosen(const Scene& model, NodeId node, std::optional<Field> slope) {
+        detail::require(slope != Field::r, "PlanarWeld: an angle is that of a slope, got r");
+        const bool section = model.layout().index({node, Field::r_y}) >= 0;
+        return slope.value_or(section ? Field::r_y : Field::r_x);
+    }
+
+    template <class Scene>
+    static double heading(const Scene& model, NodeId node, Field slope) {
+        const Vector<double, 2> p = model.value(node, slope);
+        detail::require(p.norm() > 0.0, "PlanarWeld: ", to_string(slope), " of node ", node.index,
                         " has no length");
         return std::atan2(p[1], p[0]);
     }
 
-    [[nodiscard]] int slope_a() const noexcept { return to_space_ ? 2 : 4; }
+    [[nodiscard]] int place_of_a() const noexcept { return to_space_ ? 2 : 4; }
 
     template <class Scalar>
     [[nodiscard]] Turn<Scalar> turn(const DynamicVector<Scalar>& q, const Scalar& time) const {
         using std::cos;
         using std::sin;
         using std::sqrt;
-        const Vector<Scalar, 2> a = q.template segment<2>(slope_a());
+        const Vector<Scalar, 2> a = q.template segment<2>(place_of_a());
         Vector<Scalar, 2> b(Scalar(1.0), Scalar(0.0));
         if (!to_space_) b = q.template segment<2>(6);
         const Scalar lengths = sqrt(Scalar(a.transpose() * a) * Scalar(b.transpose() * b));
@@ -170,7 +189,7 @@ private:
             d[at] = -sign * p[1] / square;
             d[at + 1] = sign * p[0] / square;
         };
-        add(slope_a(), -1.0);
+        add(place_of_a(), -1.0);
         if (!to_space_) add(6, 1.0);
         return d;
     }
@@ -185,14 +204,14 @@ private:
             h(at + 1, at + 1) = -h(at, at);
             h(at, at + 1) = h(at + 1, at) = scale * (y * y - x * x);
         };
-        add(slope_a(), -1.0);
+        add(place_of_a(), -1.0);
         if (!to_space_) add(6, 1.0);
         return h;
     }
 
     NodeId a_, b_;
     bool to_space_;
-    Field slope_;
+    Field slope_a_, slope_b_;
     Motion angle_;
     double start_ = 0.0;  // th_b - th_a at the start, rad
     Vector<double, 2> place_ = Vector<double, 2>::Zero();

@@ -21,18 +21,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace ancf {
-
-/// A column of any size.
-template <class Scalar>
-using DynamicVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-
-/// A matrix of any size.
-template <class Scalar>
-using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// A material point: a weighted sum of nodal vectors.
 struct MaterialPoint {
@@ -49,6 +42,26 @@ struct MaterialPoint {
         : vectors(std::move(at)), weights(std::move(with)), name(std::move(called)) {}
 };
 
+namespace detail {
+
+template <class Element, class = void>
+struct has_parameter_length : std::false_type {};
+template <class Element>
+struct has_parameter_length<
+    Element, std::void_t<decltype(std::declval<const Element&>().parameter_length())>>
+    : std::true_type {};
+
+/// Returns the range of an element's parameter; elements without a say in it are straight.
+template <class Element>
+[[nodiscard]] double parameter_length(const Element& element) {
+    if constexpr (has_parameter_length<Element>::value)
+        return element.parameter_length();
+    else
+        return element.length();
+}
+
+}  // namespace detail
+
 /// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation.
 /// @param element  index in the model's group of that type.
 /// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
@@ -62,7 +75,7 @@ template <class Element, class Scene>
                     " elements of this type, got index ", element);
     detail::require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
     const Connection& at = group.connections[static_cast<std::size_t>(element)];
-    const auto shape = hermite(xi, group.element(element).length());
+    const auto shape = hermite(xi, detail::parameter_length(group.element(element)));
     return {{{at.first, Field::r},
              {at.first, Field::r_x},
              {at.second, Field::r},

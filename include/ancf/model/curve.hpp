@@ -204,7 +204,9 @@ auto spline(Model<Elements...>& model, const Material& material, const Section& 
             if (k == 0) tangent = 2.0 * secant(0) - tangent;
             if (k + 1 == count) tangent = 2.0 * secant(count - 2) - tangent;
         }
-        tangent.normalize();
+        const double size = tangent.norm();
+        detail::require(size > 1e-9, "spline: the line folds back on itself at point ", k);
+        tangent /= size;
         Vector<double, 3> across = y_axis;
         if (k > 0) {
             const Vector<double, 3> before = points.back().slopes.col(0);

@@ -17,6 +17,7 @@
 
 #pragma once
 
+#include <ancf/model/layout.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
@@ -77,6 +78,13 @@ template <class T>
 struct load_dimension<T, std::enable_if_t<(T::dimension > 0)>>
     : std::integral_constant<int, T::dimension> {};
 
+template <class T, class = void>
+struct settles : std::false_type {};
+
+template <class T>
+struct settles<T, std::void_t<decltype(std::declval<T&>().settle(std::declval<const Layout&>()))>>
+    : std::true_type {};
+
 }  // namespace detail
 
 /// A load of any type.
@@ -84,7 +92,8 @@ struct load_dimension<T, std::enable_if_t<(T::dimension > 0)>>
 /// A type may declare `static constexpr bool symmetric_stiffness = true`; without it the tangent
 /// counts as unsymmetric and asks for a solver of full storage. One whose force depends neither on
 /// coordinates nor on rates declares `static constexpr bool constant_force = true` instead, and one
-/// for models of one dimension `static constexpr int dimension`.
+/// for models of one dimension `static constexpr int dimension`. One that acts on what its node
+/// carries offers `void settle(const Layout&)`: the model calls it once, before it keeps the load.
 class AnyLoad {
 public:
     /// Holds a copy of the load.

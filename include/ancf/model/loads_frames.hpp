@@ -5,11 +5,14 @@
 /// Moments and forces on the frame of a node, with their exact stiffness; docs/theory-statics.md
 /// derives each.
 ///
-/// The frame (t, n, c) is t along r_x, n the part of r_y normal to t, c = t x n.
+/// A moment acts on the frame of the section: n and c evenly between r_y and r_z, t normal to them.
+/// A force follows the frame of the tangent: t along r_x, n the part of r_y normal to t, c = t x n.
 
 #pragma once
 
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/model/triad.hpp>
@@ -20,11 +23,13 @@ namespace ancf {
 /// Whether a load keeps its direction in space or its components in the node's frame.
 enum class Attachment { space, frame };
 
-/// A moment vector on the frame (t, n, c) of a node, N m.
+/// A moment vector on the frame (t, n, c) of a node's section, N m.
 ///
+/// With u, w the unit vectors of r_y and r_z, s = |u x w|, t = u x w/s:
+///     Q_ry = (m_t/2 t x u - m.w/s t)/|r_y|,   Q_rz = (m_t/2 t x w + m.u/s t)/|r_z|.
+/// A node without r_z has the frame of its tangent, t along r_x:
 ///     Q_rx = (m_c n - (m_n + alpha m_t) c)/|r_x|,   Q_ry = m_t c/|r_y normal to t|
-///
-/// with alpha the slope of r_y against the normal plane; r_x x Q_rx + r_y x Q_ry = m.
+/// with alpha the slope of r_y against the normal plane. Either way sum slope x Q = m.
 class Moment {
 public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
@@ -34,9 +39,16 @@ public:
     Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment = Attachment::space);
 
     /// Returns the nodal vectors it acts on.
-    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}, {node_, Field::r_y}}; }
+    [[nodiscard]] Coupling coupling() const {
+        if (on_section_) return {{node_, Field::r_y}, {node_, Field::r_z}};
+        return {{node_, Field::r_x}, {node_, Field::r_y}};
+    }
 
-    /// Returns the generalised force on (r_x, r_y), 6 x 1, N m.
+    /// Takes the section of its node, where that has one; the model calls it.
+    void settle(const Layout& layout) { on_section_ = layout.index({node_, Field::r_z}) >= 0; }
+
+    /// Returns the generalised force on (r_y, r_z) or, before it is in a model and for a node
+    /// without r_z, on (r_x, r_y), 6 x 1, N m.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 6> force(const Vector<Scalar, 6>& slopes) const;
 
@@ -44,6 +56,14 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
+    template <class Scalar>
+    [[nodiscard]] detail::Triad<Scalar> frame(const Vector<Scalar, 6>& slopes) const {
+        const Vector<Scalar, 3> first = slopes.template head<3>(),
+                                second = slopes.template tail<3>();
+        return on_section_ ? detail::Triad<Scalar>::of_section(first, second)
+                           : detail::Triad<Scalar>::of_slopes(first, second);
+    }
+
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, 3> moment_in_space(const detail::Triad<Scalar>& frame) const {
         if (attachment_ == Attachment::frame) return frame.in_space(moment_);
@@ -53,6 +73,7 @@ private:
     NodeId node_;
     Vector<double, 3> moment_;
     Attachment attachment_;
+    bool on_section_ = false;
 };
 
 /// A force that keeps its components in the frame (t, n, c) of its node, N.
@@ -88,20 +109,19 @@ inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment a
 
 template <class Scalar>
 Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
-    const auto frame = detail::Triad<Scalar>::of_slopes(slopes);
-    return frame.on_slopes(moment_in_space(frame));
+    const detail::Triad<Scalar> at = frame(slopes);
+    return at.on_slopes(moment_in_space(at));
 }
 
 inline void Moment::evaluate(const LoadState& state, LoadResult& out) const {
-    const Vector<double, 6> slopes = state.q;
-    const auto frame = detail::Triad<double>::of_slopes(slopes);
-    const Vector<double, 3> m = moment_in_space(frame);
-    out.force = frame.on_slopes(m);
-    out.stiffness = detail::spin_derivative(frame, m);
+    const detail::Triad<double> at = frame<double>(state.q);
+    const Vector<double, 3> m = moment_in_space(at);
+    out.force = at.on_slopes(m);
+    out.stiffness = detail::spin_derivative(at, m);
     if (attachment_ == Attachment::space) return;
     for (int j = 0; j < 6; ++j) {  // the moment turns too: dm = w x m
-        const Vector<double, 3> turned = cross(Vector<double, 3>(frame.spin.col(j)), m);
-        const Vector<double, 6> column = frame.on_slopes(turned);
+        const Vector<double, 3> turned = cross(Vector<double, 3>(at.spin.col(j)), m);
+        const Vector<double, 6> column = at.on_slopes(turned);
         for (int i = 0; i < 6; ++i) out.stiffness(i, j) += column[i];
     }
 }

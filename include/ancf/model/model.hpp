@@ -406,6 +406,7 @@ void Model<Elements...>::add(Load load, Amplitude amplitude) {
     constexpr int of = detail::load_dimension<Load>::value;
     static_assert(of == 0 || of == dimension, "the load is of another dimension than the model");
     for (const NodeField& at : load.coupling()) check(at.node);
+    if constexpr (detail::settles<Load>::value) load.settle(layout());
     if constexpr (detail::has_constant_force<Load>::value) {  // wrong sizes show wherever it stands
         const VectorX zero = VectorX::Zero(dimension * static_cast<int>(load.coupling().size()));
         LoadResult result{zero, {}, {}, 0.0};

@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints_joints.hpp>
@@ -36,6 +37,8 @@ auto polyline(Model<Elements...>& model, const Material& material, const Section
     using Scene = Model<Elements...>;
     using Chosen =
         std::conditional_t<std::is_void_v<Element>, typename Scene::DefaultElement, Element>;
+    static_assert(Chosen::fields.contains(Field::r_y),
+                  "polyline welds sections at its corners: cables have none, join them by Pin");
     detail::require(through.size() >= 2, "polyline: at least two points are needed, got ",
                     through.size());
     std::vector<Beam<Chosen>> pieces;

@@ -10,7 +10,13 @@
 ///     O = [ [t]x/lam - (al/lam) t c^T,  t c^T/nu ],
 ///
 /// lam = |p|, nu = |a - (a.t) t|, al = a.t/nu. Only directions count, never the slopes' lengths.
-/// A cable's node has p alone: R = [t 0 0], O = [t]x/lam. docs/theory-dynamics.md derives the rest.
+/// A section's frame lies evenly between its two slopes p, a across: with their unit vectors u, w,
+///
+///     t = unit(u x w),  n = (n' - c')/sqrt 2,  c = (n' + c')/sqrt 2,  n' = unit(u + w),
+///     c' = unit(w - u),  O = [ (t (t x u)^T/2 - w t^T/s)/|p|,  (t (t x w)^T/2 + u t^T/s)/|a| ],
+///
+/// s = |u x w|: a moment about t acts on both alike. A cable's node has p alone: R = [t 0 0],
+/// O = [t]x/lam. docs/theory-dynamics.md derives the rest.
 
 #pragma once
 
@@ -26,7 +32,9 @@ struct Triad {
     Matrix<Scalar, 3> axes;     ///< columns t, n, c; n and c zero for a tangent
     Matrix<Scalar, 3, 6> spin;  ///< w = spin (dp, da); only the first `width` columns are there
     int width = 0;              ///< 0 of space, 3 of a tangent, 6 of two slopes
-    Scalar lam{}, nu{}, al{};
+    bool across = false;        ///< the two slopes are a section's
+    Scalar lam{}, nu{}, al{};   ///< of a section |p|, |a| and s
+    Vector<Scalar, 3> u, w;     ///< of a section
 
     /// The frame of two slopes.
     static Triad of_slopes(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a) {
@@ -57,6 +65,35 @@ struct Triad {
     /// The frame of (p, a).
     static Triad of_slopes(const Vector<Scalar, 6>& slopes) {
         return of_slopes({slopes[0], slopes[1], slopes[2]}, {slopes[3], slopes[4], slopes[5]});
+    }
+
+    /// The frame of a section with slopes p and a across, r_y and r_z.
+    static Triad of_section(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a) {
+        using std::sqrt;
+        Triad f;
+        f.width = 6;
+        f.across = true;
+        f.lam = sqrt(Scalar(p.transpose() * p));
+        f.nu = sqrt(Scalar(a.transpose() * a));
+        f.u = p / f.lam;
+        f.w = a / f.nu;
+        const Vector<Scalar, 3> normal = cross(f.u, f.w);
+        f.al = sqrt(Scalar(normal.transpose() * normal));
+        const Vector<Scalar, 3> t = normal / f.al;
+        const Vector<Scalar, 3> sum = f.u + f.w, difference = f.w - f.u;
+        const Scalar along = sqrt(Scalar(2.0) * Scalar(sum.transpose() * sum));
+        const Scalar apart = sqrt(Scalar(2.0) * Scalar(difference.transpose() * difference));
+        const Vector<Scalar, 3> tu = cross(t, f.u), tw = cross(t, f.w);
+        for (int i = 0; i < 3; ++i) {
+            f.axes(i, 0) = t[i];
+            f.axes(i, 1) = sum[i] / along - difference[i] / apart;
+            f.axes(i, 2) = sum[i] / along + difference[i] / apart;
+            for (int k = 0; k < 3; ++k) {
+                f.spin(i, k) = (Scalar(0.5) * t[i] * tu[k] - f.w[i] * t[k] / f.al) / f.lam;
+                f.spin(i, 3 + k) = (Scalar(0.5) * t[i] * tw[k] + f.u[i] * t[k] / f.al) / f.nu;
+            }
+        }
+        return f;
     }
 
     /// The direction of one slope.
@@ -99,6 +136,40 @@ struct Triad {
     }
 };
 
+/// Returns d(spin^T m)/d(p, a) of a section's frame.
+///
+///     spin^T m = ((m_t/2 t x u - m.w/s t)/|p|,  (m_t/2 t x w + m.u/s t)/|a|),
+///     ds = (u.w) dth,  dth = (t x w).dw - (t x u).du
+[[nodiscard]] inline Matrix<double, 6> section_spin_derivative(const Triad<double>& f,
+                                                               const Vector<double, 3>& m) {
+    using Vec = Vector<double, 3>;
+    const Vec t = f.axes.col(0), tu = cross(t, f.u), tw = cross(t, f.w);
+    const double half_twist = 0.5 * m.dot(t), s = f.al;
+    const double by_u = m.dot(f.u) / s, by_w = m.dot(f.w) / s, cosine = f.u.dot(f.w);
+    const Vec on_p = (half_twist * tu - by_w * t) / f.lam,
+              on_a = (half_twist * tw + by_u * t) / f.nu;
+    Matrix<double, 6> out;
+    for (int k = 0; k < 6; ++k) {  // by p_k, then by a_k
+        const bool first = k < 3;
+        const Vec unit = Vec::Unit(k % 3), zero = Vec::Zero();
+        const double d_p = first ? f.u[k] : 0.0, d_a = first ? 0.0 : f.w[k - 3];
+        const Vec du = first ? Vec((unit - d_p * f.u) / f.lam) : zero;
+        const Vec dw = first ? zero : Vec((unit - d_a * f.w) / f.nu);
+        const Vec dt = cross(Vec(f.spin.col(k)), t);
+        const double growth = cosine * (tw.dot(dw) - tu.dot(du)) / s;  // ds/s
+        const double d_half = 0.5 * m.dot(dt);
+        const Vec by_p = d_half * tu + half_twist * (cross(dt, f.u) + cross(t, du)) -
+                         (m.dot(dw) / s - by_w * growth) * t - by_w * dt;
+        const Vec by_a = d_half * tw + half_twist * (cross(dt, f.w) + cross(t, dw)) +
+                         (m.dot(du) / s - by_u * growth) * t + by_u * dt;
+        for (int i = 0; i < 3; ++i) {
+            out(i, k) = (by_p[i] - d_p * on_p[i]) / f.lam;
+            out(3 + i, k) = (by_a[i] - d_a * on_a[i]) / f.nu;
+        }
+    }
+    return out;
+}
+
 /// Returns d(spin^T m)/d(p, a) at fixed m: what the load stiffness of a moment is. Only the first
 /// `width` rows and columns are there.
 ///
@@ -106,6 +177,7 @@ struct Triad {
 [[nodiscard]] inline Matrix<double, 6> spin_derivative(const Triad<double>& f,
                                                        const Vector<double, 3>& m) {
     using Vec = Vector<double, 3>;
+    if (f.across) return section_spin_derivative(f, m);
     Matrix<double, 6> out = Matrix<double, 6>::Zero();
     if (f.width == 0) return out;
     const Vec t = f.axes.col(0), n = f.axes.col(1), c = f.axes.col(2);
