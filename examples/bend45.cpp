@@ -62,7 +62,8 @@ struct Bend {
 
     void parse(int argc, char** argv);
     [[nodiscard]] bool is_published() const {
-        return force == usual_force && beam.section_model == "paper" && beam.clamp == "full";
+        return force == usual_force && beam.is_cross_section() && beam.section_model == "paper" &&
+               beam.clamp == "full";
     }
 };
 
@@ -73,7 +74,7 @@ void Bend::parse(int argc, char** argv) {
     line.set_group("Beam");
     line.add_number("--force", force, examples::Range::finite, "at the tip along Z, N");
     beam.add_clamp_to(line);
-    beam.add_element_to(line, examples::curved_beams);
+    beam.add_element_to(line, examples::spatial_beams);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     line.set_group("Output");
@@ -81,7 +82,7 @@ void Bend::parse(int argc, char** argv) {
     line.add_file("--vtk", vtk, "the bent beam of the last mesh for ParaView: .vtp, .vtu or .vtk");
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::CurvedBeams{}, beam);
+    examples::check(examples::SpatialBeams{}, beam);
     if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
 }
 
@@ -118,7 +119,7 @@ bool study(const Bend& problem) {
         {"elements", "iterations", "status", "x", "y", "z", "deviation, % of R"});
     for (const int mesh : problem.elements) {
         const auto [report, tip] = examples::with_element(
-            examples::CurvedBeams{}, problem.beam,
+            examples::SpatialBeams{}, problem.beam,
             [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));

@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,14 +47,24 @@ constexpr double tolerance = 5e-3;  // of each displacement
 struct Row {
     double load, angle, chordwise, flapwise;
 };
-constexpr Row rows[] = {{4.448, 30.0, 0.00475107, 0.03994940},
-                        {8.896, 0.0, 0.01071541, 0.0},
-                        {8.896, 45.0, 0.00888886, 0.10904157},
-                        {8.896, 90.0, 0.0, 0.14625998},
-                        {13.345, 60.0, 0.01171642, 0.18192119}};
+constexpr Row published[] = {{4.448, 30.0, 0.00475107, 0.03994940},
+                             {8.896, 0.0, 0.01071541, 0.0},
+                             {8.896, 45.0, 0.00888886, 0.10904157},
+                             {8.896, 90.0, 0.0, 0.14625998},
+                             {13.345, 60.0, 0.01171642, 0.18192119}};
+
+/// Returns a load at every tenth degree; where the tip goes is not known.
+std::vector<Row> sweep(double load) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Row> rows;
+    for (int degrees = 0; degrees <= 90; degrees += 10)
+        rows.push_back({load, static_cast<double>(degrees), unknown, unknown});
+    return rows;
+}
 
 struct Princeton {
     int elements = 16;
+    double load = 0.0;  // N, at ten angles; 0: the published rows
     examples::BeamOptions beam;
     examples::SolverOptions solver;
     bool csv = false;
@@ -69,15 +81,18 @@ void Princeton::parse(int argc, char** argv) {
     beam.rule = "mixed";
     beam.transverse = "stretch";
     beam.section_model = "saint-venant";
-    beam.add_element_to(line, examples::curved_beams);
+    beam.add_element_to(line, examples::cross_section_beams);
     line.add_count("--elements", elements, 1, 10'000, "number of elements");
     solver.add_to(line);
+    line.set_group("Load");
+    line.add_number("--load", load, examples::Range::finite,
+                    "N, at every tenth degree from the chord; 0: the published rows");
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "the beam under the last load for ParaView: .vtp, .vtu or .vtk");
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::CurvedBeams{}, beam);
+    examples::check(examples::CrossSectionBeams{}, beam);
     if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
 }
 
@@ -119,9 +134,12 @@ bool study(const Princeton& problem) {
                            "flapwise", "reference_chordwise", "reference_flapwise", "deviation"},
                           {"P, N", "angle", "iterations", "status", "chordwise, mm", "flapwise, mm",
                            "reference", "reference", "deviation, %"});
+    const std::vector<Row> rows = problem.load == 0.0
+                                      ? std::vector<Row>(std::begin(published), std::end(published))
+                                      : sweep(problem.load);
     for (const Row& row : rows) {
         const Result result = examples::with_element(
-            examples::CurvedBeams{}, problem.beam,
+            examples::CrossSectionBeams{}, problem.beam,
             [&](auto type) { return solve<typename decltype(type)::Element>(problem, row); });
         verdict.add(problem.elements, result.report);
         const double off = std::max(deviation(result.chordwise, row.chordwise, row.flapwise),
@@ -133,7 +151,7 @@ bool study(const Princeton& problem) {
             {fixed(row.load, 3), fixed(row.angle, 0), std::to_string(result.report.iterations()),
              status, fixed(1e3 * result.chordwise, 4), fixed(1e3 * result.flapwise, 4),
              fixed(1e3 * row.chordwise, 4), fixed(1e3 * row.flapwise, 4), fixed(100.0 * off, 4)});
-        if (!(off <= tolerance)) {
+        if (problem.load == 0.0 && !(off <= tolerance)) {
             close = false;
             std::cerr << row.load << " N at " << row.angle << " degrees: missed by "
                       << fixed(100.0 * off, 3) << " %, tolerance " << fixed(100.0 * tolerance, 1)

@@ -46,8 +46,9 @@ struct Geometry {
     }
 };
 
-/// Words of --element; those of curved beams come first, then the other spatial ones.
-inline const std::vector<std::string> curved_beams = {"cross-section", "cross-section-pointwise"};
+/// Words of --element; the cross-section beams come first, then the other spatial ones.
+inline const std::vector<std::string> cross_section_beams = {"cross-section",
+                                                             "cross-section-pointwise"};
 inline const std::vector<std::string> spatial_beams = {"cross-section", "cross-section-pointwise",
                                                        "continuum", "continuum-hooke",
                                                        "continuum-enhanced"};

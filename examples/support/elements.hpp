@@ -30,7 +30,7 @@ using PlanarCable = ancf::Cable<2>;
 template <class... Elements>
 struct ElementList {};
 
-using CurvedBeams = ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise>;
+using CrossSectionBeams = ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise>;
 using SpatialBeams =
     ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise, Continuum>;
 using AllElements = ElementList<CrossSection, CrossSectionGeodesic, CrossSectionPointwise,
