@@ -29,6 +29,7 @@
 
 #include <support/command_line.hpp>
 #include <support/integrate.hpp>
+#include <support/progress.hpp>
 #include <support/report.hpp>
 
 #include <algorithm>
@@ -151,12 +152,18 @@ Run turn(const FourBar& problem, int elements) {
                                seen.energies.kinetic + seen.energies.strain, seen.energies.strain,
                                work});
     };
+    examples::ProgressBar bar(0.0);
+    schedule.progress = [&bar](double time, double end) {
+        bar.show(time, end);
+        return true;
+    };
     ancf::DynamicProblem<Scene> dynamics(model);
     auto solver = examples::general_solver();
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;
     method.rho = problem.rho;
     run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, solver, schedule);
+    bar.clear();
     return run;
 }
 

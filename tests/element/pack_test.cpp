@@ -4,8 +4,11 @@
 /// @file
 /// Packs of doubles, and elements evaluated side by side.
 
+#include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/pack.hpp>
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/torsion_beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>
@@ -63,13 +66,14 @@ double difference(const std::array<const Element*, Lanes>& elements, const Packe
     double worst = 0.0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         test::Random random(seed);
-        Vector<Pack<Lanes>, 24> e;
-        std::array<Evaluation<double, 24>, Lanes> expected;
-        std::array<Vector<double, 24>, Lanes> force;
+        constexpr int dofs = Element::dofs;
+        Vector<Pack<Lanes>, dofs> e;
+        std::array<Evaluation<double, dofs>, Lanes> expected;
+        std::array<Vector<double, dofs>, Lanes> force;
         std::array<double, Lanes> energy;
         for (std::size_t k = 0; k < Lanes; ++k) {
             const auto state = test::random_state(*elements[k], random);
-            for (int i = 0; i < 24; ++i) e(i).set(static_cast<int>(k), state(i));
+            for (int i = 0; i < dofs; ++i) e(i).set(static_cast<int>(k), state(i));
             expected[k] = elements[k]->evaluate(state);
             force[k] = elements[k]->force(state);
             energy[k] = elements[k]->energy(state);
@@ -81,12 +85,12 @@ double difference(const std::array<const Element*, Lanes>& elements, const Packe
             const int lane = static_cast<int>(k);
             worst = std::max(worst, std::abs(evaluation.energy[lane] / expected[k].energy - 1.0));
             worst = std::max(worst, std::abs(packed_energy[lane] / energy[k] - 1.0));
-            for (int i = 0; i < 24; ++i) {
+            for (int i = 0; i < dofs; ++i) {
                 worst = std::max(worst, std::abs(evaluation.force(i)[lane] - expected[k].force(i)) /
                                             force[k].norm());
                 worst = std::max(worst,
                                  std::abs(packed_force(i)[lane] - force[k](i)) / force[k].norm());
-                for (int j = 0; j < 24; ++j) {
+                for (int j = 0; j < dofs; ++j) {
                     worst = std::max(worst, std::abs(evaluation.tangent(i, j)[lane] -
                                                      expected[k].tangent(i, j)) /
                                                 expected[k].tangent.norm());
@@ -103,6 +107,14 @@ TEMPLATE_TEST_CASE(
     const auto variant = GENERATE(from_range(std::begin(test::variants), std::end(test::variants)));
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);
+    CHECK(difference<4>(std::array{&element, &element, &element, &element}, element) <=
+          1e-14);  // round-off
+}
+
+TEMPLATE_TEST_CASE("other beams: equal elements in the lanes of a pack give what each gives alone",
+                   "[element][pack]", TorsionBeam, ContinuumBeam<3>, ContinuumBeam<2>,
+                   CrossSectionBeam<2>) {
+    const TestType element(test::sample_material(), test::sample_rectangle(), 0.7);
     CHECK(difference<4>(std::array{&element, &element, &element, &element}, element) <=
           1e-14);  // round-off
 }

@@ -45,6 +45,8 @@ class TorsionBeam {
 public:
     static constexpr int dimension = 3;  ///< of space
     static constexpr int dofs = 18;      ///< number of nodal coordinates of an element
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
     /// Nodal coordinates e, those of the first node first.

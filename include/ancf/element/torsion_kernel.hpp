@@ -342,7 +342,7 @@ void TorsionKernel::add_spin_tangent(const TorsionNodes<S>& nodes, const Torsion
     for (int node = 0; node < 2; ++node) {
         const int column = torsion_line + node;
         Local<S> z =
-            0.5 * (K(torsion_line, column) * forms[0] + K(torsion_line + 1, column) * forms[1]);
+            S(0.5) * (K(torsion_line, column) * forms[0] + K(torsion_line + 1, column) * forms[1]);
         for (int i = 0; i < torsion_line; ++i) z[i] += K(i, column);
         for (const int vector : {tv_g1 + node, tv_a1 + node})  // where the form is not zero
             for (int j = 3 * vector; j < 3 * vector + 3; ++j)
@@ -388,14 +388,14 @@ S TorsionKernel::walk(const TorsionNodes<S>& nodes, Local<S>& force,
         if constexpr (WithTangent) {
             // kap and chi are coupled, om stands alone
             const TorsionRow<S> moment[3] = {
-                station.stiffness[0][0] * at.rate[0] + station.stiffness[0][1] * at.rate[1],
-                station.stiffness[1][0] * at.rate[0] + station.stiffness[1][1] * at.rate[1],
-                station.stiffness[2][2] * at.rate[2]};
+                S(station.stiffness[0][0]) * at.rate[0] + S(station.stiffness[0][1]) * at.rate[1],
+                S(station.stiffness[1][0]) * at.rate[0] + S(station.stiffness[1][1]) * at.rate[1],
+                S(station.stiffness[2][2]) * at.rate[2]};
             for (int i = 0; i < 3; ++i) K += at.rate[i] * moment[i].transpose();
             // 2 th (U_kap d chi - U_chi d kap) - th^2 (kap U_kap + chi U_chi)
             const TorsionRow<S> turning =
                 U[0] * at.chi - U[1] * at.kap -
-                0.5 * (at.frame.kap * U[0] + at.frame.chi * U[1]) * at.spin;
+                S(0.5 * (at.frame.kap * U[0] + at.frame.chi * U[1])) * at.spin;
             K += at.spin * turning.transpose() + turning * at.spin.transpose();
             add_torsion_curvature(station.shape, at.frame, U, K);
         }
