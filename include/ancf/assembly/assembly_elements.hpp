@@ -24,6 +24,7 @@ namespace ancf {
 template <class Scene>
 std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request request,
                                                const VectorX* increment, const Correction* last) {
+    refresh();
     detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
                         at.multipliers.size() == numbering_.multipliers(),
                     "Assembly::evaluate: expected ", numbering_.coordinates(),
