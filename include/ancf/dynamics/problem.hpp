@@ -99,7 +99,7 @@ public:
     /// @throws InvalidArgument as refresh().
     [[nodiscard]] Start start();
 
-    /// Takes over what changed in the model; start() and every evaluation do it of their own accord.
+    /// Takes over what changed in the model; start() and every evaluation do it by themselves.
     /// @throws InvalidArgument where nodes, elements, supports, loads or constraints have changed,
     ///         or the mass matrix is no longer positive definite.
     void refresh();
@@ -216,6 +216,18 @@ public:
     /// state.
     [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
                                     State& into);
+
+    /// Solves for the forces that supports exert on the coordinates that they hold or drive,
+    ///
+    ///     M v' + Q_e + G^T lambda - Q,
+    ///
+    /// with the accelerations and multipliers that belong to (t, q, v). What it costs, one
+    /// factorisation, only those who ask for it pay; no run takes notice.
+    /// @param state   all coordinates and rates, as an observer sees them; not its multipliers.
+    /// @param forces  of all coordinates, zero where free; N and N m.
+    /// @return converged, or why the accelerations could not be solved for; forces are then zero.
+    /// @throws InvalidArgument for a state of another size.
+    [[nodiscard]] Status reactions(const State& state, VectorX& forces);
 
     // Scales ------------------------------------------------------------------------------------
 

@@ -515,6 +515,29 @@ Snapshot DynamicProblem<Scene>::snapshot(double t, VectorX q, VectorX v, const V
     return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
 }
 
+template <class Scene>
+Status DynamicProblem<Scene>::reactions(const State& state, VectorX& forces) {
+    const int all = numbering().coordinates();
+    detail::require(state.q.size() == all && state.v.size() == all,
+                    "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
+                    state.q.size(), " and ", state.v.size());
+    forces.setZero(all);
+    VectorX q, v, acceleration, lambda;
+    numbering().gather_free(state.q, q);
+    numbering().gather_free(state.v, v);
+    if (const Status status = accelerations(state.time, q, v, acceleration, lambda);
+        status != Status::converged)
+        return status;
+    if (const auto fault = evaluate(state.time, q, v, lambda, Request::force)) return fault->status;
+    VectorX whole = full_a_;  // of driven coordinates
+    numbering().add_free(acceleration, 1.0, whole);
+    const VectorX exerted = assembly_.mass_product(whole) + assembly_.internal_force() +
+                            assembly_.constraint_force() - assembly_.external_force();
+    for (int k = 0; k < all; ++k)
+        if (numbering().equation(k) < 0) forces[k] = exerted[k];
+    return Status::converged;
+}
+
 // --- scales ------------------------------------------------------------------------------------
 
 template <class Scene>
