@@ -221,7 +221,7 @@ VectorX TimeSeries<Scene>::constraint_force(int constraint, const State& state) 
     return force;
 }
 
-/// Of a node's part of a generalised force: that on the position, and slopes times theirs as moment.
+/// A node's part of a generalised force: that on the position; slopes times theirs as moment.
 template <class Scene>
 void TimeSeries<Scene>::append_force(NodeId node, const State& state, const VectorX& force,
                                      Values& row) const {
