@@ -11,6 +11,7 @@
 #include <support/random_state.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -79,6 +80,31 @@ TEST_CASE("Assembly: one, two and three threads give the same bits", "[assembly]
         CHECK((shared.force.array() == serial.force.array()).all());
         CHECK(shared.tangent == serial.tangent);
     }
+}
+
+TEST_CASE("Assembly: elements with a prototype of their own give what they gave sharing one",
+          "[assembly]") {
+    Scene scene = make_scene();
+    test::Random random(7);
+    VectorX q = scene.state().q;
+    for (double& value : q) value += random.uniform(-1e-3, 1e-3);
+    const Evaluated shared = evaluate_on(1, scene, q);
+    const auto difference = [&] {
+        const Evaluated own = evaluate_on(1, scene, q);
+        double largest = std::abs(own.energy / shared.energy - 1.0);
+        largest = std::max(largest, (own.force - shared.force).norm() / shared.force.norm());
+        const auto tangent = [](const Evaluated& at) {
+            return Eigen::Map<const VectorX>(at.tangent.data(),
+                                             static_cast<Eigen::Index>(at.tangent.size()));
+        };
+        return std::max(largest, (tangent(own) - tangent(shared)).norm() / tangent(shared).norm());
+    };
+    for (const int element : {0, 3, 4, 127, 500, beam_elements - 1})
+        CHECK(scene.make_own_prototype<CrossSectionBeam<3>>(element) > 0);
+    CHECK(difference() <= 1e-14);  // round-off of packs that begin elsewhere
+    scene.prototype<CrossSectionBeam<3>>(scene.make_own_prototype<CrossSectionBeam<3>>(500)) =
+        CrossSectionBeam<3>(Material::isotropic(1e9, 0.3, 1200.0), rectangle(0.1, 0.2), 0.1);
+    CHECK(difference() > 1e-6);
 }
 
 TEST_CASE("ElementSchedule: runs of one colour share no node and cover every element once",

@@ -377,6 +377,17 @@ TEST_CASE("problem: a driven support acts as the same motion held by a multiplie
     CHECK(reduced.energies(0.0, a.q, a.v, a.multipliers).constraint_power ==
           Approx(whole.energies(0.0, b.q, b.v, b.multipliers).constraint_power).margin(1e-12));
 
+    // and so is its force, later in the motion
+    const State later = reduced.raw_state(0.3, a.q, a.v);
+    VectorX forces, acceleration, lambda;
+    REQUIRE(reduced.reactions(later, forces) == Status::converged);
+    REQUIRE(whole.accelerations(0.3, later.q, later.v, acceleration, lambda) == Status::converged);
+    CHECK(std::abs(lambda[0]) > 0.01);
+    CHECK(forces[held.model.coordinate(held.first(), Field::r) + 1] ==
+          Approx(-lambda[0]).epsilon(1e-11));
+    CHECK((forces.array() != 0.0).count() == 1);
+    CHECK_THROWS_AS(reduced.reactions({}, forces), ancf::InvalidArgument);
+
     held.model.prescribe(held.last(), Field::r, 0, [](double) { return 1.2; });
     CHECK_THROWS_WITH(BarProblem(held.model), ContainsSubstring("needs its rate and acceleration"));
 }

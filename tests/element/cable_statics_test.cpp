@@ -115,6 +115,31 @@ TEST_CASE("Cable: of the rules, the default has the least error and locks at no 
     CHECK(error(Rule::gauss(5)) >= 10.0 * own);
 }
 
+TEST_CASE("Cable: one element's shorter rest length tightens the whole chain",
+          "[element][cable][statics]") {
+    // n = E A (lam^2 - 1)/2 lam is the same in all elements, so lam is too: span over rest lengths
+    const auto material = Material::from_moduli(1e6, 4e5, 1000.0);
+    const auto section = rectangle(0.1, 0.1);
+    constexpr double rest = 0.5, shorter = 0.44, span = 4.0 * rest;
+    Model<Cable<2>> model;
+    const auto beam = straight_beam(model, material, section, Plane(0, 0), Plane(span, 0), 4);
+    model.pin(beam.first());
+    model.pin(beam.last());
+    model.prototype(model.make_own_prototype(beam.elements[1])) = {material, section, shorter};
+    settle(model);
+    const double stretch = span / (3.0 * rest + shorter);
+    // at first neither loads nor reactions are there to measure the residual by
+    CHECK(model.position(beam.node(1))[0] == Approx(stretch * rest).epsilon(1e-11));
+    CHECK(model.position(beam.node(2))[0] == Approx(stretch * (rest + shorter)).epsilon(1e-11));
+    const double tension = 1e6 * 0.01 * 0.5 * (stretch * stretch - 1.0);  // E A eps
+    for (int k = 0; k < 4; ++k) {
+        CHECK(model.value(beam.node(k), Field::r_x)[0] == Approx(stretch).epsilon(1e-11));
+        const auto& element = model.group().element(k);
+        CHECK(element.section_forces(model.element_coordinates(k), 0.5).axial ==
+              Approx(stretch * tension).epsilon(1e-10));
+    }
+}
+
 TEST_CASE("Cable: space turns the plane's solution", "[element][cable][statics]") {
     const SlenderCable cable{1e-2};
     const auto flat = loaded_tip<Cable<2>>(cable, 6, 3.0);

@@ -14,6 +14,7 @@
 #include <Eigen/LU>
 
 #include <limits>
+#include <utility>
 
 namespace model_test {
 
@@ -77,6 +78,58 @@ TEST_CASE("Model: element coordinates are the fields of both nodes in order", "[
     expected << 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
     CHECK(e == expected);
     CHECK_THROWS_AS(scene.element_coordinates<Beam>(2), InvalidArgument);
+}
+
+TEST_CASE("Model: an element's own prototype changes it and no other", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 4);
+    const int own = scene.make_own_prototype(beam.elements[2]);
+    CHECK(own == 1);
+    CHECK(scene.make_own_prototype(beam.elements[2]) == own);  // nothing left to copy
+    REQUIRE(scene.group<Beam>().prototypes.size() == 2);
+    CHECK(scene.group<Beam>().element(2).length() == 0.5);
+    scene.prototype(own) = Beam(material, section, 0.4);
+    for (int k = 0; k < 4; ++k)
+        CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.5));
+    scene.prototype(beam.prototypes[0]) = Beam(material, section, 0.6);  // what still share it
+    for (int k = 0; k < 4; ++k)
+        CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.6));
+    CHECK_THROWS_AS(scene.make_own_prototype(4), InvalidArgument);
+    CHECK_THROWS_AS(scene.make_own_prototype(-1), InvalidArgument);
+}
+
+TEST_CASE("Model: its revision tells changes of properties from those of the scene", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
+    ancf::Revision before = scene.revision();
+    const auto changed = [&] {
+        const ancf::Revision now = scene.revision();
+        const std::pair<bool, bool> result{now.scene != before.scene,
+                                           now.properties != before.properties};
+        before = now;
+        return result;
+    };
+    const std::pair<bool, bool> nothing{false, false}, the_scene{true, false},
+        properties{false, true};
+    scene.set_value(beam.last(), Field::r, {2.0, 0.1, 0.0});
+    static_cast<void>(scene.group<Beam>().element(0).length());
+    CHECK(changed() == nothing);
+    static_cast<void>(scene.prototype(0));
+    CHECK(changed() == properties);
+    scene.set_gravity({0, 0, -9.81});
+    CHECK(changed() == properties);
+    scene.add_mass(beam.last(), 1.0);
+    CHECK(changed() == properties);
+    scene.pin(beam.first());
+    CHECK(changed() == the_scene);
+    scene.release(beam.first(), Field::r);
+    CHECK(changed() == the_scene);
+    scene.add(ancf::Force<3>(beam.last(), {1, 0, 0}));
+    CHECK(changed() == the_scene);
+    const auto far = scene.add_node({3, 0, 0});
+    CHECK(changed() == the_scene);
+    scene.connect(0, beam.last(), far);
+    CHECK(changed() == the_scene);
 }
 
 TEST_CASE("Model: supports replace one another and can be released", "[model]") {

@@ -83,8 +83,9 @@ inline constexpr int pack_lanes = EvaluatesPacks<Element>::value ? wide_lanes : 
 
 }  // namespace detail
 
-/// Evaluates and assembles a model. The model outlives it; after a change of the model's elements,
-/// supports, loads or constraints a new one is made.
+/// Evaluates and assembles a model, which outlives it. It follows changes of prototypes, of masses
+/// at nodes and of gravity; after one of nodes, elements, supports, loads or constraints a new one
+/// is made.
 template <class Scene>
 class Assembly {
 public:
@@ -106,9 +107,14 @@ public:
     /// @param last       where given, the correction that led to q: elements that can then take the
     ///                   tangent of mixed integration points.
     /// @return the first element that failed, if one did; the results are then of no use.
+    /// @throws InvalidArgument for vectors of another size, and as refresh().
     [[nodiscard]] std::optional<Fault> evaluate(const Configuration& at, Request request,
                                                 const VectorX* increment = nullptr,
                                                 const Correction* last = nullptr);
+
+    /// Takes over what changed in the model; evaluate() does it of its own accord.
+    /// @throws InvalidArgument where nodes, elements, supports, loads or constraints have changed.
+    void refresh();
 
     // Results of the last evaluation; forces are of all coordinates, N and N m ----------------
 
@@ -146,7 +152,7 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
-    // Inertia, constant -----------------------------------------------------------------------
+    // Inertia, as the prototypes are now, constant in q -------------------------------------------
 
     /// Returns the mass matrix in the pattern of the tangent; zero for the multipliers.
     [[nodiscard]] SparseMatrix mass() const;
@@ -244,7 +250,8 @@ private:
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
     std::vector<std::vector<int>> load_coordinates_;
     std::vector<std::vector<int>> constraint_coordinates_;
-    VectorX gravity_;  // force of gravity at unit scale
+    Revision revision_;  // of the model that this is set up for
+    VectorX gravity_;    // force of gravity at unit scale
 
     VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
     double strain_energy_ = 0.0;

@@ -24,6 +24,7 @@ namespace ancf {
 template <class Scene>
 std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request request,
                                                const VectorX* increment, const Correction* last) {
+    refresh();
     detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
                         at.multipliers.size() == numbering_.multipliers(),
                     "Assembly::evaluate: expected ", numbering_.coordinates(),
@@ -66,25 +67,27 @@ double Assembly<Scene>::add_elements(const ElementGroup<Element>& group, std::si
     return schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
         if (request != Request::force) clear_values(cleared_[index][place]);
         double energy = 0.0;
-        int k = run.first;
         constexpr int lanes = detail::pack_lanes<Element>;
-        if constexpr (lanes > 1) {
-            const auto prototype = [&](int element) {
-                return group.connections[static_cast<std::size_t>(element)].prototype;
-            };
-            const bool plain = increment == nullptr && last == nullptr;
-            for (; plain && k + lanes <= run.last; k += lanes) {
-                bool equal = true;
-                for (int lane = 1; lane < lanes; ++lane)
-                    equal = equal && prototype(k + lane) == prototype(k);
-                if (!equal) break;
-                energy += add_pack<lanes>(group.element(k), &slots[static_cast<std::size_t>(k)], at,
-                                          request);
+        const bool plain = increment == nullptr && last == nullptr;
+        const auto equal = [&](int first) {
+            const Connection* const part = &group.connections[static_cast<std::size_t>(first)];
+            return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
+                return other.prototype == part->prototype;
+            });
+        };
+        for (int k = run.first; k < run.last;) {
+            if constexpr (lanes > 1) {
+                if (plain && k + lanes <= run.last && equal(k)) {
+                    energy += add_pack<lanes>(group.element(k), &slots[static_cast<std::size_t>(k)],
+                                              at, request);
+                    k += lanes;
+                    continue;
+                }
             }
-        }
-        for (; k < run.last; ++k)
             energy += add_element(group.element(k), slots[static_cast<std::size_t>(k)], at, request,
                                   increment, last);
+            ++k;
+        }
         return energy;
     });
 }

@@ -24,7 +24,8 @@
 namespace ancf {
 
 template <class Scene>
-Assembly<Scene>::Assembly(const Scene& model, Storage storage) : model_(model), numbering_(model) {
+Assembly<Scene>::Assembly(const Scene& model, Storage storage)
+    : model_(model), numbering_(model), revision_(model.revision()) {
     list_coordinates();
     if (storage == Storage::lower) {
         detail::require(
@@ -42,6 +43,17 @@ Assembly<Scene>::Assembly(const Scene& model, Storage storage) : model_(model), 
     build_clearing();
     build_gravity();
     tangent_ = pattern_.matrix();
+}
+
+template <class Scene>
+void Assembly<Scene>::refresh() {
+    const Revision now = model_.revision();
+    if (now == revision_) return;
+    detail::require(now.scene == revision_.scene,
+                    "nodes, elements, supports, loads or constraints of the model have changed: "
+                    "make a new Assembly or DynamicProblem for it");
+    build_gravity();
+    revision_ = now;
 }
 
 template <class Scene>

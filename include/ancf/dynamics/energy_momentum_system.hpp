@@ -49,6 +49,7 @@ private:
         std::vector<char> is_position;
     };
 
+    void weigh();
     [[nodiscard]] LocalLoad local(const Coupling& coupling) const;
     [[nodiscard]] bool is_invariant(const AnyConstraint& constraint, const LocalLoad& local) const;
     void add_elements(const VectorX& q1, bool matrix);
@@ -66,6 +67,7 @@ private:
     std::vector<LocalLoad> loads_, constraints_;
     std::vector<char> invariant_;
     std::vector<char> left_out_;
+    Revision revision_;    // of the model that gravity_ is of
     VectorX gravity_;      // at unit scale
     double length_ = 1.0;  // of an element: the weight of slopes in joints and loads
     bool driven_ = false;
@@ -86,11 +88,7 @@ EnergyMomentumSystem<Scene>::EnergyMomentumSystem(DynamicProblem<Scene>& problem
       tangent_(pattern_.storage() == Storage::full ? StepTangent::exact : StepTangent::symmetric),
       matrix_(problem.mass()) {
     const Scene& model = problem.model();
-    VectorX field = VectorX::Zero(numbering_.coordinates());
-    for (int node = 0; node < model.layout().nodes(); ++node)
-        if (model.layout().fields(node).contains(Field::r))
-            field.template segment<Scene::dimension>(model.layout().first(node)) = model.gravity();
-    gravity_ = problem.assembly().mass_product(field);
+    weigh();
     problem.assembly().for_each_element([&](const auto& element, const int*, const auto&) {
         length_ = before_.empty() ? element.length() : std::min(length_, element.length());
         before_.push_back(0.0);
@@ -103,6 +101,17 @@ EnergyMomentumSystem<Scene>::EnergyMomentumSystem(DynamicProblem<Scene>& problem
     left_out_.assign(static_cast<std::size_t>(problem.multipliers()), 0);
     for (const int equation : problem.left_out()) left_out_[static_cast<std::size_t>(equation)] = 1;
     for (const Support& support : model.supports()) driven_ = driven_ || support.value;
+}
+
+template <class Scene>
+void EnergyMomentumSystem<Scene>::weigh() {
+    const Scene& model = problem_.model();
+    VectorX field = VectorX::Zero(numbering_.coordinates());
+    for (int node = 0; node < model.layout().nodes(); ++node)
+        if (model.layout().fields(node).contains(Field::r))
+            field.template segment<Scene::dimension>(model.layout().first(node)) = model.gravity();
+    gravity_ = problem_.assembly().mass_product(field);
+    revision_ = model.revision();
 }
 
 template <class Scene>
@@ -162,6 +171,8 @@ void EnergyMomentumSystem<Scene>::begin(double t0, double h, const VectorX& q0, 
     h_ = h;
     q0_ = q0;
     v0_ = v0;
+    problem_.refresh();
+    if (!(problem_.model().revision() == revision_)) weigh();
     std::size_t index = 0;
     problem_.assembly().for_each_element([&](const auto& element, const int* at, const auto&) {
         typename std::decay_t<decltype(element)>::Coordinates e;

@@ -66,7 +66,10 @@ struct Start {
 /// A scene as the system above. n free coordinates, m multipliers; n + m unknowns in the order of
 /// Numbering. Sparse matrices have one pattern, that of tangent().
 ///
-/// The model outlives the problem and must not gain elements, supports or constraints meanwhile.
+/// The model outlives the problem. Prototypes, masses at nodes and gravity can change at any time:
+/// start() and every evaluation take that over, mass included; a run that begins after the change
+/// has consistent accelerations from its first step. Evaluations refuse a model that has gained or
+/// lost nodes, elements, supports, loads or constraints.
 template <class Scene>
 class DynamicProblem {
 public:
@@ -93,7 +96,13 @@ public:
     /// [M G^T; G 0] (v', lambda) = (-r(lambda = 0), -c) for accelerations and multipliers.
     ///
     /// Call it before any evaluation: it also settles which equations are left out.
+    /// @throws InvalidArgument as refresh().
     [[nodiscard]] Start start();
+
+    /// Takes over what changed in the model; start() and every evaluation do it by themselves.
+    /// @throws InvalidArgument where nodes, elements, supports, loads or constraints have changed,
+    ///         or the mass matrix is no longer positive definite.
+    void refresh();
 
     /// Returns the constraint equations left out as redundant, by their place in lambda.
     [[nodiscard]] const std::vector<int>& left_out() const noexcept { return left_out_; }
@@ -137,7 +146,7 @@ public:
     /// Returns [-dQ/dv, 0; 0, 0], n + m square, after Request::tangent_and_damping.
     [[nodiscard]] const SparseMatrix& damping() const noexcept { return assembly_.damping(); }
 
-    /// Returns [M, 0; 0, 0], n + m square, constant.
+    /// Returns [M, 0; 0, 0], n + m square, the same at every (t, q).
     [[nodiscard]] const SparseMatrix& mass() const noexcept { return mass_; }
 
     /// Returns M of the free coordinates, both halves, n square, without stored zeros.
@@ -208,9 +217,22 @@ public:
     [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
                                     State& into);
 
+    /// Solves for the forces that supports exert on the coordinates that they hold or drive,
+    ///
+    ///     M v' + Q_e + G^T lambda - Q,
+    ///
+    /// with the accelerations and multipliers that belong to (t, q, v). What it costs, one
+    /// factorisation, only those who ask for it pay; no run takes notice.
+    /// @param state   all coordinates and rates, as an observer sees them; not its multipliers.
+    /// @param forces  of all coordinates, zero where free; N and N m.
+    /// @return converged, or why the accelerations could not be solved for; forces are then zero.
+    /// @throws InvalidArgument for a state of another size.
+    [[nodiscard]] Status reactions(const State& state, VectorX& forces);
+
     // Scales ------------------------------------------------------------------------------------
 
-    /// Returns the scene's size, m: the diagonal of its nodes, at least an element's length.
+    /// Returns the scene's size, m: the diagonal of its nodes, at least an element's length, when
+    /// the problem was made.
     [[nodiscard]] double length_scale() const noexcept { return length_; }
 
     /// Sets the scene's size, m: a run that continues another one keeps the scale that it had.
@@ -245,6 +267,7 @@ private:
         const Support* support;
     };
 
+    void set_mass();
     void check_sizes() const;
     void list_driven();
     void measure();
@@ -264,6 +287,7 @@ private:
     Scene& model_;
     ProblemOptions options_;
     Assembly<Scene> assembly_;
+    Revision revision_;  // of the model that the mass below is of
     ConstraintSet<Scene> constraints_;
     SparseMatrix mass_, compact_mass_;
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> mass_factor_;

@@ -25,8 +25,8 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
     : model_(model),
       options_(options),
       assembly_(model, options.storage),
-      constraints_(model, assembly_.numbering()),
-      mass_(assembly_.mass()) {
+      revision_(model.revision()),
+      constraints_(model, assembly_.numbering()) {
     options_.check();
     check_sizes();
     list_driven();
@@ -34,6 +34,13 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
     full_v_.setZero(full_q_.size());
     full_a_.setZero(full_q_.size());
     measure();
+    set_mass();
+    kkt_.analyze(kkt_matrix_, size());
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::set_mass() {
+    mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
     mass_factor_.compute(compact_mass_);
     detail::require(size() == 0 || (mass_factor_.info() == Eigen::Success &&
@@ -41,7 +48,14 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
                     "DynamicProblem: the mass matrix is not positive definite; every node needs an "
                     "element of positive density");
     kkt_matrix_ = mass_;
-    kkt_.analyze(kkt_matrix_, size());
+}
+
+template <class Scene>
+void DynamicProblem<Scene>::refresh() {
+    if (model_.revision() == revision_) return;
+    assembly_.refresh();
+    set_mass();
+    revision_ = model_.revision();
 }
 
 template <class Scene>
@@ -95,6 +109,7 @@ void DynamicProblem<Scene>::set_length_scale(double length) {
 
 template <class Scene>
 void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v) {
+    refresh();
     const Numbering& numbers = numbering();
     detail::require(q.size() == size() && v.size() == size(), "DynamicProblem: expected ", size(),
                     " free coordinates and rates, got ", q.size(), " and ", v.size());
@@ -205,6 +220,7 @@ void DynamicProblem<Scene>::check_sizes() const {
 
 template <class Scene>
 Start DynamicProblem<Scene>::start() {
+    refresh();
     check_sizes();
     const State& state = model_.state();
     Start start;
@@ -497,6 +513,29 @@ Snapshot DynamicProblem<Scene>::snapshot(double t, VectorX q, VectorX v, const V
     into = state(t, q, v, lambda);
     evaluate_constraints(t, q, v);
     return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
+}
+
+template <class Scene>
+Status DynamicProblem<Scene>::reactions(const State& state, VectorX& forces) {
+    const int all = numbering().coordinates();
+    detail::require(state.q.size() == all && state.v.size() == all,
+                    "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
+                    state.q.size(), " and ", state.v.size());
+    forces.setZero(all);
+    VectorX q, v, acceleration, lambda;
+    numbering().gather_free(state.q, q);
+    numbering().gather_free(state.v, v);
+    if (const Status status = accelerations(state.time, q, v, acceleration, lambda);
+        status != Status::converged)
+        return status;
+    if (const auto fault = evaluate(state.time, q, v, lambda, Request::force)) return fault->status;
+    VectorX whole = full_a_;  // of driven coordinates
+    numbering().add_free(acceleration, 1.0, whole);
+    const VectorX exerted = assembly_.mass_product(whole) + assembly_.internal_force() +
+                            assembly_.constraint_force() - assembly_.external_force();
+    for (int k = 0; k < all; ++k)
+        if (numbering().equation(k) < 0) forces[k] = exerted[k];
+    return Status::converged;
 }
 
 // --- scales ------------------------------------------------------------------------------------

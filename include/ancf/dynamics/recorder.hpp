@@ -74,12 +74,16 @@ void note(DynamicProblem<Scene>& problem, const MotionPoint& point, bool follow_
     report.kinetic_largest = larger(report.kinetic_largest, energies.kinetic);
 }
 
-/// Energies and power of a point: what tells one scene from another.
+/// Energies and power of a point, sizes of M and K there: what tells one scene from another.
 template <class Scene>
 [[nodiscard]] VectorX signature(DynamicProblem<Scene>& problem, const MotionPoint& point) {
-    const Energies at = problem.energies(point.time, point.q, point.v, point.lambda);
-    VectorX values(4);
-    values << at.kinetic, at.strain, at.potential, at.load_power;
+    (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
+    const Energies at = problem.energies();
+    const VectorX mass = problem.mass().diagonal();
+    const VectorX stiffness = problem.tangent().diagonal();
+    VectorX values(6);
+    values << at.kinetic, at.strain, at.potential, at.load_power, mass.cwiseAbs().sum(),
+        stiffness.head(problem.size()).cwiseAbs().sum();
     return values;
 }
 
@@ -98,15 +102,19 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem<
     require(largest_ratio(q - start.q, problem.scales()) <= same &&
                 largest_ratio(v - start.v, problem.scales()) <= same * fastest,
             who, ": the model's state is not the one that the memory belongs to");
-    const VectorX then = memory.get("signature", 4);
+    const VectorX then = memory.get("signature", 6);
     const VectorX here = signature(problem, point);
+    const auto differ = [&](int k) {
+        return !(std::abs(here[k] - then[k]) <= same * (std::abs(then[k]) + std::abs(here[k])));
+    };
     const double energy = then.head<3>().cwiseAbs().sum();
-    require((here - then).head<3>().cwiseAbs().maxCoeff() <= same * energy &&
-                std::abs(here[3] - then[3]) <= same * (std::abs(then[3]) + std::abs(here[3])),
-            who,
+    require((here - then).head<3>().cwiseAbs().maxCoeff() <= same * energy && !differ(3), who,
             ": the memory is of another scene: kinetic, strain and potential energy and the "
             "loads' power are ",
-            here.transpose(), " here, ", then.transpose(), " there");
+            here.head<4>().transpose(), " here, ", then.head<4>().transpose(), " there");
+    require(!differ(4) && !differ(5), who,
+            ": the memory is of another scene: mass or stiffness has changed since; a run after "
+            "such a change starts without a memory");
 }
 
 /// Reports one run.

@@ -69,6 +69,17 @@ struct ScaledLoad {
     }
 };
 
+/// How often a model has changed: whoever keeps data of it knows by this whether they still hold.
+struct Revision {
+    long scene = 0;       ///< nodes, elements, supports, loads, constraints
+    long properties = 0;  ///< prototypes, masses at nodes, gravity
+
+    /// Tells whether both counts are the same.
+    [[nodiscard]] bool operator==(const Revision& other) const noexcept {
+        return scene == other.scene && properties == other.properties;
+    }
+};
+
 /// A mass at a point, kg.
 struct PointMass {
     NodeId node;  ///< where
@@ -170,15 +181,37 @@ public:
         return std::get<ElementGroup<Element>>(groups_);
     }
 
-    /// Returns a prototype for a change of stiffness, density or rest length.
+    /// Returns a prototype for a change of stiffness, density or rest length at any time.
+    ///
+    ///     model.prototype(beam.prototypes[0]) = Element(material, section, length);  // the beam
+    ///     model.prototype(model.make_own_prototype(3)) = ...;                        // element 3
+    ///
+    /// The next evaluation takes over the change, mass and gravity included, also of a problem made
+    /// before. What was computed from the elements keeps its values: line loads, all damping,
+    /// points along an element (loads and constraints are not made anew). Call this for every
+    /// change: one through a reference kept from before goes unnoticed.
     /// @throws InvalidArgument for an index of none.
     template <class Element = DefaultElement>
     [[nodiscard]] Element& prototype(int index) {
         auto& prototypes = std::get<ElementGroup<Element>>(groups_).prototypes;
         detail::require(index >= 0 && index < static_cast<int>(prototypes.size()),
                         "Model: there are ", prototypes.size(), " prototypes, got index ", index);
+        ++revision_.properties;
         return prototypes[static_cast<std::size_t>(index)];
     }
+
+    /// Gives an element a copy of its prototype where it shares it, for a change of it alone.
+    ///
+    /// References to prototypes end. Neighbours that differ are evaluated one by one, not several
+    /// at once.
+    /// @param element  index in the group of its type.
+    /// @return the index of the prototype that no other element has.
+    /// @throws InvalidArgument for an index of no element.
+    template <class Element = DefaultElement>
+    int make_own_prototype(int element);
+
+    /// Returns how often the model has changed, its state aside.
+    [[nodiscard]] const Revision& revision() const noexcept { return revision_; }
 
     /// Calls `visit(group)` for the group of each element type.
     template <class Visitor>
@@ -300,6 +333,8 @@ private:
     Point gravity_ = Point::Zero();
     Amplitude gravity_amplitude_;
 
+    Revision revision_;
+
     // Derived from the above when first asked for after a change.
     mutable bool stale_ = true;
     mutable Layout layout_;
@@ -318,6 +353,7 @@ NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes)
     node.vectors.template middleCols<dimension>(1) = slopes;
     initial_.push_back(node);
     stale_ = true;
+    ++revision_.scene;
     return {nodes() - 1};
 }
 
@@ -348,7 +384,21 @@ int Model<Elements...>::connect(int prototype, NodeId first, NodeId second) {
         fields = fields | Element::fields;
     }
     stale_ = true;
+    ++revision_.scene;
     return static_cast<int>(group.connections.size()) - 1;
+}
+
+template <class... Elements>
+template <class Element>
+int Model<Elements...>::make_own_prototype(int element) {
+    auto& group = std::get<ElementGroup<Element>>(groups_);
+    const int shared = group.connection(element).prototype;
+    const auto has_it = [=](const Connection& other) { return other.prototype == shared; };
+    if (std::count_if(group.connections.begin(), group.connections.end(), has_it) == 1)
+        return shared;
+    const int own = add_prototype(Element(group.element(element)));
+    group.connections[static_cast<std::size_t>(element)].prototype = own;
+    return own;
 }
 
 template <class... Elements>
@@ -375,6 +425,7 @@ void Model<Elements...>::prescribe(NodeId node, Field field, int component, Ampl
     if (added) supports_.emplace_back();
     supports_[at->second] = {
         node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
+    ++revision_.scene;
 }
 
 template <class... Elements>
@@ -398,6 +449,7 @@ void Model<Elements...>::release(NodeId node, Field field) {
     for (std::size_t k = 0; k < supports_.size(); ++k)
         support_at_[component_of(supports_[k].node, supports_[k].field, supports_[k].component)] =
             k;
+    ++revision_.scene;
 }
 
 template <class... Elements>
@@ -413,6 +465,7 @@ void Model<Elements...>::add(Load load, Amplitude amplitude) {
         load.evaluate({zero, zero, 0.0, false}, result);
     }
     loads_.push_back({AnyLoad(std::move(load)), std::move(amplitude)});
+    ++revision_.scene;
 }
 
 template <class... Elements>
@@ -423,6 +476,7 @@ void Model<Elements...>::add(Constraint constraint) {
                     " has ", constraint.equations(), " equations, expected at least 1");
     constraints_.emplace_back(std::move(constraint));
     stale_ = true;
+    ++revision_.scene;
 }
 
 template <class... Elements>
@@ -430,6 +484,7 @@ void Model<Elements...>::add_mass(NodeId node, double mass) {
     check(node);
     detail::require_positive("Model::add_mass: mass", mass);
     masses_.push_back({node, mass});
+    ++revision_.properties;
 }
 
 template <class... Elements>
@@ -438,6 +493,7 @@ void Model<Elements...>::set_gravity(const Point& gravity, Amplitude amplitude) 
                     gravity.transpose());
     gravity_ = gravity;
     gravity_amplitude_ = std::move(amplitude);
+    ++revision_.properties;
 }
 
 template <class... Elements>

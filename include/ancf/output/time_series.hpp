@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Results over time as CSV: energies, section forces, stresses, and the reactions of joints.
+/// Results over time as CSV: energies, section forces, stresses, reactions of joints and supports.
 ///
 /// One row for every snapshot that an integrator shows.
 
@@ -12,12 +12,17 @@
 #include <ancf/element/section_forces.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/model/state.hpp>
+#include <ancf/model/support.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -26,11 +31,15 @@
 
 namespace ancf {
 
+template <class Scene>
+class DynamicProblem;
+
 /// Writes chosen results of a scene, row by row; the columns are chosen before the first row.
 ///
 ///     ancf::TimeSeries series(file, model);
 ///     series.add_section_forces("root", 0, 0.0);
-///     series.add_reaction("hinge", 0, beam.first());
+///     series.add_reaction("hinge", 0, beam.first());        // of the first constraint
+///     series.add_reaction("foot", problem, beam.last());    // of what holds or drives this node
 ///     schedule.observe = [&](const ancf::Snapshot& seen) { series.write(seen); };
 ///
 /// Columns: t, kinetic, strain, potential, load_power, constraint_power, then NAME_QUANTITY.
@@ -57,6 +66,14 @@ public:
     /// @throws InvalidArgument for a constraint that does not exist or does not hold the node.
     void add_reaction(const std::string& name, int constraint, NodeId node);
 
+    /// Adds the force F and the moment M about the node that supports (pin, clamp, fix, prescribe)
+    /// exert on it, in global axes; N and N m, not a number where they cannot be solved for.
+    ///
+    /// One factorisation a row, however many nodes: DynamicProblem::reactions.
+    /// @param problem  that of the run, which outlives the series.
+    /// @throws InvalidArgument for a problem of another model or a node that no support holds.
+    void add_reaction(const std::string& name, DynamicProblem<Scene>& problem, NodeId node);
+
     /// Writes a row; before the first one, the header.
     /// @throws InvalidArgument for a name that would need quotes.
     void write(const Snapshot& seen);
@@ -73,11 +90,15 @@ private:
              std::function<void(const State&, Values&)> append);
     template <class Element>
     void require_element(int element, double xi) const;
-    void append_reaction(int constraint, NodeId node, const State& state, Values& row) const;
+    void add_force(const std::string& name, std::function<void(const State&, Values&)> append);
+    [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
+    void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 
     std::ostream& out_;
     const Scene& model_;
     std::vector<Quantity> quantities_;
+    std::function<void(const State&)> solve_supports_;  // fills the next; empty: nobody asked
+    VectorX support_force_;
     std::optional<CsvWriter> csv_;
 };
 
@@ -134,19 +155,42 @@ void TimeSeries<Scene>::add_reaction(const std::string& name, int constraint, No
     const auto& constraints = model_.constraints();
     detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
                     "TimeSeries: there are ", constraints.size(), " constraints, got index ",
-                    constraint);
+                    constraint, "; for a support give the DynamicProblem instead");
     const AnyConstraint& held = constraints[static_cast<std::size_t>(constraint)];
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
     detail::require(found, "TimeSeries: ", held.name(), " does not hold node ", node.index);
-    add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"},
-        [=](const State& state, Values& row) { append_reaction(constraint, node, state, row); });
+    add_force(name, [=](const State& state, Values& row) {
+        append_force(node, state, constraint_force(constraint, state), row);
+    });
 }
 
-/// -G^T lambda of the node's vectors: their sum on the position, slopes times theirs as moment.
 template <class Scene>
-void TimeSeries<Scene>::append_reaction(int constraint, NodeId node, const State& state,
-                                        Values& row) const {
+void TimeSeries<Scene>::add_reaction(const std::string& name, DynamicProblem<Scene>& problem,
+                                     NodeId node) {
+    detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
+                    " is that of another model");
+    bool found = false;
+    for (const Support& support : model_.supports()) found = found || support.node == node;
+    detail::require(found, "TimeSeries: no support holds node ", node.index);
+    solve_supports_ = [this, &problem](const State& state) {
+        if (problem.reactions(state, support_force_) != Status::converged)
+            support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    };
+    add_force(name, [=](const State& state, Values& row) {
+        append_force(node, state, support_force_, row);
+    });
+}
+
+template <class Scene>
+void TimeSeries<Scene>::add_force(const std::string& name,
+                                  std::function<void(const State&, Values&)> append) {
+    add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"}, std::move(append));
+}
+
+/// Returns -G^T lambda of one constraint, of all coordinates.
+template <class Scene>
+VectorX TimeSeries<Scene>::constraint_force(int constraint, const State& state) const {
     constexpr int dimension = Scene::dimension;
     const auto& constraints = model_.constraints();
     int first = 0;
@@ -160,27 +204,42 @@ void TimeSeries<Scene>::append_reaction(int constraint, NodeId node, const State
     at.v.setZero(size);
     at.time = state.time;
     at.multipliers = state.multipliers.segment(first, held.equations());
+    const auto own = [](VectorX& vector, std::size_t k) {
+        return vector.template segment<dimension>(static_cast<Eigen::Index>(k) * dimension);
+    };
     for (std::size_t k = 0; k < coupling.size(); ++k)
-        at.q.template segment<dimension>(static_cast<Eigen::Index>(k) * dimension) =
-            state.q.template segment<dimension>(
-                model_.coordinate(coupling[k].node, coupling[k].field));
+        own(at.q, k) = state.q.template segment<dimension>(
+            model_.coordinate(coupling[k].node, coupling[k].field));
     ConstraintResult out;
     out.reset(held.equations(), size);
     held.evaluate(at, out);
-    const VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
-    Vector<double, 3> force = Vector<double, 3>::Zero(), moment = Vector<double, 3>::Zero();
-    for (std::size_t k = 0; k < coupling.size(); ++k) {
-        if (!(coupling[k].node == node)) continue;
-        const Eigen::Index start = static_cast<Eigen::Index>(k) * dimension;
+    VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
+    VectorX force = VectorX::Zero(state.q.size());
+    for (std::size_t k = 0; k < coupling.size(); ++k)
+        force.template segment<dimension>(model_.coordinate(coupling[k].node, coupling[k].field)) +=
+            own(exerted, k);
+    return force;
+}
+
+/// A node's part of a generalised force: that on the position; slopes times theirs as moment.
+template <class Scene>
+void TimeSeries<Scene>::append_force(NodeId node, const State& state, const VectorX& force,
+                                     Values& row) const {
+    constexpr int dimension = Scene::dimension;
+    const Layout& layout = model_.layout();
+    Vector<double, 3> sum = Vector<double, 3>::Zero(), moment = Vector<double, 3>::Zero();
+    for (int k = 0; k < field_count; ++k) {
+        const int first = layout.index({node, static_cast<Field>(k)});
+        if (first < 0) continue;
         Vector<double, 3> part = Vector<double, 3>::Zero(), arm = Vector<double, 3>::Zero();
-        part.head<dimension>() = exerted.template segment<dimension>(start);
-        arm.head<dimension>() = at.q.template segment<dimension>(start);
-        if (coupling[k].field == Field::r)
-            force += part;
+        part.head<dimension>() = force.template segment<dimension>(first);
+        arm.head<dimension>() = state.q.template segment<dimension>(first);
+        if (static_cast<Field>(k) == Field::r)
+            sum = part;
         else
             moment += cross(arm, part);
     }
-    row.insert(row.end(), force.data(), force.data() + 3);
+    row.insert(row.end(), sum.data(), sum.data() + 3);
     row.insert(row.end(), moment.data(), moment.data() + 3);
 }
 
@@ -196,6 +255,7 @@ void TimeSeries<Scene>::write(const Snapshot& seen) {
     const Energies& energies = seen.energies;
     Values row = {seen.state.time,    energies.kinetic,    energies.strain,
                   energies.potential, energies.load_power, energies.constraint_power};
+    if (solve_supports_) solve_supports_(seen.state);
     for (const Quantity& quantity : quantities_) quantity.append(seen.state, row);
     csv_->row(row);
 }

@@ -123,9 +123,11 @@ double ConvergenceMonitor::residual(const Assembly& assembly) const {
     const double of_moment = rest.moment / std::max(moment + force * element_size_, smallest);
     const double violation = assembly.violation().norm() / size_;
     // std::max would drop a NaN, and infinite loads hide any residual
-    if (std::isnan(of_force + of_moment + violation) || !std::isfinite(force + moment))
+    if (std::isnan(of_force + of_moment + violation) || !std::isfinite(force + moment) ||
+        !std::isfinite(rest.force + rest.moment + violation))
         return std::numeric_limits<double>::quiet_NaN();
-    return std::max({of_force, of_moment, violation});
+    // stressed inside, without loads and, as yet, without reactions: far from equilibrium
+    return std::min(std::max({of_force, of_moment, violation}), std::numeric_limits<double>::max());
 }
 
 template <class Assembly>
