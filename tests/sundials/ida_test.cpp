@@ -123,6 +123,25 @@ TEST_CASE("Ida: schedules, storage and scenes that cannot be meant are refused",
     CHECK_THROWS_WITH(ida.integrate(held, until(1.0)), ContainsSubstring("no free coordinate"));
 }
 
+TEST_CASE("Ida: a density changed after the problem was made is that of the run", "[ida][start]") {
+    const auto heavier = [](Hanging& scene) {
+        scene.model->prototype(0) = Element(ancf::Material::from_moduli(0.7e6, 2.6923e5, 9000.0),
+                                            ancf::rectangle(0.05, 0.05), 0.6);
+    };
+    Hanging changed = pendulum(2), fresh = pendulum(2);
+    const ancf::State start = changed.model->state();
+    ancf::DynamicProblem<Scene> problem(*changed.model);
+    REQUIRE(Ida().integrate(problem, until(0.02)).status == Status::converged);
+    changed.model->state() = start;
+    heavier(changed);
+    REQUIRE(Ida().integrate(problem, until(0.05)).status == Status::converged);
+    heavier(fresh);
+    ancf::DynamicProblem<Scene> other(*fresh.model);
+    REQUIRE(Ida().integrate(other, until(0.05)).status == Status::converged);
+    CHECK(changed.model->state().q == fresh.model->state().q);
+    CHECK(changed.model->state().multipliers == fresh.model->state().multipliers);
+}
+
 TEST_CASE("Ida: an inconsistent start is refused, the constraint named, the model untouched",
           "[ida][start]") {
     Hanging scene = link_pendulum(2);
