@@ -9,8 +9,8 @@
 ///     hard_cases --csv               comma-separated values
 ///
 /// `locked` are the continuum beams whose mesh is too coarse for the answer: equations solved, and
-/// the beam too stiff. The exit status is 1 if a row calls itself converged and is wrong: its error not a number, or
-/// above what mesh and measure of strain account for.
+/// the beam too stiff. The exit status is 1 if a row calls itself converged and is wrong: its error
+/// not a number, or above what mesh and measure of strain account for.
 
 #include <CLI/CLI.hpp>
 
