@@ -47,6 +47,8 @@ struct CableOptions {
     Rule rule = cable_rule();
 
     /// Axial stiffness in compression relative to that in tension, in [0, 1]; 0: a rope only pulls.
+    /// It holds to a strain of -0.01 and rises to 1 at -0.05, so that a slack line keeps its length
+    /// and bends instead.
     double compression = 1.0;
 };
 
@@ -56,8 +58,8 @@ struct CableOptions {
 ///
 /// over the reference length; eps is Green's strain or, with EngineeringAxial, |r'| - 1. The line
 /// is that of the centroids. There are no directors, so that in space the section must bend equally
-/// in all directions; rotary inertia is neglected. In compression the axial stiffness may be lower:
-/// the force is continuous, its derivative jumps at zero strain.
+/// in all directions; rotary inertia is neglected. In small compression the axial stiffness may be
+/// lower: the force is continuous, its derivative jumps at zero strain.
 ///
 ///     const ancf::Cable<3> rope(steel, ancf::circle(0.01), length, {ancf::cable_rule(), 0.0});
 ///     const auto [energy, force, tangent] = rope.evaluate(e);

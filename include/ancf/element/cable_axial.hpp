@@ -6,7 +6,7 @@
 /// request.
 ///
 /// Both are functions of A = r'.r', the square of the stretch. A measure gives the strain and, of
-/// the energy U = EA eps^2/2, what dU/dr' = n r' and d2U/dr'2 = n I + k r' r'^T need.
+/// an energy W(eps), what dW/dr' = n r' and d2W/dr'2 = n I + k r' r'^T need.
 
 #pragma once
 
@@ -23,6 +23,11 @@ namespace detail {
 /// Below this strain a bar counts as compressed: the round-off of a strain at rest is not
 /// compression.
 inline constexpr double slack_strain = -1e-14;
+
+/// Between these strains the stiffness of a rope in compression rises to that in tension: what
+/// shortens further is not slack but a line that collapses.
+inline constexpr double rising_strain = -0.01;
+inline constexpr double risen_strain = -0.05;
 
 /// Returns 1 where the strain is not compressive and 0 elsewhere. A pack decides lane by lane, a
 /// complex number by its real part, so that kernels need no comparison.
@@ -47,6 +52,33 @@ template <class S>
     return {taut(strain.value), S(0.0)};
 }
 
+/// What an axial strain eps meets.
+template <class S>
+struct AxialResponse {
+    S energy;     ///< W
+    S force;      ///< N = dW/deps
+    S stiffness;  ///< dN/deps
+};
+
+/// Returns the response of a bar or, docs/theory-cable.md, "Compression", of a rope.
+/// @param stiffness  in tension; the response has its unit
+/// @param soft       1 less the ratio of the stiffness in compression to that in tension; 0: a bar
+template <class S>
+[[nodiscard]] inline AxialResponse<S> axial_response(const S& stiffness, double soft,
+                                                     const S& strain) noexcept {
+    if (soft == 0.0)
+        return {0.5 * stiffness * strain * strain, stiffness * deformation(strain, 0.0), stiffness};
+    constexpr double width = risen_strain - rising_strain;
+    const S c = stiffness * (1.0 - soft * (1.0 - taut(strain)));
+    const S start = strain - rising_strain, end = strain - risen_strain;
+    const S rising = (soft / width) * stiffness * (1.0 - taut(start));
+    const S risen = (soft / width) * stiffness * (1.0 - taut(end));
+    const S first = rising * start, last = risen * end;
+    const S force = c * strain + 0.5 * (first * start - last * end);
+    return {0.5 * c * strain * strain + (1.0 / 6.0) * (first * start * start - last * end * end),
+            deformation(force, 0.0), c + (first - last)};
+}
+
 }  // namespace detail
 
 /// Green's strain (r'.r' - 1)/2: a polynomial, no root.
@@ -59,11 +91,11 @@ struct GreenAxial {
         return 0.5 * (square - 1.0);
     }
 
-    /// Returns (n, k) of the stiffness c = EA.
+    /// Returns (n, k) of the force N(eps) and its derivative c.
     template <class S>
-    static void resultants(const S& c, const S& /*square*/, const S& strain, S& n, S& k) noexcept {
-        using detail::deformation;  // or that of the scalar
-        n = c * deformation(strain, 0.0);
+    static void resultants(const S& force, const S& c, const S& /*square*/, const S& /*strain*/,
+                           S& n, S& k) noexcept {
+        n = force;
         k = c;
     }
 };
@@ -82,11 +114,11 @@ struct EngineeringAxial {
                (root + 1.0);  // the difference of squares keeps the digits of small strains
     }
 
-    /// Returns (n, k) of the stiffness c = EA: n = c eps/|r'|, k = (c - n)/|r'|^2.
+    /// Returns (n, k) of the force N(eps) and its derivative c: n = N/|r'|, k = (c - n)/|r'|^2.
     template <class S>
-    static void resultants(const S& c, const S& square, const S& strain, S& n, S& k) noexcept {
-        using detail::deformation;
-        n = c * deformation(strain, 0.0) / (strain + 1.0);
+    static void resultants(const S& force, const S& c, const S& square, const S& strain, S& n,
+                           S& k) noexcept {
+        n = force / (strain + 1.0);
         k = (c - n) / square;
     }
 };

@@ -164,8 +164,8 @@ template <class S, int D>
         return a[0] * b[0] + a[1] * b[1];
 }
 
-/// Adds EA eps^2/2 at a station: gradient n u, Hessian k u u^T + n P P^T (x) I, P the weights of p
-/// and u = P (x) p.
+/// Adds the energy of the axial strain at a station: gradient n u, Hessian k u u^T + n P P^T (x) I,
+/// P the weights of p and u = P (x) p.
 /// @param soft  1 less the ratio of the stiffness in compression to that in tension
 template <bool Tangent, class Measure, int D, class S>
 inline void add_axial(const CableAxialStation& station, double soft, const Vector<S, 3 * D>& line,
@@ -173,11 +173,10 @@ inline void add_axial(const CableAxialStation& station, double soft, const Vecto
     const Vector<S, D> p = interpolated<D>(station.p, line);
     const S square = product(p, p);
     const S strain = Measure::strain(square);
-    S stiffness = S(station.stiffness);
-    if (soft != 0.0) stiffness = stiffness * (1.0 - soft * (1.0 - taut(strain)));
+    const AxialResponse<S> axial = axial_response(S(station.stiffness), soft, strain);
     S n, k;
-    Measure::resultants(stiffness, square, strain, n, k);
-    sum.energy += 0.5 * stiffness * strain * strain;
+    Measure::resultants(axial.force, axial.stiffness, square, strain, n, k);
+    sum.energy += axial.energy;
     const LineVector<S, D> u = spread(station.p, p);
     sum.vector += n * u;
     if constexpr (Tangent) {

@@ -196,10 +196,9 @@ SectionForces Cable<Dimension, Measure>::section_forces(const Coordinates& e,
                                                         double xi) const noexcept {
     const Point p = detail::line_jacobian<Dimension>(station(xi).p) * e;
     const double square = p.squaredNorm(), strain = Measure::strain(square);
-    const double stiffness =
-        axial_stiffness_ * (1.0 - (1.0 - options_.compression) * (1.0 - detail::taut(strain)));
+    const auto axial = detail::axial_response(axial_stiffness_, 1.0 - options_.compression, strain);
     double n = 0.0, k = 0.0;
-    Measure::resultants(stiffness, square, strain, n, k);
+    Measure::resultants(axial.force, axial.stiffness, square, strain, n, k);
     const Curvature bent = moment(e, xi);
     SectionForces result;
     result.axial = n * std::sqrt(square) - bent.dot(curvature(e, xi));
@@ -218,8 +217,7 @@ Vector<double, 1> Cable<Dimension, Measure>::stress(const Coordinates& e, double
                                                     double z) const noexcept {
     const double strain = axial_strain(e, xi);
     const Curvature change = curvature(e, xi) - natural_curvature(e, xi);
-    double stress =
-        young_ * (1.0 - (1.0 - options_.compression) * (1.0 - detail::taut(strain))) * strain;
+    double stress = detail::axial_response(young_, 1.0 - options_.compression, strain).force;
     if constexpr (Dimension == 2) {
         stress -= young_ * y * change[0];
     } else {
