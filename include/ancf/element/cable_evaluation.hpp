@@ -151,7 +151,7 @@ template <int Dimension, class Measure>
 void Cable<Dimension, Measure>::add_pair(std::size_t first, std::size_t second) {
     // kappa0 l below this is the round-off of a straight reference; in space, where the spin of a
     // curved line costs nothing, that of coordinates from a table
-    constexpr double straight = Dimension == 2 ? 1e-13 : 1e-7;
+    constexpr double straight = Dimension == 2 ? 1e-13 : detail::straight_curvature;
     const auto line = detail::line_of<Dimension>(reference_);
     detail::NaturalCurvature natural{first == second ? 1 : 2, {first, second}, {}, {}, 0.0};
     Point tangent[2];
@@ -188,8 +188,12 @@ detail::LineGradient<Scalar, Dimension> Cable<Dimension, Measure>::gradient(
     for (const auto& at : axial_)
         detail::add_axial<false, Measure, Dimension>(at, softening, line, sum, none);
     if constexpr (detail::is_rate<Scalar>) {
-        if constexpr (Dimension == 2)
+        if constexpr (Dimension == 2) {
             for (const auto& at : bending_) detail::add_curvature_rate(at, line, sum);
+        } else {
+            const double floor = detail::straight_curvature / line_.length();
+            for (const auto& at : bending_) detail::add_curvature_rate(at, floor, line, sum);
+        }
     } else {
         for (const auto& at : bending_) detail::add_bending<false, Dimension>(at, line, sum, none);
         for (const auto& at : natural_) detail::add_natural<false>(at, bending_, line, sum, none);

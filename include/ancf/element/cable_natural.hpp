@@ -19,6 +19,9 @@
 
 namespace ancf::detail {
 
+/// An element in space whose curvature times length is below this counts as straight.
+inline constexpr double straight_curvature = 1e-7;
+
 /// Stations whose natural curvature turns together: one in the plane, up to two in space.
 struct NaturalCurvature {
     int count;
@@ -178,6 +181,27 @@ void add_curvature_rate(const CableBendingStation& station, const LineVector<S, 
     SkewBlocks<S> skew;
     at.template add<false>(S(station.stiffness * deformation(kappa, 0.0)), 0.0, at.p, sum, none,
                            skew);
+}
+
+/// Adds EI D kappa' times the gradient of kappa at a station in space, kappa' its rate:
+///
+///     D = I - t t^T - b b^T/(kappa.kappa + d^2),    b = t x kappa,
+///
+/// what the spin of least dissipation about t leaves: docs/theory-damping.md, "Cables".
+/// @param floor  d, 1/m: keeps the spin finite where the line is straight
+template <class S>
+void add_curvature_rate(const CableBendingStation& station, double floor,
+                        const LineVector<S, 3>& line, LineGradient<S, 3>& sum) noexcept {
+    LineHessian<S, 3>* const none = nullptr;
+    const CurvedStation<S, 3> at(station, line);
+    const Vector<S, 3> kappa = at.cube * turned(at.p, at.k), across = turned(at.p, kappa);
+    Vector<S, 3> rate;
+    for (int i = 0; i < 3; ++i) rate[i] = deformation(kappa[i], 0.0);
+    const S along = product(at.p, rate) * at.inverse;
+    const S spin = product(across, rate) * at.inverse / (product(kappa, kappa) + S(floor * floor));
+    SkewBlocks<S> skew;
+    at.template add<false>(S(station.stiffness), 0.0,
+                           Vector<S, 3>(rate - along * at.p - spin * across), sum, none, skew);
 }
 
 /// Returns the resultant Z of the stations that turn together.

@@ -122,8 +122,8 @@ void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
 ///
 /// A rigid motion of any size meets no force. A mode of the angular frequency w has the damping
-/// ratio eta w/2. Cable<3> damps its axial strain alone: its curvature has a length but no
-/// components that turn with the cable.
+/// ratio eta w/2. Of the curvature vector of Cable<3> the part is damped that the spin of least
+/// dissipation about the tangent leaves: changes of |kappa|; where the line is straight, all.
 template <class Element>
 class KelvinVoigt {
 public:
