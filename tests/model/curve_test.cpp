@@ -285,7 +285,8 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
         };
         const auto compare = [&](const auto& load) {
             const auto welded = tip(true, load), clamped = tip(false, load);
-            CHECK((welded - clamped).norm() <= 1e-11);
+            // a weld leaves the section free to swell, which is of second order
+            CHECK((welded - clamped).norm() <= 1e-10);
             return welded;
         };
         compare([&](NodeId end) { return Force<3>(end, {0, small, 0.5 * small}); });
@@ -364,8 +365,8 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
         for (int k = 0; k < 2; ++k) {
             const auto& before = legs[static_cast<std::size_t>(k)];
             const auto& after = legs[static_cast<std::size_t>(k + 1)];
-            const P2 a = at(model, before.last(), Field::r_x),
-                     b = at(model, after.first(), Field::r_x);
+            const P2 a = at(model, before.last(), Field::r_y),
+                     b = at(model, after.first(), Field::r_y);
             CHECK(std::abs(a.dot(b)) <= 1e-9);
             CHECK(a[0] * b[1] - a[1] * b[0] == Approx(k == 0 ? 1.0 : -1.0).epsilon(0.01));
         }

@@ -134,8 +134,11 @@ TEST_CASE("Weld: beams joined at any angle spin as one body", "[constraint][dyna
         for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z})
             model.set_rate({node}, field, cross(spin, model.value({node}, field)));
     const auto angle = [&](const State& state) {
-        const Point a = value(model, state, first.last(), Field::r_x);
-        const Point b = value(model, state, second.first(), Field::r_x);
+        const auto normal = [&](NodeId node) {  // of the section
+            return cross(value(model, state, node, Field::r_y),
+                         value(model, state, node, Field::r_z));
+        };
+        const Point a = normal(first.last()), b = normal(second.first());
         return std::acos(a.dot(b) / (a.norm() * b.norm()));
     };
     const double start = angle(model.state());
@@ -197,9 +200,9 @@ TEST_CASE(
         const auto course = run(model, end, 1e-3, [&](const State& state) {
             const double wanted = course_of.value(state.time);
             if (turning) {
-                const Point t = value(model, state, arm.first(), Field::r_x);
-                // the joint turns space against the node
-                most = std::max(most, std::abs(std::atan2(t[1], t[0]) + wanted));
+                const Point n = value(model, state, arm.first(), Field::r_y);
+                // the joint turns space against the section
+                most = std::max(most, std::abs(std::atan2(-n[0], n[1]) + wanted));
             } else {
                 const Point at = value(model, state, arm.first(), Field::r);
                 most = std::max(most, (at - wanted * Point(0.1, 0.2, 0.0)).norm());
