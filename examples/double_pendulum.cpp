@@ -46,8 +46,8 @@ struct Passage {
     double time;
     double place[3];
 };
-constexpr Passage passages[] = {{0.5, {0.7442820, -1.3295364, 0.2001182}},
-                                {1.0, {-1.1368420, -0.7651260, -0.4368582}}};
+constexpr Passage passages[] = {{0.5, {0.7452981, -1.3293977, 0.2009476}},
+                                {1.0, {-1.1387598, -0.7665264, -0.4330744}}};
 
 struct DoublePendulum {
     int elements = own_elements;

@@ -24,6 +24,7 @@ class RigidSection {
 public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
 
+    /// Holds the section of a node that carries r_y and r_z.
     explicit RigidSection(NodeId node) : node_(node) {}
 
     /// Returns the nodal vectors it acts on.
