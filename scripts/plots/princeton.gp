@@ -13,7 +13,7 @@ set xlabel "angle of the load from the chord (degrees)"
 set key top left Left reverse spacing 1.2
 do for [column in "flapwise chordwise"] {
     set ylabel column." displacement of the tip (mm)"
-    if (column eq "chordwise") { set key top right }
+    if (column eq "chordwise") { unset key }
     plot for [k = 1:3] file(word(loads, k)) using "angle":(1e3 * column(column)) smooth csplines linetype k \
              title sprintf("%s N, 16 elements", word(loads, k)), \
          data."/princeton.csv" using "angle":(1e3 * column("reference_".column)) with points linetype 6 pointtype 6 \
