@@ -177,6 +177,52 @@ TEST_CASE("point_along: a pendulum hangs on the middle of another beam", "[const
     CHECK(drift(course) <= 2e-3 * course.report.kinetic_largest);
 }
 
+TEST_CASE("AlignedTangent: a pinned bar keeps its tangent in another one's section",
+          "[constraint][dynamics]") {
+    Scene model;
+    const auto first = bar(model, Point(0, 0, 0), Point(0.5, 0, 0));
+    const auto second = bar(model, Point(0.5, 0, 0), Point(0.7, 0.3, 0.1));
+    model.add(Pin<3>(first.last(), second.first()));
+    model.add(AlignedTangent(model, first.last(), second.first()));
+    const Point spin(2.0, -1.0, 3.0);
+    for (int node = 0; node < model.nodes(); ++node)
+        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z})
+            model.set_rate({node}, field, cross(spin, model.value({node}, field)));
+    const auto cosines = [&](const State& state) {
+        const Point t = value(model, state, second.first(), Field::r_x).normalized();
+        const Point y = value(model, state, first.last(), Field::r_y).normalized();
+        const Point z = value(model, state, first.last(), Field::r_z).normalized();
+        return Point(t.dot(y), t.dot(z), 0.0);
+    };
+    const Point start = cosines(model.state());
+    double most = 0.0;
+    const auto course = run(model, 0.2, 2e-3, [&](const State& state) {
+        most = std::max(most, (cosines(state) - start).norm());
+    });
+    REQUIRE(course.report.status == Status::converged);
+    CHECK(course.report.violation <= held);
+    CHECK(most <= 1e-5);  // r_y and r_z may shear against each other
+    CHECK(drift(course) <= 1e-3 * course.report.kinetic_largest);
+}
+
+TEST_CASE("Driven: one equation of a pin follows its motion, and its work is the energy's",
+          "[constraint][dynamics]") {
+    const double end = 0.5;
+    Scene model;
+    const auto arm = bar(model, Point(0, 0, 0), Point(0.5, 0, 0));
+    const Motion course_of = turn(0.3, end);
+    model.add(Driven(Pin<3>(arm.first(), Point(0, 0, 0)), {{1, course_of}}));
+    double most = 0.0;
+    const auto course = run(model, end, 1e-3, [&](const State& state) {
+        const Point at = value(model, state, arm.first(), Field::r);
+        most = std::max(most, (at - Point(0.0, course_of.value(state.time), 0.0)).norm());
+    });
+    REQUIRE(course.report.status == Status::converged);
+    CHECK(most <= held);
+    CHECK(course.report.kinetic_largest > 0.1);
+    CHECK(drift(course) <= 5e-3 * course.report.kinetic_largest);
+}
+
 TEST_CASE(
     "DrivenRevolute and a driven Pin: the motion is the one prescribed and its work the "
     "energy's",
