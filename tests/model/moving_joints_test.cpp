@@ -8,6 +8,7 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
@@ -19,6 +20,7 @@
 #include <support/catch.hpp>
 #include <support/instances/cable.hpp>
 #include <support/instances/cross_section.hpp>
+#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -221,6 +223,46 @@ TEST_CASE("Driven: one equation of a pin follows its motion, and its work is the
     CHECK(most <= held);
     CHECK(course.report.kinetic_largest > 0.1);
     CHECK(drift(course) <= 5e-3 * course.report.kinetic_largest);
+}
+
+TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
+          "[constraint][dynamics][planar]") {
+    using Plane = Model<CrossSectionBeam<2>>;
+    using Point2 = Vector<double, 2>;
+    constexpr double end = 0.5;
+    Plane model;
+    const auto flat = [&](const Point2& from, const Point2& to) {
+        return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, 1,
+                             CrossSectionOptions::best());
+    };
+    const auto first = flat({0.0, 0.0}, {0.5, 0.0}), second = flat({0.5, 0.0}, {0.8, 0.1});
+    model.pin(first.first());
+    const Motion course_of = turn(0.8, end);
+    model.add(PlanarWeld(model, first.last(), second.first(), course_of));
+    const auto angle = [&](const State& state) {
+        const auto heading = [&](NodeId node) {
+            const int at = model.coordinate(node, Field::r_y);
+            return std::atan2(state.q[at + 1], state.q[at]);
+        };
+        return heading(second.first()) - heading(first.last());
+    };
+    const double start = angle(model.state());
+    double most = 0.0;
+    DynamicProblem<Plane> problem(model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.step = 1e-3;
+    options.rho = 0.9;
+    Schedule schedule = equal_intervals(0.0, end, 1e-3);
+    schedule.observe = [&](const Snapshot& seen) {
+        const double wanted = start + course_of.value(seen.state.time);
+        most = std::max(most, std::abs(angle(seen.state) - wanted));
+    };
+    const DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.violation <= held);
+    CHECK(most <= held);
+    CHECK(report.kinetic_largest > 0.05);
 }
 
 TEST_CASE(
