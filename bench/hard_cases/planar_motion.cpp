@@ -85,12 +85,15 @@ void spin_up(Rows& rows, bool quick) {
     rows.push_back(row);
 }
 
-/// Adds the beam of the paper's rubber pendulum.
-ancf::Beam<Beam> rubber(Scene& scene, int elements) {
-    return ancf::straight_beam(
-        scene, ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
-        ancf::rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0, 0}, {1.2, 0},
-        elements, mixed());
+/// Adds the paper's rubber pendulum, pinned and under gravity.
+ancf::Beam<Beam> rubber_pendulum(Scene& scene, int elements) {
+    const auto beam =
+        ancf::straight_beam(scene, ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
+                            ancf::rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0),
+                            {0, 0}, {1.2, 0}, elements, mixed());
+    scene.pin(beam.first());
+    scene.set_gravity({0.0, -9.81});
+    return beam;
 }
 
 /// The paper's rubber pendulum up to 1 s: its tip at three times relative to its length.
@@ -98,9 +101,7 @@ void pendulum(Rows& rows, bool quick) {
     Row row = make("pendulum", 16, 2e-3);
     const double start = now();
     Scene scene;
-    const auto beam = rubber(scene, row.elements);
-    scene.pin(beam.first());
-    scene.set_gravity({0.0, -9.81});
+    const auto beam = rubber_pendulum(scene, row.elements);
     const std::array<std::pair<double, Plane>, 3> theory{{
         {0.3, {1.087608741, -0.445045527}},
         {0.5, {0.374397683, -1.305257813}},
@@ -126,9 +127,7 @@ void long_pendulum(Rows& rows, bool quick) {
     Row row = make("pendulum_100_s", 8, 1e-8);
     const double start = now();
     Scene scene;
-    const auto beam = rubber(scene, row.elements);
-    scene.pin(beam.first());
-    scene.set_gravity({0.0, -9.81});
+    rubber_pendulum(scene, row.elements);
     ancf::DynamicProblem<Scene> problem(scene);
     ancf::EnergyMomentumOptions options;
     options.step = 5e-3;

@@ -38,7 +38,6 @@ template <class Element>
 class Spatial {
 public:
     using Scene = ancf::Model<Element>;
-
     using Options = typename Element::Options;
     /// Whether torsion follows the section's torsion constant on request.
     static constexpr bool warps = std::is_same_v<Options, ancf::CrossSectionOptions>;

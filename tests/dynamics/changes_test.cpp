@@ -40,12 +40,6 @@ Chain pendulum(double density, double stiff = stiffness) {
     return scene;
 }
 
-Schedule until(double end) {
-    Schedule schedule;
-    schedule.end = end;
-    return schedule;
-}
-
 DynamicsReport run(BarProblem& problem, bool conserving, const Schedule& schedule,
                    const ancf::Memory& memory = {}) {
     ancf::EigenLu solver;

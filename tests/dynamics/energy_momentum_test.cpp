@@ -34,12 +34,6 @@ EnergyMomentumOptions steps(double step) {
     return options;
 }
 
-Schedule until(double end) {
-    Schedule schedule;
-    schedule.end = end;
-    return schedule;
-}
-
 DynamicsReport run(BarModel& model, double step, const Schedule& schedule,
                    const ancf::Memory& memory = {}) {
     BarProblem problem(model);

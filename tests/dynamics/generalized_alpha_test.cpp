@@ -42,12 +42,6 @@ GeneralizedAlphaOptions adaptive(double tolerance) {
     return options;
 }
 
-Schedule until(double end) {
-    Schedule schedule;
-    schedule.end = end;
-    return schedule;
-}
-
 DynamicsReport run(ancf::test::BarModel& model, const GeneralizedAlphaOptions& options,
                    const Schedule& schedule, const ancf::Memory& memory = {}) {
     BarProblem problem(model);

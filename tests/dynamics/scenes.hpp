@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/report.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
@@ -22,6 +23,13 @@ namespace ancf::test {
 using BarModel = Model<Bar<3>>;
 using BarProblem = DynamicProblem<BarModel>;
 using Vector3 = Vector<double, 3>;
+
+/// Returns a schedule that ends at a time and reports nothing on the way.
+[[nodiscard]] inline Schedule until(double end) {
+    Schedule schedule;
+    schedule.end = end;
+    return schedule;
+}
 
 /// Bars in a row.
 struct Chain {
