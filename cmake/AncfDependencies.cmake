@@ -52,12 +52,12 @@ endmacro()
 
 macro(_ancf_find_suitesparse)
     list(PREPEND CMAKE_MODULE_PATH "${_ancf_module_dir}")
-    find_package(SuiteSparse QUIET MODULE COMPONENTS CHOLMOD UMFPACK)
+    find_package(SuiteSparse QUIET MODULE COMPONENTS CHOLMOD KLU UMFPACK)
     list(POP_FRONT CMAKE_MODULE_PATH)
     set(ancf_suitesparse_FOUND FALSE)
     if(NOT SuiteSparse_FOUND)
         _ancf_explain(suitesparse
-            "ancf's component suitesparse needs CHOLMOD and UMFPACK of SuiteSparse 5.12 or newer, which were not found."
+            "ancf's component suitesparse needs CHOLMOD, KLU and UMFPACK of SuiteSparse 5.12 or newer, which were not found."
             libsuitesparse-dev suitesparse-devel suite-sparse suitesparse)
     elseif(SuiteSparse_VERSION VERSION_LESS 5.12)
         _ancf_explain(suitesparse

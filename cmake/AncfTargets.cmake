@@ -14,7 +14,8 @@ set_target_properties(ancf PROPERTIES EXPORT_NAME ancf)
 add_library(ancf::ancf ALIAS ancf)
 
 add_library(ancf_suitesparse INTERFACE)
-target_link_libraries(ancf_suitesparse INTERFACE ancf SuiteSparse::CHOLMOD SuiteSparse::UMFPACK)
+target_link_libraries(ancf_suitesparse INTERFACE
+    ancf SuiteSparse::CHOLMOD SuiteSparse::KLU SuiteSparse::UMFPACK)
 set_target_properties(ancf_suitesparse PROPERTIES EXPORT_NAME suitesparse)
 
 add_library(ancf_sundials INTERFACE)

@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes SuiteSparse::CHOLMOD and SuiteSparse::UMFPACK, whatever the version.
+# Makes SuiteSparse::CHOLMOD, SuiteSparse::KLU and SuiteSparse::UMFPACK, whatever the version.
 #
 # SuiteSparse 7 brings CMake packages of these names, which need the language C; they are taken when
 # it is enabled. SuiteSparse 5 brings none: header and shared library are looked for. Components:
-# CHOLMOD, UMFPACK. Sets SuiteSparse_FOUND and SuiteSparse_VERSION.
+# CHOLMOD, KLU, UMFPACK. Sets SuiteSparse_FOUND and SuiteSparse_VERSION.
 
 include(FindPackageHandleStandardArgs)
 
 get_property(_ancf_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
 if(NOT SuiteSparse_FIND_COMPONENTS)
-    set(SuiteSparse_FIND_COMPONENTS CHOLMOD UMFPACK)
+    set(SuiteSparse_FIND_COMPONENTS CHOLMOD KLU UMFPACK)
 endif()
 
 foreach(_ancf_part IN LISTS SuiteSparse_FIND_COMPONENTS)

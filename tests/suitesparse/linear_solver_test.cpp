@@ -4,6 +4,7 @@
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/scaled.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
+#include <ancf/suitesparse/klu.hpp>
 #include <ancf/suitesparse/umfpack.hpp>
 
 #include <solver/linear_solver_cases.hpp>
@@ -28,8 +29,8 @@ using Tried = CholmodAs<CholmodMode::automatic, CholmodOrdering::automatic>;
 
 TEMPLATE_TEST_CASE("linear solver: each one of SuiteSparse meets the list", "[suitesparse]",
                    Cholmod, Simplicial, SimplicialNatural, Supernodal, SupernodalNatural, Tried,
-                   Umfpack, Automatic<Cholmod>, Scaled<Cholmod>, Scaled<Supernodal>,
-                   Scaled<Umfpack>) {
+                   Klu, Umfpack, Automatic<Cholmod>, Scaled<Cholmod>, Scaled<Supernodal>,
+                   Scaled<Klu>, Scaled<Umfpack>) {
     check_linear_solver<TestType>();
 }
 
@@ -43,6 +44,7 @@ TEST_CASE("linear solver: SuiteSparse bends a cantilever of 1000 elements as bea
           "[suitesparse]") {
     bends_a_long_cantilever<Simplicial>(1e-4);
     bends_a_long_cantilever<Supernodal>(1e-4);
+    bends_a_long_cantilever<Klu>(1e-4);
     bends_a_long_cantilever<Umfpack>(1e-4);
     bends_a_long_cantilever<Scaled<Cholmod>>(1e-5);
 }
