@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #if defined(_OPENMP)
@@ -135,6 +137,17 @@ TEST_CASE("ElementSchedule: runs of one colour share no node and cover every ele
         CHECK(std::count(times.begin(), times.end(), 1) == count);
     });
     CHECK(groups == 2);
+}
+
+TEST_CASE("ElementSchedule: what an element throws reaches the caller", "[assembly]") {
+    const Scene scene = make_scene();
+    scene.for_each_group([&](const auto& group) {
+        const ElementSchedule schedule(group.connections, scene.layout().nodes());
+        const auto failing = [](const ElementRun& run, std::size_t) -> double {
+            throw std::runtime_error("element " + std::to_string(run.first));
+        };
+        CHECK_THROWS_WITH(schedule.sum(failing), "element 0");
+    });
 }
 
 }  // namespace threads_test

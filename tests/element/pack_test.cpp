@@ -111,6 +111,14 @@ TEMPLATE_TEST_CASE(
           1e-14);  // round-off
 }
 
+TEST_CASE("CrossSectionBeam: eight equal elements in a pack give what each gives alone",
+          "[element][cross-section][pack]") {
+    const Paper element(test::sample_material(), test::sample_rectangle(), 0.7);
+    std::array<const Paper*, 8> elements{};
+    elements.fill(&element);
+    CHECK(difference<8>(elements, element) <= 1e-14);  // round-off
+}
+
 TEMPLATE_TEST_CASE("other beams: equal elements in the lanes of a pack give what each gives alone",
                    "[element][pack]", TorsionBeam, ContinuumBeam<3>, ContinuumBeam<2>,
                    CrossSectionBeam<2>) {

@@ -126,8 +126,8 @@ public:
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
     /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
-    /// Returns U, J.
-    [[nodiscard]] double strain_energy() const noexcept { return strain_energy_; }
+    /// Returns U, J; after Request::force it is computed when first asked for.
+    [[nodiscard]] double strain_energy() const;
 
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
@@ -214,8 +214,8 @@ private:
     template <class Element, class Block>
     void scatter(const Slots& slots, int a, int b, const Block& block, double* values) const;
 
-    // Each adds elements and returns their energy: all of a group, one, or as many as a pack has
-    // lanes, equal but for their coordinates.
+    // Each adds elements and returns their energy, 0 for the force alone: all of a group, one, or
+    // as many as a pack has lanes, equal but for their coordinates.
     template <class Element>
     double add_elements(const ElementGroup<Element>& group, std::size_t index,
                         const Configuration& at, Request request, const VectorX* increment,
@@ -254,7 +254,9 @@ private:
     VectorX gravity_;    // force of gravity at unit scale
 
     VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
-    double strain_energy_ = 0.0;
+    VectorX force_q_;                   // coordinates of the last evaluation of forces alone
+    mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
+    mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
     SparseMatrix tangent_, damping_;
 };

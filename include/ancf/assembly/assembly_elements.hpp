@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace ancf {
@@ -35,6 +36,8 @@ std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request 
         check_size("evaluate", "coordinates before the correction", last->before);
         check_size("evaluate", "corrections", last->change);
     }
+    energy_known_ = request != Request::force || increment != nullptr;
+    if (!energy_known_) force_q_ = at.q;
     internal_.setZero(numbering_.coordinates());
     constraint_.setZero(numbering_.coordinates());
     strain_energy_ = 0.0;
@@ -56,6 +59,29 @@ std::optional<Fault> Assembly<Scene>::evaluate(const Configuration& at, Request 
         constraint_.allFinite())
         return std::nullopt;
     return inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+}
+
+template <class Scene>
+double Assembly<Scene>::strain_energy() const {
+    if (energy_known_) return strain_energy_;
+    strain_energy_ = 0.0;
+    std::size_t index = 0;
+    for_each_group([&](const auto& group, const auto& slots) {
+        using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
+        strain_energy_ += schedules_[index++].sum([&](const ElementRun& run, std::size_t) {
+            double energy = 0.0;
+            for (int k = run.first; k < run.last; ++k) {
+                int coordinate[Element::dofs];
+                element_coordinates<Element>(slots[static_cast<std::size_t>(k)], coordinate);
+                typename Element::Coordinates e;
+                for (int i = 0; i < Element::dofs; ++i) e[i] = force_q_[coordinate[i]];
+                energy += group.element(k).energy(e);
+            }
+            return energy;
+        });
+    });
+    energy_known_ = true;
+    return strain_energy_;
 }
 
 template <class Scene>
@@ -108,7 +134,7 @@ double Assembly<Scene>::add_element(const Element& element, const Slots& slots,
     if (request == Request::force && increment == nullptr) {
         const typename Element::Coordinates force = element.force(e);
         for (int i = 0; i < Element::dofs; ++i) internal_[coordinate[i]] += force[i];
-        return element.energy(e);
+        return 0.0;
     }
     auto result = [&] {
         if constexpr (detail::EvaluatesMixed<Element>::value)
@@ -144,7 +170,7 @@ double Assembly<Scene>::add_pack(const Element& element, const Slots* slots,
     };
     if (request == Request::force) {
         add_force(element.force(e));
-        return lane_sum(element.energy(e));
+        return 0.0;
     }
     const auto result = element.evaluate(e);
     add_force(result.force);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 namespace ancf {
@@ -60,19 +61,28 @@ public:
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
     /// `place` counts the runs in the order in which they are added.
     /// @return the sum of what the calls return, added in a fixed order.
+    /// @throws what the first of them threw, once all of its colour have ended.
     template <class Visitor>
     double sum(const Visitor& visit) const {
         double total = 0.0;
         std::size_t done = 0;
         for (const std::vector<ElementRun>& runs : colours_) {
             std::vector<double> parts(runs.size(), 0.0);
+            std::vector<std::exception_ptr> thrown(runs.size());  // none may leave a thread
             const auto size = static_cast<std::ptrdiff_t>(runs.size());
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) if (!sequential_ && size > 1)
 #endif
-            for (std::ptrdiff_t k = 0; k < size; ++k)
-                parts[static_cast<std::size_t>(k)] =
-                    visit(runs[static_cast<std::size_t>(k)], done + static_cast<std::size_t>(k));
+            for (std::ptrdiff_t run = 0; run < size; ++run) {
+                const auto k = static_cast<std::size_t>(run);
+                try {
+                    parts[k] = visit(runs[k], done + k);
+                } catch (...) {
+                    thrown[k] = std::current_exception();
+                }
+            }
+            for (const std::exception_ptr& exception : thrown)
+                if (exception) std::rethrow_exception(exception);
             for (const double part : parts) total += part;
             done += runs.size();
         }

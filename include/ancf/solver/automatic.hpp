@@ -26,7 +26,8 @@ namespace ancf {
 ///     ancf::Automatic<> solver;                              // Eigen alone
 ///     ancf::Automatic<ancf::suitesparse::Cholmod> solver;    // with SuiteSparse
 ///     solver.analyze(tangent);
-///     std::cout << solver.explanation();  // "block-tridiagonal: a chain of 64 blocks of up to 12"
+///     std::cout << solver.explanation();  // "block-tridiagonal: a chain of 64 blocks of up
+//  to 12 unknowns"
 template <class General = EigenLdlt>
 class Automatic {
     static_assert(is_linear_solver_v<General>, "Automatic<General> needs a linear solver");
@@ -82,12 +83,12 @@ private:
     void explain(const SparseMatrix& lower) {
         std::ostringstream text;
         text << name() << ": ";
+        const int widest = detail::widest_block(detail::chain_starts(lower));
         if (is_chain_) {
-            text << "a chain of " << chain_.blocks() << " blocks of up to " << chain_.width()
+            text << "a chain of " << chain_.blocks() << " blocks of up to " << widest
                  << " unknowns";
         } else {
-            text << "no chain, it would take a block of "
-                 << detail::widest_block(detail::chain_starts(lower)) << " unknowns, and "
+            text << "no chain, it would take a block of " << widest << " unknowns, and "
                  << BlockTridiagonal::max_block << " are the most";
         }
         explanation_ = text.str();
