@@ -91,13 +91,13 @@ Cable<Dimension, Measure>::Cable(const Material& material, const Section& sectio
                     "compression must lie in [0, 1], got ", options.compression);
     detail::require(reference.allFinite(),
                     "the reference coordinates of a cable must be finite, got ",
-                    reference.transpose());
+                    detail::components(reference));
     detail::require_line_points(options.rule, StrainGroup::axial, "axial", 3);
     detail::require_line_points(options.rule, StrainGroup::bending, "bending", 2);
     set_stations();
     detail::require(admissible(reference),
                     "the reference coordinates of a cable must have slopes r_x of about 1, got ",
-                    reference.transpose());
+                    detail::components(reference));
     set_natural();
 }
 

@@ -227,7 +227,7 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, "
                     "right-handed and turning by less than 120 degrees from node to node, got ",
-                    reference.transpose());
+                    detail::components(reference));
 }
 
 template <int Dimension>

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/cross_section_kernel.hpp>
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/engineering_measure.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
@@ -36,22 +37,6 @@
 
 namespace ancf {
 
-/// Choices that are values: they change constant data, not the kernel.
-struct CrossSectionOptions {
-    Rule rule = Rule::paper();                              ///< stations along the element
-    TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
-    SectionModel section_model = SectionModel::paper;       ///< how the section resists torsion
-
-    /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
-    [[nodiscard]] static CrossSectionOptions paper() { return {}; }
-
-    /// What is most accurate for its cost, Geodesic directors with it: the axial term on points of
-    /// its own, and the torsional stiffness of a section that warps.
-    [[nodiscard]] static CrossSectionOptions best() {
-        return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant};
-    }
-};
-
 namespace detail {
 
 template <class Directors, class Shear, class Measure>
@@ -72,8 +57,7 @@ struct FormulationOf<Geodesic, LinearShear, Measure> {
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
 /// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
 ///                    paper) or EngineeringMeasure (Reissner's beam)
-template <int Dimension = 3, class Directors = Projected, class Shear = LinearShear,
-          class Measure = GreenMeasure>
+template <int Dimension, class Directors, class Shear, class Measure>
 class CrossSectionBeam {
     static_assert(Dimension == 3, "CrossSectionBeam exists in three dimensions");
 
@@ -273,17 +257,6 @@ private:
     Matrix<double, 8> mass_weights_;
 };
 
-namespace detail {
-
-/// Throws if a group of terms has so few points that a motion of the element has no energy.
-inline void require_points(const Rule& rule, StrainGroup group, const char* name, int least) {
-    require(rule.points(group) >= least, "rule \"", rule.name(), "\": the ", name,
-            " term needs at least ", least,
-            " points, else the element has a mode without energy; got ", rule.points(group));
-}
-
-}  // namespace detail
-
 template <int Dimension, class Directors, class Shear, class Measure>
 CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(const Material& material,
                                                                          const Section& section,
@@ -304,12 +277,12 @@ CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(
       options_(options) {
     detail::require(reference.allFinite(),
                     "the reference coordinates of an element must be finite, got ",
-                    reference.transpose());
+                    detail::components(reference));
     set_up(material, section);
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, "
                     "right-handed and turning by less than 120 degrees from node to node, got ",
-                    reference.transpose());
+                    detail::components(reference));
     kernel_.set_reference(reference);
 }
 

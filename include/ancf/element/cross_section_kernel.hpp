@@ -36,7 +36,7 @@ struct CrossSectionKernel {
     TransverseStrain transverse_measure = TransverseStrain::green;
 
     /// Makes e the stress-free state: its strains are the ones subtracted from now on.
-    void set_reference(const Vector<double, dofs>& e) noexcept;
+    void set_reference(const Vector<double, dofs>& e);
 
     template <class S>
     [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
@@ -134,7 +134,7 @@ void CrossSectionKernel<T, Formulation>::prepare(Nodes<S>& nodes, Lanes<P>& lane
 }
 
 template <class T, class Formulation>
-void CrossSectionKernel<T, Formulation>::set_reference(const Vector<double, dofs>& e) noexcept {
+void CrossSectionKernel<T, Formulation>::set_reference(const Vector<double, dofs>& e) {
     Nodes<double> nodes;
     Lanes<double> lanes;
     prepare(e, nodes, lanes);

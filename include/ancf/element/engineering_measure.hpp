@@ -11,7 +11,6 @@
 #pragma once
 
 #include <ancf/element/invariants.hpp>
-#include <ancf/element/planar_section.hpp>
 #include <ancf/element/sparse_jacobian.hpp>
 
 #include <cmath>
@@ -21,8 +20,6 @@ namespace ancf {
 
 /// Strains linear in the deformation of the section, in linear relation to Biot's stress.
 struct EngineeringMeasure {
-    using Planar = detail::PlanarEngineering;  ///< the same measure in the plane
-
     static constexpr bool engineering =
         true;  ///< directors of unit length; no second order strains
 

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <ancf/element/invariants.hpp>
-#include <ancf/element/planar_section.hpp>
 #include <ancf/element/sparse_jacobian.hpp>
 #include <ancf/element/station_data.hpp>
 
@@ -24,8 +23,6 @@ namespace ancf {
 /// The strain measure of [Dufva2006]: Green's, in linear relation to the second Piola-Kirchhoff
 /// stress.
 struct GreenMeasure {
-    using Planar = detail::PlanarGreen;  ///< the same measure in the plane
-
     static constexpr bool engineering = false;  ///< strains are products of F_x with itself
 
     /// Which strains depend on each invariant, one bit per strain.

@@ -11,10 +11,20 @@
 
 #pragma once
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section_options.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/fields.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar_kernel.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/element/reference_line.hpp>
+#include <ancf/element/section_forces.hpp>
 #include <ancf/element/upright.hpp>
+#include <ancf/error.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/section/stiffness.hpp>
+#include <ancf/types.hpp>
 
 #include <cmath>
 
@@ -141,6 +151,8 @@ public:
     }
 
 private:
+    using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
+
     struct Place {
         StationShape<double> shape;
         detail::PlanarSine<double> sine[2];
@@ -149,7 +161,7 @@ private:
     [[nodiscard]] Place place(const Coordinates& e, double xi) const noexcept;
     /// Returns the factor of the normal in the director: 1, or what makes it a unit vector.
     [[nodiscard]] static double director_cosine(const detail::PlanarFrame<double>& f) noexcept {
-        return Measure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
+        return PlanarMeasure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
     }
     void set_up(const Material& material, const Section& section);
     [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
@@ -161,7 +173,7 @@ private:
     Options options_;
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
-    detail::PlanarKernel<double, typename Measure::Planar> kernel_;
+    detail::PlanarKernel<double, PlanarMeasure> kernel_;
     Matrix<double, 6> mass_weights_;
 };
 
@@ -205,12 +217,12 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
       options_(options) {
     detail::require(reference.allFinite(),
                     "the reference coordinates of an element must be finite, got ",
-                    reference.transpose());
+                    detail::components(reference));
     set_up(material, section);
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, r_y to "
                     "the left of r_x, turning by less than 120 degrees from node to node, got ",
-                    reference.transpose());
+                    detail::components(reference));
     kernel_.set_reference(reference);
 }
 
@@ -223,7 +235,7 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
     section_ = section_stiffness(material, section, options_.section_model);
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
     const StationTable<double> table =
-        line_.stations(options_.rule, section_, !Measure::engineering);
+        line_.stations(options_.rule, section_, !PlanarMeasure::engineering);
     for (const StationData<double>& station : table.full)
         kernel_.stations.push_back(
             {station.shape, {}, detail::planar_stiffness(station.stiffness)});
@@ -281,9 +293,9 @@ Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::strains(
 template <class Directors, class Measure>
 Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_strains(
     const Coordinates& e, double xi) const noexcept {
-    detail::PlanarStrains<double> result;
-    Measure::Planar::evaluate(place(e, xi).frame.w, result);
-    return Eigen::Map<const Vector<double, 5>>(result.e);
+    double strains[detail::planar_strain_count];
+    PlanarMeasure::strains(place(e, xi).frame.w, strains);
+    return Eigen::Map<const Vector<double, 5>>(strains);
 }
 
 template <class Directors, class Measure>
@@ -319,7 +331,7 @@ SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forc
     // r0' = (lam, 0), d = (s, 1), d' = (s' - kap, s kap) in (t, n)
     const double rate_t = f.w.s1 - f.w.kap, rate_n = f.w.s * f.w.kap;
     SectionForces forces{};
-    if constexpr (Measure::engineering) {
+    if constexpr (PlanarMeasure::engineering) {
         // along the unit director (s, cosine) and the section's normal (cosine, -s)
         const double cosine = director_cosine(f);
         forces.axial = stress[0] * cosine + stress[3] * f.w.s;
@@ -369,7 +381,7 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
     const Vector<double, 2> t(f.t[0], f.t[1]), n(f.n[0], f.n[1]);
     // d n = -u_n t, d t = u_n n with u_n = n.dp/lam
     const double cosine = director_cosine(f);
-    const Vector<double, 2> by_shear = Measure::engineering ? t - f.w.s / cosine * n : t;
+    const Vector<double, 2> by_shear = PlanarMeasure::engineering ? t - f.w.s / cosine * n : t;
     const Matrix<double, 2> by_p = y * f.inv_lam * (f.w.s * n - cosine * t) * n.transpose();
     jacobian.template middleCols<2>(0) -= at.shape.p[0] * by_p;
     jacobian.template middleCols<2>(6) += at.shape.p[0] * by_p;

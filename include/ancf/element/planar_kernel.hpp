@@ -9,11 +9,12 @@
 
 #pragma once
 
+#include <ancf/element/compiler.hpp>
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/planar_section.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/element/transverse.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
@@ -76,6 +77,7 @@ template <class T, class S>
 inline void planar_frame(const StationShape<T>& shape, const S (&v)[planar_nodal_count][2],
                          const S (&sines)[2], PlanarFrame<S>& f) noexcept {
     using std::sqrt;
+    ANCF_UNROLL
     for (int k = 0; k < 2; ++k) {
         f.p[k] = shape.p[0] * v[pn_D][k] + shape.p[1] * v[pn_g1][k] + shape.p[2] * v[pn_g2][k];
         f.p1[k] = shape.p1[0] * v[pn_D][k] + shape.p1[1] * v[pn_g1][k] + shape.p1[2] * v[pn_g2][k];
@@ -107,17 +109,18 @@ struct PlanarSums {
 /// @param b_p,b_p1  rows of d lam and d kap by p, and of d kap by p1
 template <class Measure, class T, class S>
 inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S>& f,
-                               const PlanarStrains<S>& strains,
                                const S (&stress)[planar_strain_count],
                                const S (&U)[planar_invariant_count], const S (&b_p)[2][2],
                                const S (&b_p1)[2], PlanarSums<S>& sums) noexcept {
+    S J[planar_invariant_count][planar_strain_count];
+    Measure::jacobian(f.w, J);
     S D[planar_invariant_count][planar_invariant_count];
     for (int j = 0; j < planar_invariant_count; ++j) {
         S column[planar_strain_count];
-        planar_stress(data.stiffness, strains.J[j], column);
+        planar_stress(data.stiffness, J[j], column);
         for (int i = 0; i <= j; ++i) {
-            D[i][j] = strains.J[i][0] * column[0];
-            for (int k = 1; k < planar_strain_count; ++k) D[i][j] += strains.J[i][k] * column[k];
+            D[i][j] = J[i][0] * column[0];
+            for (int k = 1; k < planar_strain_count; ++k) D[i][j] += J[i][k] * column[k];
         }
     }
     Measure::add_curvature(f.w, stress, D);
@@ -172,36 +175,37 @@ inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar
                                const S (&sines)[2], PlanarSums<S>& sums) noexcept {
     PlanarFrame<S> f;
     planar_frame(data.shape, v, sines, f);
-    PlanarStrains<S> strains;
-    Measure::evaluate(f.w, strains);
+    S strains[planar_strain_count], stress[planar_strain_count];
+    Measure::strains(f.w, strains);
+    ANCF_UNROLL
     for (int k = 0; k < planar_strain_count; ++k)
-        strains.e[k] = deformation(strains.e[k], data.reference[k]);
-    S stress[planar_strain_count];
-    planar_stress(data.stiffness, strains.e, stress);
+        strains[k] = deformation(strains[k], data.reference[k]);
+    planar_stress(data.stiffness, strains, stress);
+    ANCF_UNROLL
+    for (int k = 0; k < planar_strain_count; ++k) sums.energy += 0.5 * stress[k] * strains[k];
     S U[planar_invariant_count];
-    for (int k = 0; k < planar_strain_count; ++k) sums.energy += 0.5 * stress[k] * strains.e[k];
-    for (int i = 0; i < planar_invariant_count; ++i) {
-        U[i] = strains.J[i][0] * stress[0];
-        for (int k = 1; k < planar_strain_count; ++k) U[i] += strains.J[i][k] * stress[k];
-    }
+    Measure::gradient(f.w, stress, U);
 
     // rows of d lam and d kap by p and p1
     S b_p[2][2], b_p1[2];
+    ANCF_UNROLL
     for (int k = 0; k < 2; ++k) {
         b_p[pw_lam][k] = f.t[k];
         b_p[pw_kap][k] = -f.inv_lam * (f.w.kap * f.t[k] + f.eta * f.n[k]);
         b_p1[k] = f.inv_lam * f.n[k];
     }
     const StationShape<T>& shape = data.shape;
+    ANCF_UNROLL
     for (int k = 0; k < 2; ++k) {
         const S p = U[pw_lam] * b_p[pw_lam][k] + U[pw_kap] * b_p[pw_kap][k],
                 v1 = U[pw_kap] * b_p1[k];
+        ANCF_UNROLL
         for (int x = 0; x < 3; ++x) sums.line[x][k] += shape.p[x] * p + shape.p1[x] * v1;
     }
     const S to_second = shape.n2 * U[pw_s] + shape.n2_x * U[pw_s1];
     sums.sine[0] += U[pw_s] - to_second;
     sums.sine[1] += to_second;
-    if constexpr (Second) add_planar_hessian<Measure>(data, f, strains, stress, U, b_p, b_p1, sums);
+    if constexpr (Second) add_planar_hessian<Measure>(data, f, stress, U, b_p, b_p1, sums);
 }
 
 /// Constant data of a planar element and its evaluation.
@@ -221,9 +225,9 @@ struct PlanarKernel {
         for (PlanarStation<T>& station : stations) {
             PlanarFrame<double> f;
             planar_frame(station.shape, nodes.v, nodes.values, f);
-            PlanarStrains<double> strains;
-            Measure::evaluate(f.w, strains);
-            for (int k = 0; k < planar_strain_count; ++k) station.reference[k] = strains.e[k];
+            double strains[planar_strain_count];
+            Measure::strains(f.w, strains);
+            for (int k = 0; k < planar_strain_count; ++k) station.reference[k] = strains[k];
         }
         for (AxialStationData<T>& station : axial) {
             const double p[2] = {axial_slope(station, nodes.v, 0),

@@ -12,6 +12,8 @@
 
 #pragma once
 
+#include <ancf/element/compiler.hpp>
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/section/stiffness.hpp>
 
 #include <cmath>
@@ -30,32 +32,44 @@ struct PlanarInvariants {
     S lam, kap, s, s1;
 };
 
-/// Strains, their Jacobian J[i][k] = de_k/dw_i, and what their second derivatives need.
-template <class S>
-struct PlanarStrains {
-    S e[planar_strain_count];
-    S J[planar_invariant_count][planar_strain_count];
-};
-
 /// Green's strains of docs/theory.md with the z director and everything out of the plane left away.
 struct PlanarGreen {
+    static constexpr bool engineering = false;
+
+    /// Writes the strains.
     template <class S>
-    static void evaluate(const PlanarInvariants<S>& w, PlanarStrains<S>& out) noexcept {
-        const S bend = w.s1 - w.kap;  // d' = (s' - kap, s kap)
-        const S turn = w.s * w.kap;
-        out.e[0] = 0.5 * (w.lam * w.lam - 1.0);
-        out.e[1] = w.lam * bend;
-        out.e[2] = 0.5 * (bend * bend + turn * turn);
-        out.e[3] = w.lam * w.s;
-        out.e[4] = w.s * w.s1;
-        const S zero(0.0);
-        const S J[planar_invariant_count][planar_strain_count] = {
+    static void strains(const PlanarInvariants<S>& w, S (&e)[planar_strain_count]) noexcept {
+        const S bend = w.s1 - w.kap, turn = w.s * w.kap;  // d' = (bend, turn)
+        e[0] = 0.5 * (w.lam * w.lam - 1.0);
+        e[1] = w.lam * bend;
+        e[2] = 0.5 * (bend * bend + turn * turn);
+        e[3] = w.lam * w.s;
+        e[4] = w.s * w.s1;
+    }
+
+    /// Writes sum_k f_k de_k/dw.
+    template <class S>
+    static void gradient(const PlanarInvariants<S>& w, const S (&f)[planar_strain_count],
+                         S (&U)[planar_invariant_count]) noexcept {
+        const S bend = w.s1 - w.kap, turn = w.s * w.kap;
+        U[pw_lam] = w.lam * f[0] + bend * f[1] + w.s * f[3];
+        U[pw_kap] = (w.s * turn - bend) * f[2] - w.lam * f[1];
+        U[pw_s] = w.kap * turn * f[2] + w.lam * f[3] + w.s1 * f[4];
+        U[pw_s1] = w.lam * f[1] + bend * f[2] + w.s * f[4];
+    }
+
+    /// Writes J[i][k] = de_k/dw_i.
+    template <class S>
+    static void jacobian(const PlanarInvariants<S>& w,
+                         S (&J)[planar_invariant_count][planar_strain_count]) noexcept {
+        const S bend = w.s1 - w.kap, turn = w.s * w.kap, zero(0.0);
+        const S rows[planar_invariant_count][planar_strain_count] = {
             {w.lam, bend, zero, w.s, zero},
             {zero, -w.lam, w.s * turn - bend, zero, zero},
             {zero, zero, w.kap * turn, w.lam, w.s1},
             {zero, w.lam, bend, zero, w.s}};
         for (int i = 0; i < planar_invariant_count; ++i) {
-            for (int k = 0; k < planar_strain_count; ++k) out.J[i][k] = J[i][k];
+            for (int k = 0; k < planar_strain_count; ++k) J[i][k] = rows[i][k];
         }
     }
 
@@ -79,23 +93,46 @@ struct PlanarGreen {
 /// Engineering strains, see engineering_measure.hpp: the director is a unit vector, s = sin of the
 /// shear angle.
 struct PlanarEngineering {
+    static constexpr bool engineering = true;
+
+    /// Writes the strains.
     template <class S>
-    static void evaluate(const PlanarInvariants<S>& w, PlanarStrains<S>& out) noexcept {
+    static void strains(const PlanarInvariants<S>& w, S (&e)[planar_strain_count]) noexcept {
+        using std::sqrt;
+        const S cosine = sqrt(S(1.0 - w.s * w.s));
+        e[0] = w.lam * cosine - 1.0;
+        e[1] = w.s1 / cosine - w.kap;
+        e[3] = w.lam * w.s;
+        e[2] = e[4] = S(0.0);
+    }
+
+    /// Writes sum_k f_k de_k/dw.
+    template <class S>
+    static void gradient(const PlanarInvariants<S>& w, const S (&f)[planar_strain_count],
+                         S (&U)[planar_invariant_count]) noexcept {
         using std::sqrt;
         const S cosine = sqrt(S(1.0 - w.s * w.s)), inverse = 1.0 / cosine;
         const S tangent = w.s * inverse;
-        out.e[0] = w.lam * cosine - 1.0;
-        out.e[1] = w.s1 * inverse - w.kap;
-        out.e[3] = w.lam * w.s;
-        out.e[2] = out.e[4] = S(0.0);
-        const S zero(0.0);
-        const S J[planar_invariant_count][planar_strain_count] = {
+        U[pw_lam] = cosine * f[0] + w.s * f[3];
+        U[pw_kap] = -f[1];
+        U[pw_s] = w.s1 * tangent * inverse * inverse * f[1] + w.lam * (f[3] - tangent * f[0]);
+        U[pw_s1] = inverse * f[1];
+    }
+
+    /// Writes J[i][k] = de_k/dw_i.
+    template <class S>
+    static void jacobian(const PlanarInvariants<S>& w,
+                         S (&J)[planar_invariant_count][planar_strain_count]) noexcept {
+        using std::sqrt;
+        const S cosine = sqrt(S(1.0 - w.s * w.s)), inverse = 1.0 / cosine;
+        const S tangent = w.s * inverse, zero(0.0);
+        const S rows[planar_invariant_count][planar_strain_count] = {
             {cosine, zero, zero, w.s, zero},
             {zero, S(-1.0), zero, zero, zero},
             {-w.lam * tangent, w.s1 * tangent * inverse * inverse, zero, w.lam, zero},
             {zero, inverse, zero, zero, zero}};
         for (int i = 0; i < planar_invariant_count; ++i) {
-            for (int k = 0; k < planar_strain_count; ++k) out.J[i][k] = J[i][k];
+            for (int k = 0; k < planar_strain_count; ++k) J[i][k] = rows[i][k];
         }
     }
 
@@ -112,6 +149,18 @@ struct PlanarEngineering {
     }
 };
 
+/// The measure in the plane that belongs to one in space.
+template <class Measure>
+struct PlanarMeasureOf;
+template <>
+struct PlanarMeasureOf<GreenMeasure> {
+    using type = PlanarGreen;
+};
+template <>
+struct PlanarMeasureOf<EngineeringMeasure> {
+    using type = PlanarEngineering;
+};
+
 /// The section matrix in the plane, times the station's weight and length.
 template <class T>
 struct PlanarStiffness {
@@ -123,8 +172,10 @@ struct PlanarStiffness {
 template <class T, class S>
 inline void planar_stress(const PlanarStiffness<T>& C, const S* e,
                           S (&f)[planar_strain_count]) noexcept {
+    ANCF_UNROLL
     for (int i = 0; i < 3; ++i)
         f[i] = C.axial[i][0] * e[0] + C.axial[i][1] * e[1] + C.axial[i][2] * e[2];
+    ANCF_UNROLL
     for (int i = 0; i < 2; ++i) f[3 + i] = C.shear[i][0] * e[3] + C.shear[i][1] * e[4];
 }
 

@@ -197,4 +197,15 @@ inline Rule Rule::named(std::string_view name) {
     detail::reject("unknown rule \"", name, "\", expected one of ", list);
 }
 
+namespace detail {
+
+/// Throws if a group of terms has so few points that a motion of the element has no energy.
+inline void require_points(const Rule& rule, StrainGroup group, const char* name, int least) {
+    require(rule.points(group) >= least, "rule \"", rule.name(), "\": the ", name,
+            " term needs at least ", least,
+            " points, else the element has a mode without energy; got ", rule.points(group));
+}
+
+}  // namespace detail
+
 }  // namespace ancf

@@ -4,9 +4,10 @@
 /// @file
 /// One station of a beam: directors, then measure, then section; and the way back to the nodes.
 ///
-/// state:    nodal vectors -> local vectors -> invariants w -> strains e(w) -> stresses sigma = C
-/// (e - e0) gradient: sigma -> U = e_w^T sigma -> local vectors -> nodal vectors Hessian:  D =
-/// e_w^T C e_w + sum sigma_i e_i,ww -> local blocks -> nodal blocks
+///     state:    nodal vectors -> local vectors -> invariants w -> strains e(w)
+///               -> stresses sigma = C (e - e0)
+///     gradient: sigma -> U = e_w^T sigma -> local vectors -> nodal vectors
+///     Hessian:  D = e_w^T C e_w + sum sigma_i e_i,ww -> local blocks -> nodal blocks
 
 #pragma once
 

@@ -199,26 +199,20 @@ inline TorsionBeam::TorsionBeam(const Material& material, const Section& section
       options_(options) {
     detail::require(reference.allFinite(),
                     "the reference coordinates of an element must be finite, got ",
-                    reference.transpose());
+                    detail::components(reference));
     set_up(material, section);
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, r_y not "
                     "along the tangent, got ",
-                    reference.transpose());
+                    detail::components(reference));
     kernel_.set_reference(reference);
 }
 
 inline void TorsionBeam::set_up(const Material& material, const Section& section) {
     material.validate();
-    const auto require_points = [&](StrainGroup group, const char* name, int least) {
-        detail::require(options_.rule.points(group) >= least, "rule \"", options_.rule.name(),
-                        "\": the ", name, " term needs at least ", least,
-                        " points, else the element has a mode without energy; got ",
-                        options_.rule.points(group));
-    };
-    require_points(StrainGroup::axial, "axial", 3);
-    require_points(StrainGroup::bending, "bending", 2);
-    require_points(StrainGroup::torsion, "torsion", 1);
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
     const Moments& m = section.moments();
     const double size = std::sqrt(std::max(m.yy, m.zz) * m.area);
     detail::require(std::abs(m.y) <= 1e-9 * size && std::abs(m.z) <= 1e-9 * size,

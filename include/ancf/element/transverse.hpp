@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/dual.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_tangent.hpp>
@@ -20,12 +21,6 @@
 #include <complex>
 
 namespace ancf {
-
-/// How the length of a slope across becomes a strain.
-enum class TransverseStrain {
-    green,   ///< (r_y.r_y - 1)/2, [Dufva2006, Eq. 24]
-    stretch  ///< |r_y| - 1, [Dufva2006, Eq. 25]: fewer Newton iterations where it is large
-};
 
 /// Constant data of the transverse strains of an element.
 template <class T>

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What the cross-section beams of space and of the plane share: their options, and the names of
+/// their policies.
+
+#pragma once
+
+#include <ancf/element/quadrature.hpp>
+#include <ancf/section/section.hpp>
+
+namespace ancf {
+
+struct Projected;
+struct Geodesic;
+struct LinearShear;
+struct PointwiseShear;
+struct GreenMeasure;
+struct EngineeringMeasure;
+
+template <int Dimension = 3, class Directors = Projected, class Shear = LinearShear,
+          class Measure = GreenMeasure>
+class CrossSectionBeam;
+
+/// How the length of a slope across becomes a strain.
+enum class TransverseStrain {
+    green,   ///< (r_y.r_y - 1)/2, [Dufva2006, Eq. 24]
+    stretch  ///< |r_y| - 1, [Dufva2006, Eq. 25]: fewer Newton iterations where it is large
+};
+
+/// Choices that are values: they change constant data, not the kernel.
+struct CrossSectionOptions {
+    Rule rule = Rule::paper();                              ///< stations along the element
+    TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
+    SectionModel section_model = SectionModel::paper;       ///< how the section resists torsion
+
+    /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
+    [[nodiscard]] static CrossSectionOptions paper() { return {}; }
+
+    /// What is most accurate for its cost, Geodesic directors with it: the axial term on points of
+    /// its own, and the torsional stiffness of a section that warps.
+    [[nodiscard]] static CrossSectionOptions best() {
+        return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant};
+    }
+};
+
+}  // namespace ancf
