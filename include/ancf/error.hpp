@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <sstream>
 #include <stdexcept>
@@ -58,37 +59,48 @@ enum class Status {
 
 namespace detail {
 
+/// Numbers that stand in a row of a message.
+struct Components {
+    const double* values;
+    std::ptrdiff_t count;
+};
+
+/// Returns the components of a vector, or the first of them, for a message.
+template <class Vector>
+[[nodiscard]] Components components(const Vector& vector) noexcept {
+    return {vector.data(), vector.size()};
+}
+template <class Vector>
+[[nodiscard]] Components components(const Vector& vector, std::ptrdiff_t count) noexcept {
+    return {vector.data(), count};
+}
+
 /// One part of a message as text, numbers with 17 digits.
 ///
-/// Texts and numbers compile once in a program's unit, not once for each message; only rows of
-/// matrices are written by a template.
+/// Nothing here is a template: it compiles once in a program's unit, not once for each message.
 class MessagePart {
 public:
     MessagePart(const char* text) : text_(text) {}
     MessagePart(std::string_view text) : text_(text) {}
     MessagePart(std::string text) : text_(std::move(text)) {}
-    MessagePart(double value) : text_(streamed(value)) {}
+    MessagePart(double value) : MessagePart(Components{&value, 1}) {}
+    MessagePart(const Components& row) {
+        std::ostringstream stream;
+        stream.precision(17);
+        for (std::ptrdiff_t k = 0; k < row.count; ++k)
+            stream << (k > 0 ? " " : "") << row.values[k];
+        text_ = stream.str();
+    }
     MessagePart(int value) : text_(std::to_string(value)) {}
     MessagePart(long value) : text_(std::to_string(value)) {}
     MessagePart(long long value) : text_(std::to_string(value)) {}
     MessagePart(unsigned long value) : text_(std::to_string(value)) {}
     MessagePart(unsigned long long value) : text_(std::to_string(value)) {}
-    /// Anything else that can be written to a stream: a row of a matrix.
-    template <class Value>
-    MessagePart(const Value& value) : text_(streamed(value)) {}
 
     /// Returns the text.
     [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
 private:
-    template <class Value>
-    [[gnu::cold]] static std::string streamed(const Value& value) {
-        std::ostringstream stream;
-        stream.precision(17);
-        stream << value;
-        return stream.str();
-    }
-
     std::string text_;
 };
 

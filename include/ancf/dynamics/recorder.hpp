@@ -111,7 +111,7 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem<
     require((here - then).head<3>().cwiseAbs().maxCoeff() <= same * energy && !differ(3), who,
             ": the memory is of another scene: kinetic, strain and potential energy and the "
             "loads' power are ",
-            here.head<4>().transpose(), " here, ", then.head<4>().transpose(), " there");
+            components(here, 4), " here, ", components(then, 4), " there");
     require(!differ(4) && !differ(5), who,
             ": the memory is of another scene: mass or stiffness has changed since; a run after "
             "such a change starts without a memory");

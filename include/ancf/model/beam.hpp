@@ -54,16 +54,17 @@ struct Beam {
     const double length = detail::span(direction);
     detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
-                    direction.transpose());
+                    detail::components(direction));
     const double width = detail::span(y_axis);
     detail::require(std::isfinite(width) && width > 0.0,
-                    "reference_slopes: the y axis must have a length, got ", y_axis.transpose());
+                    "reference_slopes: the y axis must have a length, got ",
+                    detail::components(y_axis));
     const Vector<double, 3> t = direction / length;
     const Vector<double, 3> y = y_axis / width;
     const Vector<double, 3> normal = y - y.dot(t) * t;
     detail::require(normal.norm() > 1e-8,
                     "reference_slopes: the y axis must not be parallel to the beam, got ",
-                    y_axis.transpose());
+                    detail::components(y_axis));
     Matrix<double, 3> slopes;
     slopes.col(0) = t;
     slopes.col(1) = normal.normalized();
@@ -79,7 +80,7 @@ struct Beam {
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
     detail::require(direction.allFinite() && detail::span(direction) > 0.0,
                     "reference_slopes: the direction must have a length, got ",
-                    direction.transpose());
+                    detail::components(direction));
     const Vector<double, 3> t = direction / detail::span(direction);
     if (t[0] < -0.9) return reference_slopes(direction, Vector<double, 3>::UnitY());
     const Vector<double, 3> sum = Vector<double, 3>::UnitX() + t;
@@ -91,7 +92,7 @@ struct Beam {
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
     detail::require(direction.allFinite() && detail::span(direction) > 0.0,
                     "reference_slopes: the direction must have a length, got ",
-                    direction.transpose());
+                    detail::components(direction));
     const Vector<double, 2> t = direction / detail::span(direction);
     Matrix<double, 2> slopes;
     slopes << t[0], -t[1], t[1], t[0];
@@ -199,7 +200,7 @@ void add_line_load(Model<Elements...>& model, const Beam<Element>& beam,
                    const typename Model<Elements...>::Point& force_per_length,
                    const Amplitude& amplitude = {}) {
     detail::require(force_per_length.allFinite(), "add_line_load: components must be finite, got ",
-                    force_per_length.transpose());
+                    detail::components(force_per_length));
     const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {
         const Connection& connection = group.connection(index);

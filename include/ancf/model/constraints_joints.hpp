@@ -112,7 +112,7 @@ struct JointSide {
 [[nodiscard]] inline Vector<double, 3> unit_axis(const char* joint, const Vector<double, 3>& axis) {
     const double length = axis.norm();
     require(std::isfinite(length) && length > 0.0, joint, ": the axis must have a length, got ",
-            axis.transpose());
+            detail::components(axis));
     return axis / length;
 }
 
@@ -358,7 +358,7 @@ private:
         const Vector<double, 3> u = detail::unit_axis("Universal", axis_of_a);
         const Vector<double, 3> w = detail::unit_axis("Universal", axis_of_b);
         detail::require(cross(u, w).norm() > 1e-3, "Universal: the axes must not be parallel, got ",
-                        axis_of_a.transpose(), " and ", axis_of_b.transpose());
+                        detail::components(axis_of_a), " and ", detail::components(axis_of_b));
         add_form(detail::outer(detail::turned_back(a().axes, u), detail::turned_back(b().axes, w)),
                  u.dot(w));
     }

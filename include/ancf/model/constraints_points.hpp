@@ -250,7 +250,7 @@ public:
     Pin(MaterialPoint a, const Vector<double, Dimension>& place)
         : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
         detail::require(place.allFinite(), "Pin: the place must be finite, got ",
-                        place.transpose());
+                        detail::components(place));
     }
 
     /// @throws InvalidArgument if both are the same node.
@@ -316,7 +316,7 @@ public:
               detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
               length) {
         detail::require(place.allFinite(), "Distance: the place must be finite, got ",
-                        place.transpose());
+                        detail::components(place));
     }
 
     /// @throws InvalidArgument unless the length is positive, or if both are the same node.

@@ -47,7 +47,7 @@ public:
     GeneralisedForce(Coupling coupling, VectorX force)
         : coupling_(std::move(coupling)), force_(std::move(force)) {
         detail::require(force_.allFinite(), "GeneralisedForce: components must be finite, got ",
-                        force_.transpose());
+                        detail::components(force_));
     }
 
     /// Returns the nodal vectors it acts on.
@@ -68,7 +68,8 @@ private:
 template <int Dimension>
 Force<Dimension>::Force(NodeId node, const Vector<double, Dimension>& force)
     : node_(node), force_(force) {
-    detail::require(force.allFinite(), "Force: components must be finite, got ", force.transpose());
+    detail::require(force.allFinite(), "Force: components must be finite, got ",
+                    detail::components(force));
 }
 
 template <int Dimension>

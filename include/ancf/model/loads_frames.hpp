@@ -104,7 +104,7 @@ private:
 inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment)
     : node_(node), moment_(moment), attachment_(attachment) {
     detail::require(moment.allFinite(), "Moment: components must be finite, got ",
-                    moment.transpose());
+                    detail::components(moment));
 }
 
 template <class Scalar>
@@ -129,7 +129,7 @@ inline void Moment::evaluate(const LoadState& state, LoadResult& out) const {
 inline FollowerForce::FollowerForce(NodeId node, const Vector<double, 3>& force)
     : node_(node), force_(force) {
     detail::require(force.allFinite(), "FollowerForce: components must be finite, got ",
-                    force.transpose());
+                    detail::components(force));
 }
 
 template <class Scalar>

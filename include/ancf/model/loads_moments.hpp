@@ -111,7 +111,7 @@ inline SlopeMoment::SlopeMoment(NodeId node, Field slope, const Vector<double, 3
     detail::require_slope("SlopeMoment", slope);
     const double length = detail::span(axis);
     detail::require(std::isfinite(length) && length > 0.0,
-                    "SlopeMoment: the axis must have a length, got ", axis.transpose());
+                    "SlopeMoment: the axis must have a length, got ", detail::components(axis));
     axis_ /= length;
     detail::require_finite("SlopeMoment: moment", moment);
 }
@@ -160,7 +160,7 @@ inline void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out)
 inline TangentMoment::TangentMoment(NodeId node, const Vector<double, 3>& moment)
     : node_(node), moment_(moment) {
     detail::require(moment.allFinite(), "TangentMoment: components must be finite, got ",
-                    moment.transpose());
+                    detail::components(moment));
 }
 
 template <class Scalar>

@@ -314,7 +314,7 @@ private:
     void check_component(int component) const;
     static void check_finite(const char* call, NodeId node, Field field, const Point& value) {
         detail::require(value.allFinite(), "Model::", call, ": ", to_string(field), " of node ",
-                        node.index, " must be finite, got ", value.transpose());
+                        node.index, " must be finite, got ", detail::components(value));
     }
 
     /// Returns a number of its own for every component of every vector that a node may carry.
@@ -344,9 +344,9 @@ private:
 template <class... Elements>
 NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes) {
     detail::require(position.allFinite(), "Model::add_node: the position must be finite, got ",
-                    position.transpose());
-    detail::require(slopes.allFinite(), "Model::add_node: slopes must be finite, got (by rows) ",
-                    slopes);
+                    detail::components(position));
+    detail::require(slopes.allFinite(), "Model::add_node: slopes must be finite, got (by columns) ",
+                    detail::components(slopes));
     InitialNode node;
     node.vectors.setZero();
     node.vectors.col(0) = position;
@@ -490,7 +490,7 @@ void Model<Elements...>::add_mass(NodeId node, double mass) {
 template <class... Elements>
 void Model<Elements...>::set_gravity(const Point& gravity, Amplitude amplitude) {
     detail::require(gravity.allFinite(), "Model::set_gravity: components must be finite, got ",
-                    gravity.transpose());
+                    detail::components(gravity));
     gravity_ = gravity;
     gravity_amplitude_ = std::move(amplitude);
     ++revision_.properties;
