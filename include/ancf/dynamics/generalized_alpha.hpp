@@ -346,7 +346,7 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
         if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
         if (!fresh && ratio > 1.0) return Status::diverged;
         // so slow that a new matrix is cheaper
-        const bool slow = std::log(wanted / change) / std::log(ratio) > 6.0;
+        const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
         renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
         before = change;
     }
