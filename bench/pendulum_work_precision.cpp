@@ -9,26 +9,16 @@
 /// solution at 24 times in 1.2 s; the reference is a run of the same mesh with a far smaller
 /// tolerance or step.
 
-#include <ancf/dynamics/energy_momentum.hpp>
-#include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
-#include <ancf/model/constraints.hpp>
+#include <ancf/model/constraints_points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 
-#if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/umfpack.hpp>
-#else
-#include <ancf/solver/eigen_solver.hpp>
-#endif
-#if ANCF_WITH_SUNDIALS
-#include <ancf/sundials/ida.hpp>
-#endif
+#include <integrators.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -38,7 +28,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -49,18 +38,6 @@ namespace {
 
 using Point = ancf::Vector<double, 3>;
 using Scene = ancf::Model<ancf::CrossSectionBeam<3>>;
-using Problem = ancf::DynamicProblem<Scene>;
-
-/// Returns a linear solver; the corrections of Newton's method refine a solution anyway.
-auto general_solver() {
-#if ANCF_WITH_SUITESPARSE
-    ancf::suitesparse::UmfpackOptions options;
-    options.refinement_steps = 0;
-    return ancf::suitesparse::Umfpack(options);
-#else
-    return ancf::EigenLu();
-#endif
-}
 
 struct Pendulum {
     Scene model;
@@ -81,18 +58,18 @@ Pendulum build(const std::string& name, int elements) {
     if (name == "link")
         pendulum.model.add(ancf::Distance<3>(beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     else
-        pendulum.model.add(ancf::Pin<3>(beam.first(), Point::Zero()));
+        pendulum.model.pin(beam.first());
     pendulum.model.set_gravity({0.0, -9.81, 0.0});
     pendulum.tip = pendulum.model.coordinate(beam.last(), ancf::Field::r);
     return pendulum;
 }
 
-/// One way to integrate, with the values of its one setting.
-struct Integrator {
-    std::string name;
-    std::string setting;  // tolerance, or step in s
+using Integrator = bench::Integrator<Scene>;
+
+/// An integrator and the values of its setting.
+struct Series {
+    Integrator integrator;
     std::vector<double> values;
-    std::function<ancf::DynamicsReport(Problem&, const ancf::Schedule&, double)> integrate;
 };
 
 /// Returns 1e-first, 3e-(first + 1), 1e-(first + 1) and so on down to 1e-last.
@@ -111,67 +88,20 @@ std::vector<double> halves(double from, int count) {
     return values;
 }
 
-#if ANCF_WITH_SUNDIALS
-Integrator ida(std::string name, ancf::sundials::Form form, std::vector<double> values) {
-    return {std::move(name), "tolerance", std::move(values),
-            [form](Problem& problem, const ancf::Schedule& schedule, double tolerance) {
-                ancf::sundials::IdaOptions options;
-                options.form = form;
-                options.tolerance = tolerance;
-                options.follow_energy = false;
-                return ancf::sundials::Ida(options).integrate(problem, schedule);
-            }};
-}
-#endif
-
-Integrator generalized_alpha(double rho, std::vector<double> steps) {
-    return {"generalized-alpha " + ancf::number_text(rho, 2), "step", std::move(steps),
-            [rho](Problem& problem, const ancf::Schedule& schedule, double step) {
-                ancf::GeneralizedAlphaOptions options;
-                options.rho = rho;
-                options.step = step;
-                options.follow_energy = false;
-                auto solver = general_solver();
-                return ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
-            }};
-}
-
-Integrator adaptive_generalized_alpha(std::vector<double> values) {
-    return {"generalized-alpha adaptive", "tolerance", std::move(values),
-            [](Problem& problem, const ancf::Schedule& schedule, double tolerance) {
-                ancf::GeneralizedAlphaOptions options;
-                options.tolerance = tolerance;
-                options.step = 1e-4;
-                options.follow_energy = false;
-                auto solver = general_solver();
-                return ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
-            }};
-}
-
-Integrator energy_momentum(std::vector<double> steps) {
-    return {"energy-momentum", "step", std::move(steps),
-            [](Problem& problem, const ancf::Schedule& schedule, double step) {
-                ancf::EnergyMomentumOptions options;
-                options.step = step;
-                options.follow_energy = false;
-                auto solver = general_solver();
-                return ancf::EnergyMomentum(options).integrate(problem, solver, schedule);
-            }};
-}
-
-std::vector<Integrator> integrators(const std::string& name) {
-    std::vector<Integrator> all;
+std::vector<Series> all_series([[maybe_unused]] const std::string& name) {
+    std::vector<Series> all;
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
     const bool steel = name == "steel";
-    all.push_back(ida("IDA index 3", Form::index3, tolerances(4, steel ? 9 : 11)));
+    all.push_back({bench::ida<Scene>("IDA index 3", Form::index3), tolerances(4, steel ? 9 : 11)});
     // the rates of a stiff scene are in the error test of this form: it follows every vibration
-    all.push_back(ida("IDA GGL", Form::gear_gupta_leimkuhler, tolerances(3, steel ? 6 : 9)));
+    all.push_back(
+        {bench::ida<Scene>("IDA GGL", Form::gear_gupta_leimkuhler), tolerances(3, steel ? 6 : 9)});
 #endif
-    all.push_back(generalized_alpha(0.8, halves(4e-3, 9)));
-    all.push_back(adaptive_generalized_alpha(tolerances(3, 8)));
-    all.push_back(energy_momentum(halves(4e-3, 8)));
-    static_cast<void>(name);
+    all.push_back({bench::generalized_alpha<Scene>("generalized-alpha 0.8", 0.8), halves(4e-3, 9)});
+    all.push_back(
+        {bench::adaptive_generalized_alpha<Scene>("generalized-alpha adaptive"), tolerances(3, 8)});
+    all.push_back({bench::energy_momentum<Scene>("energy-momentum"), halves(4e-3, 8)});
     return all;
 }
 
@@ -185,7 +115,6 @@ struct Run {
 
 Run run(const std::string& name, int elements, const Integrator& integrator, double value) {
     Pendulum pendulum = build(name, elements);
-    Problem problem(pendulum.model);
     Run result;
     ancf::Schedule schedule = ancf::equal_intervals(0.0, 1.2, 0.05);
     double before = 0.0;
@@ -195,7 +124,7 @@ Run run(const std::string& name, int elements, const Integrator& integrator, dou
         result.energy = std::max(result.energy, std::abs(seen.energies.total() - before));
     };
     const std::clock_t began = std::clock();
-    result.report = integrator.integrate(problem, schedule, value);
+    result.report = integrator.integrate(pendulum.model, schedule, value);
     result.seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     return result;
 }
@@ -217,9 +146,11 @@ Run timed_run(const std::string& name, int elements, const Integrator& integrato
 Run reference(const std::string& name, int elements) {
 #if ANCF_WITH_SUNDIALS
     if (name != "steel")
-        return run(name, elements, ida("", ancf::sundials::Form::gear_gupta_leimkuhler, {}), 1e-11);
+        return run(name, elements,
+                   bench::ida<Scene>("", ancf::sundials::Form::gear_gupta_leimkuhler), 1e-11);
 #endif
-    return run(name, elements, generalized_alpha(1.0, {}), name == "steel" ? 2.5e-6 : 1e-5);
+    return run(name, elements, bench::generalized_alpha<Scene>("", 1.0),
+               name == "steel" ? 2.5e-6 : 1e-5);
 }
 
 double error(const Run& got, const Run& exact) {
@@ -238,8 +169,8 @@ void measure(const std::vector<std::string>& names, int elements) {
         const Run exact = reference(name, elements);
         ancf::detail::require(exact.report.status == ancf::Status::converged, name,
                               ": the reference failed: ", exact.report.message);
-        for (const Integrator& integrator : integrators(name))
-            for (const double value : integrator.values) {
+        for (const auto& [integrator, values] : all_series(name))
+            for (const double value : values) {
                 const Run got = timed_run(name, elements, integrator, value);
                 csv.row(name, elements, integrator.name, integrator.setting, value,
                         error(got, exact), got.energy, got.report.steps, got.report.iterations,
@@ -258,6 +189,7 @@ int main(int argc, char** argv) {
     app.add_option("--cases", names, "pendulum, link, steel")
         ->delimiter(',')
         ->check(CLI::IsMember({"pendulum", "link", "steel"}));
+    app.add_flag("--csv", "comma-separated values, which it always prints");
     app.add_option("--elements", elements, "number of elements")->check(CLI::Range(1, 1000));
     CLI11_PARSE(app, argc, argv);
     try {

@@ -103,6 +103,18 @@ void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId
     }
 }
 
+/// Clamps the start of a beam along X: slender elements may stretch there, those of sections shear
+/// as well.
+template <class Element>
+void clamp(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId start) {
+    using ancf::Field;
+    if (scene.name == "bend45") return model.clamp(start);
+    model.clamp(start, ancf::Clamp::free_slope);
+    if (!is_cable<Element> && !std::is_same_v<Element, ancf::TorsionBeam>) return;
+    for (int across = 1; across < Element::dimension; ++across)
+        model.fix(start, Field::r_x, across);
+}
+
 /// The tip after loading: its position, and the angle of r_y about X where the case is the twist.
 struct Tip {
     ancf::Status status = ancf::Status::converged;
@@ -131,9 +143,7 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
         beam = ancf::straight_beam(model, material, section, Point(Point::Zero()),
                                    Point(Point::Unit(0) * scene.length), elements, element_options);
     }
-    constexpr bool free_slope = !is_cable<Element> && !std::is_same_v<Element, ancf::TorsionBeam>;
-    model.clamp(beam.first(),
-                free_slope && scene.name != "bend45" ? ancf::Clamp::free_slope : ancf::Clamp::full);
+    clamp(model, scene, beam.first());
     add_load(model, scene, beam.last());
     AnySolver solver(solver_name);
     const ancf::StaticsReport report = ancf::solve_statics(model, solver, options);
@@ -148,23 +158,63 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     return tip;
 }
 
-/// Returns the limit of fine meshes of beams of Green's strain where it is known independently.
+/// Returns the angle of uniform twist of a rigid section of Green's strain, free to shorten.
+///
+/// The torque is k G I_p w + E (I_rr - I_p^2/A) w^3/2, w the twist per length, I_rr the integral of
+/// r^4. The element's own section is not rigid where the torque enters it: it stays about 1e-3 rad
+/// away, whatever the mesh.
+inline double uniform_twist(const StaticCase& scene) {
+    const double b = scene.width, h = scene.height, area = b * h;
+    const double polar = area * (b * b + h * h) / 12.0;
+    const double fourth = area * ((b * b * b * b + h * h * h * h) / 80.0 + b * b * h * h / 72.0);
+    const double linear = scene.correction * scene.shear * polar;
+    const double cubic = 0.5 * scene.young * (fourth - polar * polar / area);
+    double rate = scene.load / linear;
+    for (int k = 0; k < 50; ++k)
+        rate -= (linear * rate + cubic * rate * rate * rate - scene.load) /
+                (linear + 3.0 * cubic * rate * rate);
+    return rate * scene.length;
+}
+
+/// Returns the end of an arc of circle from the origin along X.
+inline ancf::Vector<double, 3> arc_end(double length, double angle) {
+    return {length / angle * std::sin(angle), length / angle * (1.0 - std::cos(angle)), 0.0};
+}
+
+/// Returns the limit of fine meshes where it is known independently.
 template <class Element>
-std::optional<Tip> known_limit(const std::string& scene) {
-    constexpr bool thin = is_cable<Element> || std::is_same_v<Element, ancf::TorsionBeam>;
+std::optional<Tip> known_limit(const StaticCase& scene) {
+    constexpr bool torsion = std::is_same_v<Element, ancf::TorsionBeam>;
     Tip limit;
-    if (thin || scene == "bend45" || scene == "twist") return std::nullopt;
-    if (scene == "model2")
-        limit.place = {1.784108719196, 0.821973318973, 0.0};
-    else
-        limit.place = {-0.003648082997, 0.633306343961, 0.0};
+    if (scene.name == "twist") {
+        limit.angle = uniform_twist(scene);
+        return limit;
+    }
+    if (scene.name == "semicircle") {
+        const double area = scene.width * scene.height;
+        const double axial = scene.young * area;
+        const double bending = axial * scene.height * scene.height / 12.0;
+        if (torsion) {
+            limit.place = arc_end(scene.length, scene.load * scene.length / bending);
+        } else if (is_cable<Element>) {
+            // EA (l^2 - 1)/2 = EI k^2/l^2, k = M l/EI: bending by the true curvature k stretches it
+            const double square = 1.0 + 2.0 * scene.load * scene.load / (axial * bending);
+            limit.place = arc_end(scene.length * std::sqrt(square),
+                                  scene.load * scene.length * square / bending);
+        } else {
+            limit.place = {-0.003648082997, 0.633306343961, 0.0};
+        }
+        return limit;
+    }
+    if (scene.name != "model2" || torsion || is_cable<Element>) return std::nullopt;
+    limit.place = {1.784108719196, 0.821973318973, 0.0};
     return limit;
 }
 
 /// Returns the limit: the known one, or a fine mesh that is loaded in ten steps.
 template <class Element>
 Tip limit_of(const StaticCase& scene, const ancf::Rule& rule, int elements) {
-    if (const auto known = known_limit<Element>(scene.name)) return *known;
+    if (const auto known = known_limit<Element>(scene)) return *known;
     ancf::StaticsOptions options;
     options.adaptive = true;
     options.steps = 10;
