@@ -54,7 +54,8 @@ def beside_front(folder):
 
 
 def markdown(header, rows):
-    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in (header, ["---"] * len(header), *rows)) + "\n"
+    head, *lines = ("| " + " | ".join(map(str, line)) + " |" for line in (header, *rows))
+    return "\n".join([head, "|" + "---|" * len(header), *lines]) + "\n"
 
 
 def plain(header, rows):
