@@ -159,7 +159,7 @@ Run turn(const FourBar& problem, int elements) {
         return true;
     };
     ancf::DynamicProblem<Scene> dynamics(model);
-    auto solver = examples::general_solver();
+    examples::GeneralSolver solver;
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;
     method.rho = problem.rho;

@@ -14,7 +14,7 @@
 #include <ancf/output/state_file.hpp>
 
 #if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/umfpack.hpp>
+#include <ancf/suitesparse/klu.hpp>
 #else
 #include <ancf/solver/eigen_solver.hpp>
 #endif
@@ -30,17 +30,12 @@
 
 namespace examples {
 
-/// Returns the linear solver of integrators that bring none along; the corrections of Newton's
-/// method refine a solution anyway.
-[[nodiscard]] inline auto general_solver() {
+/// The linear solver of integrators that bring none along.
 #if ANCF_WITH_SUITESPARSE
-    ancf::suitesparse::UmfpackOptions options;
-    options.refinement_steps = 0;
-    return ancf::suitesparse::Umfpack(options);
+using GeneralSolver = ancf::suitesparse::Klu;
 #else
-    return ancf::EigenLu();
+using GeneralSolver = ancf::EigenLu;
 #endif
-}
 
 /// Integrates by IDA.
 template <class Scene>
@@ -68,7 +63,7 @@ template <class Scene>
                                        const MotionOptions& options, const ancf::Schedule& schedule,
                                        const ancf::Memory& memory) {
     if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
-    auto solver = general_solver();
+    GeneralSolver solver;
     if (options.integrator == "energy") {
         ancf::EnergyMomentumOptions method;
         method.step = options.step;

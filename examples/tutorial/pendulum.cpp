@@ -22,7 +22,7 @@ int main() {
     model.set_gravity({0.0, -9.81});  // m/s^2
 
     ancf::DynamicProblem problem(model);
-    ancf::EigenLu solver;  // or ancf::suitesparse::Umfpack
+    ancf::EigenLu solver;  // or ancf::suitesparse::Klu
     ancf::GeneralizedAlphaOptions options;
     options.step = 5e-4;  // s
 
