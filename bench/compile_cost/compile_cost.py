@@ -4,6 +4,7 @@
 """Compiles typical translation units and prints what that costs.
 
     compile_cost.py [--csv] [--compiler g++] [--flags "-O2"] [--eigen /usr/include/eigen3]
+                    [--suitesparse /usr/include/suitesparse]
 
 Columns: unit, flags, seconds of processor time, largest memory in MB, bytes of code and data in the object file.
 """
@@ -35,19 +36,20 @@ def main():
     parser.add_argument("--compiler", default=os.environ.get("CXX", "g++"))
     parser.add_argument("--flags", action="append", help="flags of one column; may be repeated")
     parser.add_argument("--eigen", default="/usr/include/eigen3", help="folder of Eigen's headers")
+    parser.add_argument("--suitesparse", default="/usr/include/suitesparse", help="folder of SuiteSparse's headers")
     arguments = parser.parse_args()
     print("unit,flags,seconds,memory_mb,object_bytes" if arguments.csv else
-          f"{'unit':10} {'flags':22} {'seconds':>8} {'memory, MB':>11} {'object, bytes':>14}")
+          f"{'unit':14} {'flags':22} {'seconds':>8} {'memory, MB':>11} {'object, bytes':>14}")
     for flags in arguments.flags or ["-O2", "-O2 -march=native"]:
         for unit in sorted(UNITS.glob("*.cpp")):
             with tempfile.TemporaryDirectory() as folder:
                 target = pathlib.Path(folder) / "unit.o"
                 seconds, memory = compile_unit(
                     [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include", "-isystem",
-                     arguments.eigen, "-w", "-c", unit, "-o", target])
+                     arguments.eigen, "-isystem", arguments.suitesparse, "-w", "-c", unit, "-o", target])
                 size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
             size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
-            line = "{},{},{:.2f},{:.0f},{}" if arguments.csv else "{:10} {:22} {:8.2f} {:11.0f} {:14}"
+            line = "{},{},{:.2f},{:.0f},{}" if arguments.csv else "{:14} {:22} {:8.2f} {:11.0f} {:14}"
             print(line.format(unit.stem, flags, seconds, memory, size), flush=True)
 
 

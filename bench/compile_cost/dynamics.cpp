@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A planar pendulum and one integrator.
+// A planar pendulum, one integrator, and a linear solver of a library unless another one is named.
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/model/beam.hpp>
-#include <ancf/model/constraints.hpp>
+#include <ancf/model/constraints_points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+
+#ifndef SOLVER
+#include <ancf/suitesparse/klu.hpp>
+#define SOLVER ancf::suitesparse::Klu
+#endif
 
 int main() {
     using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
@@ -20,7 +24,7 @@ int main() {
     model.add(ancf::Pin<2>(beam.first(), {0.0, 0.0}));
     model.set_gravity({0.0, -9.81});
     ancf::DynamicProblem<Scene> problem(model);
-    ancf::EigenLu solver;
+    SOLVER solver;
     const auto report = ancf::GeneralizedAlpha(ancf::GeneralizedAlphaOptions{})
                             .integrate(problem, solver, ancf::equal_intervals(0.0, 0.1, 0.05));
     return report.status == ancf::Status::converged ? 0 : 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The planar pendulum of dynamics.cpp in a program that compiles its instances in another unit.
+// The planar pendulum of dynamics_eigen.cpp in a program that compiles its instances in another unit.
 
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/instances.hpp>
@@ -11,4 +11,5 @@ ANCF_ELEMENT_INSTANCES(extern, ancf::CrossSectionBeam<2>);
 ANCF_PROBLEM_INSTANCES(extern, ancf::CrossSectionBeam<2>);
 ANCF_DYNAMICS_INSTANCES(extern, ancf::EigenLu, ancf::CrossSectionBeam<2>);
 
+#define SOLVER ancf::EigenLu
 #include "dynamics.cpp"
