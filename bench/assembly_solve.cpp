@@ -24,6 +24,9 @@
 
 #include <CLI/CLI.hpp>
 
+#if ANCF_BENCH_LAPACK
+#include <lapack_banded.hpp>
+#endif
 #include <peak.hpp>
 
 #include <algorithm>
@@ -138,6 +141,10 @@ Times measure(const Settings& settings, int elements, const Rule& rule, const st
     constexpr double singular_rcond = 0.0;  // a long cantilever is ill-conditioned
     if (solver == "block-tridiagonal")
         return measure(settings, elements, rule, BlockTridiagonal(singular_rcond));
+#if ANCF_BENCH_LAPACK
+    if (solver == bench::LapackBanded::name())
+        return measure(settings, elements, rule, bench::LapackBanded());
+#endif
 #if ANCF_WITH_SUITESPARSE
     if (solver == "cholmod") {
         suitesparse::CholmodOptions options;
@@ -146,6 +153,19 @@ Times measure(const Settings& settings, int elements, const Rule& rule, const st
     }
 #endif
     return measure(settings, elements, rule, EigenLdlt(singular_rcond));
+}
+
+std::vector<std::string> all_solvers() {
+    return {
+        "block-tridiagonal",
+#if ANCF_BENCH_LAPACK
+            "lapack-banded",
+#endif
+#if ANCF_WITH_SUITESPARSE
+            "cholmod",
+#endif
+            "eigen-ldlt"
+    };
 }
 
 void set_threads(int threads) {
@@ -198,21 +218,16 @@ int main(int argc, char** argv) {
     app.add_option("--rules", settings.rules, "paper, mixed")
         ->delimiter(',')
         ->check(CLI::IsMember({"paper", "mixed"}));
-    app.add_option("--solvers", settings.solvers, "block-tridiagonal, cholmod, eigen-ldlt")
+    app.add_option("--solvers", settings.solvers, "names of solvers, or all")
         ->delimiter(',')
-        ->check(CLI::IsMember({
-            "block-tridiagonal",
-#if ANCF_WITH_SUITESPARSE
-                "cholmod",
-#endif
-                "eigen-ldlt"
-        }));
+        ->check(CLI::IsMember(all_solvers()) | CLI::IsMember({"all"}));
     app.add_option("--threads", settings.threads, "numbers of threads of the assembly")
         ->delimiter(',')
         ->check(CLI::Range(1, 256));
     app.add_option("--seconds", settings.seconds, "of repeats for each figure")
         ->check(CLI::PositiveNumber);
     CLI11_PARSE(app, argc, argv);
+    if (settings.solvers == std::vector<std::string>{"all"}) settings.solvers = all_solvers();
 #if !defined(_OPENMP)
     if (settings.threads != std::vector<int>{1}) {
         std::cerr << "assembly_solve was built without OpenMP: one thread only\n";

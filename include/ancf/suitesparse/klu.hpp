@@ -124,7 +124,8 @@ inline FactorReport Klu::factorize(const SparseMatrix& matrix) {
             const_cast<double*>(matrix.valuePtr()), symbolic_.get(), &common_));
         check();
         if (common_.status == KLU_SINGULAR) {
-            ancf::detail::report_failure(matrix, common_.singular_col, report);
+            // which column is left without a pivot depends on KLU's order, not on the scene
+            ancf::detail::report_failure(matrix, -1, report);
         } else {
             ancf::detail::report_condition(
                 matrix, options_.singular_rcond,
