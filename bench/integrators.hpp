@@ -26,18 +26,18 @@
 #include <string>
 #include <utility>
 
-namespace bench {
+namespace ancf::bench {
 
 #if ANCF_WITH_SUITESPARSE
-using GeneralSolver = ancf::suitesparse::Klu;
+using GeneralSolver = suitesparse::Klu;
 #else
-using GeneralSolver = ancf::EigenLu;
+using GeneralSolver = EigenLu;
 #endif
 
 /// One way to integrate a scene from its present state.
 template <class Scene>
 struct Integrator {
-    using Integrate = std::function<ancf::DynamicsReport(Scene&, const ancf::Schedule&, double)>;
+    using Integrate = std::function<DynamicsReport(Scene&, const Schedule&, double)>;
 
     std::string name;
     std::string setting;  ///< "tolerance", or "step" in s
@@ -47,34 +47,34 @@ struct Integrator {
 #if ANCF_WITH_SUNDIALS
 /// IDA in one of its forms.
 template <class Scene>
-Integrator<Scene> ida(std::string name, ancf::sundials::Form form) {
+Integrator<Scene> ida(std::string name, sundials::Form form) {
     return {std::move(name), "tolerance",
-            [form](Scene& model, const ancf::Schedule& schedule, double tolerance) {
-                ancf::DynamicProblem<Scene> problem(model);
-                ancf::sundials::IdaOptions options;
+            [form](Scene& model, const Schedule& schedule, double tolerance) {
+                DynamicProblem<Scene> problem(model);
+                sundials::IdaOptions options;
                 options.form = form;
                 options.tolerance = tolerance;
                 options.follow_energy = false;
-                return ancf::sundials::Ida(options).integrate(problem, schedule);
+                return sundials::Ida(options).integrate(problem, schedule);
             }};
 }
 #endif
 
 /// Runs generalized-alpha with the solver that suits the scene.
 template <class Scene>
-ancf::DynamicsReport run_generalized_alpha(Scene& model, const ancf::Schedule& schedule,
-                                           ancf::GeneralizedAlphaOptions options) {
+DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
+                                     GeneralizedAlphaOptions options) {
     options.follow_energy = false;
     options.newton_tolerance = 1e-10;
-    const ancf::GeneralizedAlpha integrator(options);
-    ancf::ProblemOptions with_lower_storage;
-    with_lower_storage.storage = ancf::Storage::lower;
+    const GeneralizedAlpha integrator(options);
+    ProblemOptions with_lower_storage;
+    with_lower_storage.storage = Storage::lower;
     if (model.constraints().empty()) {
-        ancf::DynamicProblem<Scene> problem(model, with_lower_storage);
-        ancf::BlockTridiagonal solver;
+        DynamicProblem<Scene> problem(model, with_lower_storage);
+        BlockTridiagonal solver;
         return integrator.integrate(problem, solver, schedule);
     }
-    ancf::DynamicProblem<Scene> problem(model);
+    DynamicProblem<Scene> problem(model);
     GeneralSolver solver;
     return integrator.integrate(problem, solver, schedule);
 }
@@ -82,9 +82,8 @@ ancf::DynamicsReport run_generalized_alpha(Scene& model, const ancf::Schedule& s
 /// Generalized-alpha of fixed steps.
 template <class Scene>
 Integrator<Scene> generalized_alpha(std::string name, double rho) {
-    return {std::move(name), "step",
-            [rho](Scene& model, const ancf::Schedule& schedule, double step) {
-                ancf::GeneralizedAlphaOptions options;
+    return {std::move(name), "step", [rho](Scene& model, const Schedule& schedule, double step) {
+                GeneralizedAlphaOptions options;
                 options.rho = rho;
                 options.step = step;
                 return run_generalized_alpha(model, schedule, options);
@@ -95,8 +94,8 @@ Integrator<Scene> generalized_alpha(std::string name, double rho) {
 template <class Scene>
 Integrator<Scene> adaptive_generalized_alpha(std::string name) {
     return {std::move(name), "tolerance",
-            [](Scene& model, const ancf::Schedule& schedule, double tolerance) {
-                ancf::GeneralizedAlphaOptions options;
+            [](Scene& model, const Schedule& schedule, double tolerance) {
+                GeneralizedAlphaOptions options;
                 options.tolerance = tolerance;
                 options.step = 1e-4;
                 return run_generalized_alpha(model, schedule, options);
@@ -106,14 +105,14 @@ Integrator<Scene> adaptive_generalized_alpha(std::string name) {
 /// The energy-momentum scheme of fixed steps.
 template <class Scene>
 Integrator<Scene> energy_momentum(std::string name) {
-    return {std::move(name), "step", [](Scene& model, const ancf::Schedule& schedule, double step) {
-                ancf::DynamicProblem<Scene> problem(model);
-                ancf::EnergyMomentumOptions options;
+    return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
+                DynamicProblem<Scene> problem(model);
+                EnergyMomentumOptions options;
                 options.step = step;
                 options.follow_energy = false;
                 GeneralSolver solver;
-                return ancf::EnergyMomentum(options).integrate(problem, solver, schedule);
+                return EnergyMomentum(options).integrate(problem, solver, schedule);
             }};
 }
 
-}  // namespace bench
+}  // namespace ancf::bench

@@ -21,36 +21,36 @@ void dpbtrs_(const char* uplo, const int* n, const int* kd, const int* nrhs, con
              const int* ldab, double* b, const int* ldb, int* info);
 }
 
-namespace bench {
+namespace ancf::bench {
 
 /// Positive definite matrices only.
 class LapackBanded {
 public:
-    static constexpr ancf::Storage storage = ancf::Storage::lower;
+    static constexpr Storage storage = Storage::lower;
 
-    void analyze(const ancf::SparseMatrix& lower) {
+    void analyze(const SparseMatrix& lower) {
         size_ = static_cast<int>(lower.cols());
         width_ = 0;
         for (int column = 0; column < size_; ++column)
-            for (ancf::SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+            for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
                 width_ = std::max(width_, static_cast<int>(entry.row()) - column);
         band_.resize(static_cast<std::size_t>(size_) * static_cast<std::size_t>(width_ + 1));
     }
 
-    [[nodiscard]] ancf::FactorReport factorize(const ancf::SparseMatrix& lower) {
+    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) {
         std::fill(band_.begin(), band_.end(), 0.0);
         const int rows = width_ + 1;
         for (int column = 0; column < size_; ++column) {
             double* const own = band_.data() + static_cast<std::ptrdiff_t>(column) * rows;
-            for (ancf::SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+            for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
                 own[entry.row() - column] = entry.value();
         }
         int info = 0;
         dpbtrf_("L", &size_, &width_, band_.data(), &rows, &info);
-        return {info == 0 ? ancf::Status::converged : ancf::Status::singular};
+        return {info == 0 ? Status::converged : Status::singular};
     }
 
-    void solve(const ancf::VectorX& b, ancf::VectorX& x) const {
+    void solve(const VectorX& b, VectorX& x) const {
         x = b;
         const int rows = width_ + 1, one = 1;
         int info = 0;
@@ -64,4 +64,4 @@ private:
     std::vector<double> band_;
 };
 
-}  // namespace bench
+}  // namespace ancf::bench

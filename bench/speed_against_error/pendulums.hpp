@@ -48,7 +48,8 @@ struct Motion {
 
 template <class Element>
 Motion run_pendulum(const std::string& name, const ancf::Rule& rule, int elements,
-                    const bench::Integrator<ancf::Model<Element>>& integrator, double setting) {
+                    const ancf::bench::Integrator<ancf::Model<Element>>& integrator,
+                    double setting) {
     constexpr int dimension = Element::dimension;
     using Point = ancf::Vector<double, dimension>;
     ancf::Model<Element> model;
@@ -90,28 +91,28 @@ inline double tip_error(const Motion& motion, const Tips& limit) {
 /// An integrator and the values of its setting.
 template <class Scene>
 struct Series {
-    bench::Integrator<Scene> integrator;
+    ancf::bench::Integrator<Scene> integrator;
     std::vector<double> values;
 };
 
 template <class Scene>
 std::vector<Series<Scene>> all_series(bool quick) {
     std::vector<Series<Scene>> all;
-    const auto add = [&](bench::Integrator<Scene> integrator, std::vector<double> values) {
+    const auto add = [&](ancf::bench::Integrator<Scene> integrator, std::vector<double> values) {
         if (quick) values.resize(1);
         all.push_back({std::move(integrator), std::move(values)});
     };
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
-    add(bench::ida<Scene>("ida-index3", Form::index3), {1e-4, 1e-5, 1e-6, 1e-7, 1e-8});
-    add(bench::ida<Scene>("ida-ggl", Form::gear_gupta_leimkuhler), {1e-4, 1e-5, 1e-6, 1e-7});
+    add(ancf::bench::ida<Scene>("ida-index3", Form::index3), {1e-4, 1e-5, 1e-6, 1e-7, 1e-8});
+    add(ancf::bench::ida<Scene>("ida-ggl", Form::gear_gupta_leimkuhler), {1e-4, 1e-5, 1e-6, 1e-7});
 #endif
-    add(bench::generalized_alpha<Scene>("generalized-alpha", 0.8),
+    add(ancf::bench::generalized_alpha<Scene>("generalized-alpha", 0.8),
         {8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 1e-4});
     if (quick) return all;
-    add(bench::adaptive_generalized_alpha<Scene>("generalized-alpha-adaptive"),
+    add(ancf::bench::adaptive_generalized_alpha<Scene>("generalized-alpha-adaptive"),
         {1e-3, 1e-4, 1e-5, 1e-6});
-    add(bench::energy_momentum<Scene>("energy-momentum"), {8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
+    add(ancf::bench::energy_momentum<Scene>("energy-momentum"), {8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
     return all;
 }
 
@@ -126,10 +127,10 @@ template <class Element>
 Reference fine_reference(const std::string& scene, const ancf::Rule& rule, bool quick) {
     using Scene = ancf::Model<Element>;
 #if ANCF_WITH_SUNDIALS
-    const auto best = bench::ida<Scene>("", ancf::sundials::Form::gear_gupta_leimkuhler);
+    const auto best = ancf::bench::ida<Scene>("", ancf::sundials::Form::gear_gupta_leimkuhler);
     const double setting = quick ? 1e-5 : 1e-8;
 #else
-    const auto best = bench::generalized_alpha<Scene>("", 0.8);
+    const auto best = ancf::bench::generalized_alpha<Scene>("", 0.8);
     const double setting = quick ? 1e-3 : 1e-4;
 #endif
     const int mesh = quick ? 16 : 64;
