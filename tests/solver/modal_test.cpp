@@ -304,6 +304,14 @@ TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[r
         CHECK(wild.estimate == wild.values[2]);
         CHECK(wild.error == 2.0);
     }
+    SECTION("and where a value is not a number, so is the error") {
+        const int lost = GENERATE(4, 8, 16);
+        const auto broken = ancf::richardson(
+            [&](int n) { return n == lost ? std::numeric_limits<double>::quiet_NaN() : 1.0 / n; },
+            4);
+        CHECK_FALSE(broken.settles);
+        CHECK(std::isnan(broken.error));
+    }
     SECTION("a value that no mesh changes is exact") {
         const auto constant = ancf::richardson([](int) { return 7.0; }, 1);
         CHECK(constant.settles);
