@@ -9,6 +9,7 @@
 
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints_points.hpp>
 #include <ancf/model/loads.hpp>
@@ -19,6 +20,7 @@
 #include <support/catch.hpp>
 #include <support/instances/cable.hpp>
 #include <support/instances/cross_section.hpp>
+#include <support/instances/planar.hpp>
 
 #include <Eigen/LU>
 
@@ -217,6 +219,53 @@ TEST_CASE("modes: tension raises and constraints keep the frequencies of theory"
     }
 }
 
+TEST_CASE("modes: a scene that is wholly held has none", "[modal]") {
+    Scene scene = cantilever(1, 0.05);
+    scene.clamp(ancf::NodeId{0}, ancf::Clamp::full);
+    scene.clamp(ancf::NodeId{1}, ancf::Clamp::full);
+    ancf::EigenLdlt lower;
+    ancf::EigenLu full;
+    for (const auto& report :
+         {ancf::natural_modes(scene, lower), ancf::natural_modes(scene, full),
+          ancf::buckling_modes(scene, lower), ancf::buckling_modes(scene, full)}) {
+        CHECK(report.status == Status::converged);
+        CHECK(report.modes.empty());
+    }
+}
+
+TEST_CASE("modes: an unstable state has no modes with any solver", "[modal]") {
+    // near nine times the first load of buckling the second mode is soft, and the subspace begins
+    // with vectors of positive energy
+    const double load = GENERATE(1.5, 8.5, 8.9, 8.99);
+    INFO("load " << load);
+    using Planar = ancf::CrossSectionBeam<2>;
+    ancf::Model<Planar> scene;
+    const auto beam = ancf::straight_beam(scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0},
+                                          {1, 0}, 8, options());
+    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    scene.add(ancf::Force<2>(beam.last(), {-load * pi * pi / 4.0 * young * 1e-8 / 12.0, 0}));
+    ancf::EigenLu full;
+    REQUIRE(ancf::solve_statics(scene, full).status == Status::converged);
+    ancf::ModalOptions wanted;
+    wanted.count = GENERATE(1, 3);
+    const auto report = ancf::natural_modes(scene, full, wanted);
+    CHECK(report.status == Status::singular);
+    CHECK(report.modes.empty());
+}
+
+TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {
+    Scene scene = cantilever(2, 0.05);
+    scene.state().q[scene.coordinate(ancf::NodeId{2}, ancf::Field::r)] =
+        std::numeric_limits<double>::quiet_NaN();
+    ancf::EigenLdlt solver;
+    for (const auto& report :
+         {ancf::natural_modes(scene, solver), ancf::buckling_modes(scene, solver)}) {
+        CHECK(report.status == Status::not_finite);
+        REQUIRE(report.fault);
+        CHECK(report.fault->element == 1);
+    }
+}
+
 TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", "[modal]") {
     ancf::EigenLdlt solver;
     SECTION("column") {
@@ -303,6 +352,14 @@ TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[r
         CHECK_FALSE(wild.settles);
         CHECK(wild.estimate == wild.values[2]);
         CHECK(wild.error == 2.0);
+    }
+    SECTION("and where a value is not a number, so is the error") {
+        const int lost = GENERATE(4, 8, 16);
+        const auto broken = ancf::richardson(
+            [&](int n) { return n == lost ? std::numeric_limits<double>::quiet_NaN() : 1.0 / n; },
+            4);
+        CHECK_FALSE(broken.settles);
+        CHECK(std::isnan(broken.error));
     }
     SECTION("a value that no mesh changes is exact") {
         const auto constant = ancf::richardson([](int) { return 7.0; }, 1);

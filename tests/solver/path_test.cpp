@@ -3,15 +3,26 @@
 
 #include <ancf/solver/path.hpp>
 
+#include <ancf/constants.hpp>
+#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
+#include <ancf/model/beam.hpp>
+#include <ancf/model/constraints_points.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/statics.hpp>
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/instances/cross_section.hpp>
+#include <support/instances/planar.hpp>
 #include <support/instances/solvers.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace path_test {
 
@@ -24,14 +35,27 @@ using Truss = ancf::Model<Bar>;
 constexpr double axial_stiffness = 100.0;
 constexpr ancf::NodeId apex{2};
 
+/// A bar that has no state where its end at the apex has a height within a band.
+class Brittle : public Bar {
+public:
+    Brittle(double height, double from, double to)
+        : Bar(axial_stiffness, 1.0, std::sqrt(1.0 + height * height)), from_(from), to_(to) {}
+
+    [[nodiscard]] bool admissible(const Coordinates& e) const { return e[4] < from_ || e[4] > to_; }
+
+private:
+    double from_;
+    double to_;
+};
+
 /// Two bars from (-1, 0) and (1, 0) to an apex at the given height, pushed down by a unit force.
-Truss make_truss(double height) {
-    Truss truss;
+template <class Kind>
+ancf::Model<Kind> make_truss(double height, const Kind& kind) {
+    ancf::Model<Kind> truss;
     const auto left = truss.add_node({-1, 0, 0});
     const auto right = truss.add_node({1, 0, 0});
     const auto top = truss.add_node({0, height, 0});
-    const int bar =
-        truss.add_prototype(Bar(axial_stiffness, 1.0, std::sqrt(1.0 + height * height)));
+    const int bar = truss.add_prototype(kind);
     truss.connect(bar, left, top);
     truss.connect(bar, right, top);
     truss.pin(left);
@@ -39,6 +63,10 @@ Truss make_truss(double height) {
     truss.fix(top, Field::r, 2);
     truss.add(ancf::Force(top, {0, -1, 0}));
     return truss;
+}
+
+Truss make_truss(double height) {
+    return make_truss(height, Bar(axial_stiffness, 1.0, std::sqrt(1.0 + height * height)));
 }
 
 /// Load on the symmetric path with the apex at height y: EA (h^2 y - y^3)/l^3.
@@ -70,6 +98,98 @@ TEST_CASE("path: a shallow truss snaps through at its two limit loads", "[path]"
     CHECK(report.points.back().factor == 10.0);
     CHECK(-load_at(0.5, -truss.position(apex)[1]) == Approx(10.0).epsilon(1e-9));
     CHECK(report.points.front().negative_pivots == 0);
+}
+
+TEST_CASE("path: a negative first step follows the falling load", "[path]") {
+    const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical,
+                                  ancf::PathControl::displacement);
+    Truss truss = make_truss(0.5);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.control = control;
+    options.at = {apex, Field::r};
+    options.component = 1;
+    options.first_step = -0.5;
+    options.max_points = 30;
+    SECTION("to a last factor") { options.last_factor = -5.0; }
+    SECTION("and on") {}
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.points.size() >= 3);
+    for (std::size_t k = 1; k < report.points.size(); ++k)
+        CHECK(report.points[k].factor < report.points[k - 1].factor);
+    CHECK(load_at(0.5, truss.position(apex)[1]) ==
+          Approx(report.points.back().factor).epsilon(1e-7));
+    CHECK(report.critical.empty());
+    if (options.last_factor) {
+        CHECK(report.status == Status::converged);
+        CHECK(report.points.back().factor == -5.0);
+    }
+}
+
+TEST_CASE("path: the landing is reported, and only the way to it counts", "[path]") {
+    Truss truss = make_truss(0.5);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = 0.5;
+    options.last_factor = 3.0;
+    std::size_t seen = 0;
+    options.progress = [&](const ancf::PathPoint&, const ancf::State&) { return ++seen > 0; };
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(seen == report.points.size());
+    // the only motion is that of one of three nodes, straight down; size of the scene sqrt(17)/2
+    const double moved = (0.5 - truss.position(apex)[1]) / std::sqrt(17.0 / 4.0) / std::sqrt(3.0);
+    CHECK(report.points.back().arc == Approx(moved).epsilon(1e-6));
+}
+
+TEST_CASE("path: a step that leaps over the last factor is shortened", "[path]") {
+    Truss truss = make_truss(2.0);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = 20.0;
+    options.last_factor = -1.0;
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    // the load is -1 first just below the supports' line, and again near -2
+    CHECK(std::abs(truss.position(apex)[1]) <= 0.1);
+    CHECK(load_at(2.0, truss.position(apex)[1]) == Approx(-1.0).epsilon(1e-7));
+}
+
+TEST_CASE("path: it goes on from a limit point", "[path]") {
+    const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical);
+    Truss truss = make_truss(0.5);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.control = control;
+    options.first_step = 0.5;
+    options.progress = [](const ancf::PathPoint& point, const ancf::State&) {
+        return point.negative_pivots == 0;
+    };
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.critical.size() == 1);
+    truss.state() = report.critical[0].state;
+    ancf::PathOptions rest;
+    rest.control = control;
+    rest.first_factor = report.critical[0].factor;
+    SECTION("by a first step of bounded length") {
+        rest.max_points = 1;
+        const auto on = ancf::follow_path(truss, solver, rest);
+        REQUIRE(on.points.size() == 1);
+        CHECK(on.points[0].arc <= 1.01 * rest.branch_step);
+        CHECK(on.points[0].factor < limit_load(0.5));
+        CHECK(load_at(0.5, truss.position(apex)[1]) == Approx(on.points[0].factor).epsilon(1e-7));
+    }
+    SECTION("on the side that a direction chooses") {
+        rest.direction = report.critical[0].mode;
+        const int coordinate = truss.coordinate(apex, Field::r) + 1;
+        if (rest.direction[coordinate] > 0.0) rest.branch_step = -rest.branch_step;
+        rest.last_factor = 10.0;
+        const auto on = ancf::follow_path(truss, solver, rest);
+        REQUIRE(on.status == Status::converged);
+        REQUIRE(on.critical.size() == 1);
+        CHECK(on.critical[0].factor == Approx(-limit_load(0.5)).epsilon(1e-9));
+        CHECK(-load_at(0.5, -truss.position(apex)[1]) == Approx(10.0).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("path: every point lies on the closed path", "[path]") {
@@ -122,6 +242,206 @@ TEST_CASE("path: a steep truss bifurcates sideways before its limit load", "[pat
     }
 }
 
+TEST_CASE("path: one step may hold several critical points", "[path]") {
+    const double first_step = GENERATE(5.0, 20.0, 40.0);
+    INFO("first step " << first_step);
+    Truss truss = make_truss(2.0);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = first_step;
+    options.branch_step = 1.0;  // no bound of the first step
+    options.last_factor = 40.0;
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.bifurcations_sought);
+    REQUIRE(report.critical.size() == 4);
+    const double sideways = sideways_load(2.0), limit = limit_load(2.0);
+    const double expected[] = {sideways, limit, -limit, -sideways};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto& critical = report.critical[k];
+        CHECK(critical.kind ==
+              (k == 0 || k == 3 ? CriticalKind::bifurcation : CriticalKind::limit));
+        CHECK(critical.factor == Approx(expected[k]).epsilon(1e-7));
+        CHECK(critical.multiplicity == 1);
+        CHECK(critical.half_width <= 1e-8);  // 2^-31 of a step
+    }
+}
+
+TEST_CASE("path: a bisection that breaks off says how far it came", "[path]") {
+    // no state within 0.01 of the apex at the limit load
+    const double y = 0.5 / std::sqrt(3.0);
+    auto truss = make_truss(0.5, Brittle(0.5, y - 0.01, y + 0.01));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = 1.0;
+    options.last_factor = -1.0;
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.critical.size() == 1);
+    // half of the gap at least, in the measure of the path
+    const double gap = 0.01 / std::sqrt(17.0 / 4.0) / std::sqrt(3.0);
+    CHECK(report.critical[0].half_width >= gap);
+    CHECK(report.critical[0].half_width <= 4.0 * gap);
+    CHECK(report.critical[0].kind == CriticalKind::limit);
+}
+
+TEST_CASE("path: a path that ends names the element that failed", "[path]") {
+    auto truss = make_truss(0.5, Brittle(0.5, -1.0, 0.4));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = 0.5;
+    const auto report = ancf::follow_path(truss, solver, options);
+    CHECK(report.status == Status::diverged);
+    CHECK(report.failure == Status::degenerate);
+    REQUIRE(report.fault);
+    CHECK(report.fault->status == Status::degenerate);
+    CHECK(report.fault->group == 0);
+    CHECK(report.fault->element == 0);
+    SECTION("one that goes well names none") {
+        Truss sound = make_truss(0.5);
+        options.last_factor = 1.0;
+        const auto whole = ancf::follow_path(sound, solver, options);
+        CHECK(whole.failure == Status::converged);
+        CHECK_FALSE(whole.fault);
+    }
+}
+
+/// A guide that turns with the load factor about the truss's apex at rest.
+struct TurningGuide {
+    double height;
+    double turn;  // rad per unit of the load factor
+
+    [[nodiscard]] ancf::Coupling coupling() const { return {{apex, Field::r}}; }
+    [[nodiscard]] int equations() const { return 1; }
+    [[nodiscard]] std::string name() const { return "turning guide"; }
+    void evaluate(const ancf::ConstraintState& at, ancf::ConstraintResult& out) const {
+        const double c = std::cos(turn * at.time), s = std::sin(turn * at.time);
+        out.violation[0] = c * at.q[0] + s * (at.q[1] - height);
+        out.jacobian << c, s, 0.0;
+        out.rate[0] = turn * (c * (at.q[1] - height) - s * at.q[0]);
+    }
+};
+
+TEST_CASE("path: constraints move with the load factor", "[path]") {
+    ancf::EigenLu solver;
+    ancf::PathOptions options;
+    options.first_step = 0.25;
+    options.last_factor = 1.0;
+    Truss truss = make_truss(0.5);
+    SECTION("a coordinate, which takes the truss through its limit points") {
+        const auto zero = [](double) { return 0.0; };
+        truss.add(ancf::FixedCoordinate<3>(
+            apex, Field::r, 1,
+            ancf::Motion{[](double f) { return 0.5 - f; }, [](double) { return -1.0; }, zero}));
+        const auto report = ancf::follow_path(truss, solver, options);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.points.size() <= 4);
+        for (const auto& point : report.points) CHECK(point.iterations <= 3);
+        CHECK(truss.position(apex)[1] == Approx(-0.5).epsilon(1e-9));
+        // stress-free again: the guide holds what the load pushes
+        CHECK(std::abs(truss.state().multipliers[0]) == Approx(1.0).epsilon(1e-7));
+    }
+    SECTION("a guide whose direction turns") {
+        truss.add(TurningGuide{0.5, 0.3});
+        Truss expected = truss;
+        const auto report = ancf::follow_path(truss, solver, options);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(ancf::solve_statics(expected, solver).status == Status::converged);
+        CHECK((truss.state().q - expected.state().q).norm() <= 1e-9);
+        CHECK(std::abs(truss.state().multipliers[0]) > 1e-3);
+    }
+}
+
+/// A cantilever of length 1 under its Euler load, as if of a square section with that height.
+template <class Element, class Axis>
+ancf::Model<Element> make_column(double width, double height, int elements, const Axis& tip) {
+    constexpr double young = 2.07e11;
+    ancf::CrossSectionOptions options;
+    options.rule = ancf::Rule::mixed();
+    ancf::Model<Element> scene;
+    const Axis start = Axis::Zero();
+    const auto beam =
+        ancf::straight_beam(scene, ancf::Material::isotropic(young, 0.3, 7850.0),
+                            ancf::rectangle(width, height), start, tip, elements, options);
+    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    const double euler = ancf::pi * ancf::pi / 4.0 * young * std::pow(height, 4) / 12.0;
+    scene.add(ancf::Force<Element::dimension>(beam.last(), -euler * tip));
+    return scene;
+}
+
+TEST_CASE("path: a column bends onto its elastica with the steps as they come", "[path]") {
+    using Element = ancf::CrossSectionBeam<2>;
+    auto column = make_column<Element>(0.01, 0.01, 16, ancf::Vector<double, 2>(1, 0));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.last_factor = 2.0;
+    const auto straight = ancf::follow_path(column, solver, options);
+    REQUIRE(straight.status == Status::converged);
+    REQUIRE(straight.critical.size() == 1);
+    CHECK(straight.critical[0].kind == CriticalKind::bifurcation);
+    CHECK(straight.critical[0].factor == Approx(1.0).epsilon(1e-3));
+
+    column.state() = straight.critical[0].state;
+    ancf::PathOptions branch;
+    branch.first_factor = straight.critical[0].factor;
+    branch.direction = straight.critical[0].mode;
+    branch.last_factor = 1.151719620469;
+    branch.control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical,
+                              ancf::PathControl::displacement);
+    branch.at = {{16}, Field::r};
+    branch.component = 1;
+    const auto bent = ancf::follow_path(column, solver, branch);
+    REQUIRE(bent.status == Status::converged);
+    CHECK(bent.points.size() <= 40);
+    // the elastica whose tip has turned by 60 degrees; shear and strain of h/L = 1/100 take 3e-4
+    CHECK(column.position({16})[0] == Approx(0.74102).margin(1e-3));
+    CHECK(std::abs(column.position({16})[1]) == Approx(0.59321).margin(1e-3));
+}
+
+TEST_CASE("path: a branch step that fails is halved", "[path]") {
+    using Element = ancf::CrossSectionBeam<2>;
+    auto column = make_column<Element>(0.001, 0.001, 8, ancf::Vector<double, 2>(1, 0));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.last_factor = 2.0;
+    const auto straight = ancf::follow_path(column, solver, options);
+    REQUIRE(straight.critical.size() == 1);
+    column.state() = straight.critical[0].state;
+    ancf::PathOptions branch;
+    branch.first_factor = straight.critical[0].factor;
+    branch.direction = straight.critical[0].mode;
+    branch.branch_step = 4.0;
+    branch.max_points = 1;
+    const auto bent = ancf::follow_path(column, solver, branch);
+    REQUIRE(bent.points.size() == 1);
+    CHECK(bent.points[0].arc < 0.5 * branch.branch_step);
+    CHECK(bent.failure != Status::converged);
+}
+
+TEST_CASE("path: close bifurcations of a column are told apart or counted", "[path]") {
+    using Element = ancf::CrossSectionBeam<3>;
+    const double width = GENERATE(0.01, 0.0102);
+    INFO("width " << width);
+    auto column = make_column<Element>(width, 0.01, 4, ancf::Vector<double, 3>(1, 0, 0));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.last_factor = 2.0;
+    const auto report = ancf::follow_path(column, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.points.back().negative_pivots == 2);
+    int sum = 0;
+    for (const auto& critical : report.critical) {
+        CHECK(critical.kind == CriticalKind::bifurcation);
+        sum += critical.multiplicity;
+    }
+    CHECK(sum == 2);
+    if (width == 0.01) return;
+    REQUIRE(report.critical.size() == 2);
+    // about one axis the load is as width^3 height, about the other as width height^3
+    CHECK(report.critical[1].factor / report.critical[0].factor ==
+          Approx(1.02 * 1.02).epsilon(1e-4));
+}
+
 TEST_CASE("path: displacement control passes the limit point of the load", "[path]") {
     Truss truss = make_truss(0.5);
     ancf::EigenLdlt solver;
@@ -149,6 +469,7 @@ TEST_CASE("path: without a count of pivots limit points are still found", "[path
     const auto report = ancf::follow_path(truss, solver, options);
     REQUIRE(report.critical.size() == 2);
     CHECK(report.critical[0].factor == Approx(limit_load(0.5)).epsilon(1e-9));
+    CHECK_FALSE(report.bifurcations_sought);
 }
 
 TEST_CASE("path: calls that cannot be meant are refused", "[path][bad-input]") {

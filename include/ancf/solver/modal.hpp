@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -54,14 +55,18 @@ struct Mode {
 /// What an eigenvalue analysis reports.
 struct ModalReport {
     Status status = Status::converged;  ///< why it ended
-    std::vector<Mode> modes;            ///< by rising value, of buckling by rising magnitude
-    int iterations = 0;                 ///< solutions with the whole subspace
+    std::vector<Mode> modes;     ///< by rising value, of buckling by rising magnitude; none where
+                                 ///< no coordinate is free, or the status is neither converged
+                                 ///< nor max_iterations
+    int iterations = 0;          ///< solutions with the whole subspace
+    std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
 ///
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
-///        singular where it is not; lower the shift. Unsymmetric load stiffness is symmetrised.
+///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
+///        from the modes sought alone. Unsymmetric load stiffness is symmetrised.
 template <class Scene, class LinearSolver>
 [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                                         const ModalOptions& options = {});
@@ -108,34 +113,32 @@ public:
         size_ = ConvergenceMonitor(model_, numbering).correction(response);
     }
 
-    /// Writes the change of the tangent per unit of load.
-    [[nodiscard]] Status change(const SparseMatrix& unloaded, SparseMatrix& out) {
+    /// Writes the change of the tangent per unit of load; returns the element that failed.
+    [[nodiscard]] std::optional<Fault> change(const SparseMatrix& unloaded, SparseMatrix& out) {
         if constexpr (TakesStresses<Scene>::value) {
             const Correction stresses{model_.state().q, deflection_};
-            const Status status = evaluate(1.0, model_.state().q, &stresses);
+            const auto fault = evaluate(1.0, model_.state().q, &stresses);
             out = assembly_.tangent() - unloaded;
-            return status;
+            return fault;
         } else {
             // central, so that the extension due to linearly added rotations, of even order, drops
             // out; the step leaves the difference ten digits of the tangent
             const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
-            if (const Status status = evaluate(-step, model_.state().q - step * deflection_);
-                status != Status::converged)
-                return status;
+            if (const auto fault = evaluate(-step, model_.state().q - step * deflection_))
+                return fault;
             out = assembly_.tangent();
-            const Status status = evaluate(step, model_.state().q + step * deflection_);
+            const auto fault = evaluate(step, model_.state().q + step * deflection_);
             out = (assembly_.tangent() - out) / (2.0 * step);
-            return status;
+            return fault;
         }
     }
 
-    /// Evaluates the tangent at a load factor.
-    [[nodiscard]] Status evaluate(double factor, const VectorX& q,
-                                  const Correction* stresses = nullptr) {
+    /// Evaluates the tangent at a load factor; returns the element that failed.
+    [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q,
+                                                const Correction* stresses = nullptr) {
         const VectorX multipliers = model_.state().multipliers + factor * forces_;
-        const auto fault = assembly_.evaluate({q, rest_, multipliers, {factor, factor}},
-                                              Request::tangent, nullptr, stresses);
-        return fault ? fault->status : Status::converged;
+        return assembly_.evaluate({q, rest_, multipliers, {factor, factor}}, Request::tangent,
+                                  nullptr, stresses);
     }
 
 private:
@@ -167,6 +170,8 @@ ModalReport modes_of(const Assembly<Scene>& assembly, const SparseMatrix& A, con
     report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
                               options.max_iterations);
     report.iterations = space.iterations;
+    if (report.status != Status::converged && report.status != Status::max_iterations)
+        return report;
     const auto count = std::min<Eigen::Index>(options.count, space.values.size());
     for (Eigen::Index k = 0; k < count; ++k) {
         if (space.values[k] == 0.0) break;
@@ -203,11 +208,12 @@ ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalO
     const Instant instant{options.factor, options.factor};
     if (const auto fault =
             assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent))
-        return {fault->status, {}, 0};
+        return {fault->status, {}, 0, fault};
+    if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix mass = assembly.mass();
     const SparseMatrix A = assembly.tangent() - options.shift * mass;
     if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return {status, {}, 0};
+        return {status, {}, 0, {}};
     return detail::modes_of(assembly, A, mass, solver, options, [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
@@ -220,16 +226,16 @@ ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const Modal
     options.check();
     Assembly<Scene> assembly(model, LinearSolver::storage);
     detail::Deflected<Scene> deflected(model, assembly);
-    const auto failed = [](Status status) { return status != Status::converged; };
-    if (const Status status = deflected.evaluate(0.0, model.state().q); failed(status))
-        return {status, {}, 0};
+    if (const auto fault = deflected.evaluate(0.0, model.state().q))
+        return {fault->status, {}, 0, fault};
+    if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix unloaded = assembly.tangent();
-    if (const Status status = detail::factorise(assembly, unloaded, solver); failed(status))
-        return {status, {}, 0};
+    if (const Status status = detail::factorise(assembly, unloaded, solver);
+        status != Status::converged)
+        return {status, {}, 0, {}};
     deflected.respond(solver);
     SparseMatrix change;
-    if (const Status status = deflected.change(unloaded, change); failed(status))
-        return {status, {}, 0};
+    if (const auto fault = deflected.change(unloaded, change)) return {fault->status, {}, 0, fault};
     const SparseMatrix B = -change;
     return detail::modes_of(assembly, unloaded, B, solver, options,
                             [](double th, double&) { return 1.0 / th; });

@@ -34,9 +34,9 @@ enum class PathControl {
 
 /// One converged point.
 struct PathPoint {
-    double factor = 0.0;       ///< load factor
-    double arc = 0.0;          ///< sum of the steps' measures up to here
-    int iterations = 0;        ///< linear solves of the corrector
+    double factor = 0.0;  ///< load factor
+    double arc = 0.0;     ///< sum of the lengths of the steps up to here, as the control measures
+    int iterations = 0;   ///< linear solves of the corrector
     int negative_pivots = -1;  ///< of the tangent; 0 = stable under dead loads, -1 = unknown
 };
 
@@ -51,9 +51,15 @@ struct CriticalPoint {
     CriticalKind kind;  ///< limit point or bifurcation
     double factor;      ///< load factor there
     std::size_t after;  ///< index of the path point before it
-    State state;        ///< of the model there
+    State state;        ///< of the model there, within half_width
     /// Null vector of the tangent, all coordinates, of unit length in the path's measure.
     VectorX mode;
+    /// By how much the number of negative pivots changes: above 1, several points fall together and
+    /// `mode` is one of their null vectors. 1 where pivots are unknown.
+    int multiplicity = 1;
+    /// Half the length of the step's part that contains the point, as the control measures: 1e-9 of
+    /// the step, or more where the path could not be computed so close to a singular tangent.
+    double half_width = 0.0;
 };
 
 /// How a path is followed.
@@ -63,9 +69,10 @@ struct PathOptions {
     int component = 0;                               ///< and its component
 
     double first_factor = 0.0;           ///< load factor of the state that the model is in
-    double first_step = 0.1;             ///< change of the load factor that the first step aims at
-    double largest_step = 10.0;          ///< largest step relative to the first
-    double smallest_step = 1e-6;         ///< smallest step relative to the first
+    double first_step = 0.1;             ///< change of the load factor that the first step aims at,
+                                         ///< its sign the sense; no longer than `branch_step`
+    double largest_step = 10.0;          ///< largest step relative to the first, or to that along
+    double smallest_step = 1e-6;         ///< `direction`; and the smallest
     int wanted_iterations = 5;           ///< steps grow and shrink towards this number
     int max_iterations = 15;             ///< of a step, before it is halved
     int max_points = 1000;               ///< limit of a path
@@ -74,13 +81,18 @@ struct PathOptions {
     bool critical_points = true;         ///< find them
 
     std::optional<double> last_factor;  ///< stop when the load factor passes it, and land on it
-    /// Called at every point; returning false ends the path there.
+    /// Called at every point, the last included; returning false ends the path there.
     std::function<bool(const PathPoint& point, const State& state)> progress;
 
     /// First direction, all coordinates; empty: along the load. A mode of a CriticalPoint switches
-    /// to the branch through it.
+    /// to the branch through it, or says which way to leave a limit point, where the load falls
+    /// either way.
     VectorX direction;
-    double branch_step = 0.05;  ///< length of the first step along `direction`, its sign the side
+    /// Length of the first step along `direction`, its sign the side; halved where it fails. Its
+    /// square is the mean over nodes of the squared displacement, relative to the scene's size, and
+    /// squared changes of slopes. A first step along the load is no longer either: at a limit point
+    /// the response to a change of the load has no bound.
+    double branch_step = 0.05;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const;
@@ -93,12 +105,21 @@ struct PathReport {
     Status status = Status::converged;
     std::vector<PathPoint> points;        ///< in order
     std::vector<CriticalPoint> critical;  ///< in order
+    /// Whether negative pivots were known at every point, so that bifurcations were looked for.
+    /// Where not, as with constraints and EigenLu, the path passes them without a word.
+    bool bifurcations_sought = false;
+    /// Why a step failed, the last that did; converged where none has.
+    Status failure = Status::converged;
+    std::optional<Fault> fault;  ///< the element that failed then, for degenerate and not_finite
 };
 
 /// Follows the path of equilibria from the model's state; the model ends in the last point.
 ///
 /// Negative pivots, and with them critical points of every kind, need a solver that counts them
-/// (EigenLdlt, a symmetric factorisation); with others limit points are still found.
+/// (EigenLdlt, a symmetric factorisation); with others limit points are still found. Of several
+/// points within one step those are found that a bisection tells apart; two that undo each other's
+/// change between the ends of a step are not seen.
+/// Constraints may move with the load factor, which is their time.
 /// @throws InvalidArgument for options that cannot be meant, driven supports, or a scene that the
 ///         solver's storage does not suit.
 template <class Scene, class LinearSolver>

@@ -3,7 +3,7 @@
 
 /// @file
 /// The algorithm behind follow_path: predictor along the tangent, Newton's method on the bordered
-/// system, bisection of steps in which the number of negative pivots changes.
+/// system, bisection of steps in which the number of negative pivots changes or the load turns.
 
 #pragma once
 
@@ -70,52 +70,30 @@ public:
 
     [[nodiscard]] PathReport run() {
         Point here{model_.state(), options_.first_factor};
-        Status status = prepare(here);
-        if (status == Status::converged && options_.control == PathControl::spherical) {
-            // coordinates and load factor count alike at the start
-            psi_ = 1.0 / here.tangent_f;
-            status = prepare(here);
+        if (const Outcome start = begin(here); start.failed()) {
+            note_failure(start);
+            return finish(start.status, here);
         }
-        if (status != Status::converged) return finish(status, here);
-        double step = first_length(here);
-        const double first = std::abs(step);
-        bool branching = options_.direction.size() > 0;
         while (static_cast<int>(report_.points.size()) < options_.max_points) {
-            Control control = branching ? along_branch() : along_path(here, step);
             Point next = here;
-            const int iterations = correct(control, next);
-            if (iterations < 0 || prepare(next) != Status::converged) {
-                step *= 0.5;
-                if (branching || std::abs(step) < options_.smallest_step * first)
-                    return finish(Status::diverged, here);
-                continue;
+            Outcome tried =
+                advance(here, branching_ ? along_branch() : along_path(here, step_), next);
+            const bool landing =
+                !tried.failed() && options_.last_factor && passes(here.factor, next.factor);
+            if (landing) tried = land(here, tried.iterations, next);
+            if (tried.failed()) {
+                note_failure(tried);
+                step_ *= 0.5;
+                if (std::abs(step_) >= options_.smallest_step * first_) continue;
+                return finish(Status::diverged, here);
             }
-            orient(here, next);
-            const bool landing = options_.last_factor && passes(here.factor, next.factor);
-            if (landing) {
-                control = to_factor(*options_.last_factor - next.factor);
-                if (correct(control, next) < 0 || prepare(next) != Status::converged)
-                    return finish(Status::diverged, here);
-                orient(here, next);
-                next.factor = next.state.time = *options_.last_factor;
-            }
-            if (options_.critical_points && !branching && crosses(here, next))
-                locate(here, next, step);
-            if (landing) {
-                record(next, iterations, step);
-                return finish(Status::converged, next);
-            }
-            record(next, iterations, step);
+            if (options_.critical_points && !branching_) find_critical(here, next);
+            record(here, next, tried.iterations);
+            adapt(here, next, tried.iterations);
             here = std::move(next);
-            if (options_.progress && !options_.progress(report_.points.back(), here.state))
-                return finish(Status::converged, here);
-            const double growth =
-                std::clamp(std::sqrt(static_cast<double>(options_.wanted_iterations) /
-                                     std::max(iterations, 1)),
-                           0.5, 2.0);
-            step = std::copysign(std::min(std::abs(step) * growth, options_.largest_step * first),
-                                 step);
-            branching = false;
+            const bool ended =
+                options_.progress && !options_.progress(report_.points.back(), here.state);
+            if (landing || ended) return finish(Status::converged, here);
         }
         return finish(Status::max_iterations, here);
     }
@@ -128,6 +106,23 @@ private:
         VectorX tangent_u = {};  // per unit of the control's measure, unknowns
         double tangent_f = 0.0;
         int negative_pivots = -1;
+    };
+
+    // A point of a step and how far from its beginning it is, as the control measures.
+    struct Sample {
+        double along;
+        Point point;
+    };
+
+    // How an attempt ended.
+    struct Outcome {
+        Status status = Status::converged;
+        std::optional<Fault> fault = {};
+        int iterations = 0;
+
+        [[nodiscard]] bool failed() const { return status != Status::converged; }
+        [[nodiscard]] static Outcome of(const Fault& fault) { return {fault.status, fault, 0}; }
+        [[nodiscard]] static Outcome of(Status status) { return {status, {}, 0}; }
     };
 
     // N(du, df) = du.W du + psi^2 df^2 - length^2, or row.du + slope df - length.
@@ -158,36 +153,130 @@ private:
         return a.dot(weights_.cwiseProduct(b));
     }
 
-    [[nodiscard]] std::optional<Fault> evaluate(const Point& at) {
-        const Instant instant{at.factor, at.factor};
-        return assembly_.evaluate({at.state.q, rest_, at.state.multipliers, instant},
-                                  Request::tangent);
+    // Factorises the first point; sets the direction of travel and the first step.
+    [[nodiscard]] Outcome begin(Point& here) {
+        branching_ = options_.direction.size() > 0;
+        Outcome outcome = prepare_start(here);
+        if (!outcome.failed() && options_.control == PathControl::spherical) {
+            // coordinates and load factor count alike at the start; at a limit point, where
+            // coordinates would take all, the first step's change of the factor is its length
+            psi_ = std::min(1.0 / here.tangent_f,
+                            std::abs(options_.branch_step / options_.first_step));
+            outcome = prepare_start(here);
+        }
+        if (outcome.failed()) return outcome;
+        report_.bifurcations_sought = options_.critical_points;
+        step_ = branching_ ? options_.branch_step : first_step(here);
+        first_ = std::abs(step_);
+        return outcome;
     }
 
-    // Solves K x = dQ/df.
+    // A branch may leave a state whose tangent is singular: the step along it does not need that.
+    [[nodiscard]] Outcome prepare_start(Point& here) {
+        const Outcome outcome = prepare(here);
+        return branching_ && outcome.status == Status::singular ? Outcome{} : outcome;
+    }
+
+    // Turns the direction of travel into that of the first change of the load; returns the step.
+    [[nodiscard]] double first_step(Point& here) const {
+        if (controlled_ < 0 && options_.first_step < 0.0) reverse(here);
+        const double aimed = options_.first_step / here.tangent_f;  // negative: of a displacement
+        return std::copysign(std::min(std::abs(aimed), bounded_step(here)), aimed);
+    }
+
+    // Returns the step along a direction that changes the coordinates by |branch_step|.
+    [[nodiscard]] double bounded_step(const Point& at) const {
+        return std::abs(options_.branch_step) / std::sqrt(product(at.tangent_u, at.tangent_u));
+    }
+
+    // Sets the next step by the iterations of the last one.
+    void adapt(const Point& here, const Point& next, int iterations) {
+        if (branching_) {
+            // the response to the load was that of the old branch
+            branching_ = false;
+            step_ = length(here, next);
+            if (controlled_ >= 0 && step_ == 0.0) step_ = bounded_step(next);
+            first_ = std::abs(step_);
+            return;
+        }
+        const double growth = std::clamp(
+            std::sqrt(static_cast<double>(options_.wanted_iterations) / std::max(iterations, 1)),
+            0.5, 2.0);
+        step_ = std::copysign(std::min(std::abs(step_) * growth, options_.largest_step * first_),
+                              step_);
+    }
+
+    [[nodiscard]] std::optional<Fault> evaluate(const Point& at, double ahead = 0.0,
+                                                Request request = Request::tangent) {
+        const Instant instant{at.factor + ahead, at.factor + ahead};
+        return assembly_.evaluate({at.state.q, rest_, at.state.multipliers, instant}, request);
+    }
+
+    // Solves K x = -dR/df, after evaluate() and factorisation at that point.
     void solve_load(const Point& at, VectorX& x) {
         VectorX rate = VectorX::Zero(numbering_.unknowns());
+        VectorX load = assembly_.load_rate(at.state.q, at.factor);
+        const VectorX motion = assembly_.violation_rate();  // g_f: the factor is the time
+        if (motion.size() > 0 && (motion.array() != 0.0).any()) load -= constraint_force_rate(at);
         VectorX free;
-        numbering_.gather_free(assembly_.load_rate(at.state.q, at.factor), free);
+        numbering_.gather_free(load, free);
         rate.head(numbering_.free_coordinates()) = free;
+        rate.tail(numbering_.multipliers()) = -motion;
         solver_.solve(rate, x);
     }
 
+    // Returns (G^T lambda)_f of constraints that move.
+    [[nodiscard]] VectorX constraint_force_rate(const Point& at) {
+        constexpr double step = 1e-4;  // as of Assembly::load_rate
+        if (evaluate(at, -step, Request::force)) return VectorX::Zero(numbering_.coordinates());
+        const VectorX before = assembly_.constraint_force();
+        if (evaluate(at, step, Request::force)) return VectorX::Zero(numbering_.coordinates());
+        return (assembly_.constraint_force() - before) / (2.0 * step);
+    }
+
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
-    [[nodiscard]] Status prepare(Point& at) {
-        if (const std::optional<Fault> fault = evaluate(at)) return fault->status;
+    [[nodiscard]] Outcome prepare(Point& at) {
+        if (const std::optional<Fault> fault = evaluate(at)) return Outcome::of(*fault);
         const FactorReport factor = solver_.factorize(assembly_.tangent());
-        if (factor.status != Status::converged) return factor.status;
+        if (factor.status != Status::converged) return Outcome::of(factor.status);
         at.negative_pivots = factor.negative_pivots;
         solve_load(at, at.tangent_u);
         at.tangent_f = 1.0;
         const double length = controlled_ >= 0
                                   ? at.tangent_u[controlled_]
                                   : std::sqrt(product(at.tangent_u, at.tangent_u) + psi_ * psi_);
-        if (!(std::abs(length) > 0.0) || !std::isfinite(length)) return Status::singular;
+        if (!(std::abs(length) > 0.0) || !std::isfinite(length))
+            return Outcome::of(Status::singular);
         at.tangent_u /= length;
         at.tangent_f /= length;
-        return Status::converged;
+        return {};
+    }
+
+    // Solves for the point that a control asks for, and prepares and orients it.
+    [[nodiscard]] Outcome advance(const Point& from, const Control& control, Point& point) {
+        const Outcome corrected = correct(control, point);
+        if (corrected.failed()) return corrected;
+        Outcome outcome = prepare(point);
+        outcome.iterations = corrected.iterations;
+        if (!outcome.failed()) orient(from, point);
+        return outcome;
+    }
+
+    // Moves a point behind the last load factor onto it; fails where that leaves the step.
+    [[nodiscard]] Outcome land(const Point& from, int iterations, Point& point) {
+        const double whole = std::abs(length(from, point));
+        Outcome outcome = advance(from, to_factor(*options_.last_factor - point.factor), point);
+        if (outcome.failed()) return outcome;
+        if (std::abs(length(from, point)) > (1.0 + options_.correction_tolerance) * whole)
+            return Outcome::of(Status::diverged);
+        outcome.iterations += iterations;
+        point.factor = point.state.time = *options_.last_factor;
+        return outcome;
+    }
+
+    static void reverse(Point& at) {
+        at.tangent_u = -at.tangent_u;
+        at.tangent_f = -at.tangent_f;
     }
 
     // Keeps the direction of travel through limit and bifurcation points.
@@ -196,9 +285,15 @@ private:
         const VectorX moved = free_difference(from, to);
         const double along =
             product(moved, to.tangent_u) + psi_ * psi_ * (to.factor - from.factor) * to.tangent_f;
-        if (along >= 0.0) return;
-        to.tangent_u = -to.tangent_u;
-        to.tangent_f = -to.tangent_f;
+        if (along < 0.0) reverse(to);
+    }
+
+    // Returns the length of an increment as the control measures it; signed for a displacement.
+    [[nodiscard]] double length(const Point& from, const Point& to) const {
+        const VectorX moved = free_difference(from, to);
+        return controlled_ >= 0
+                   ? moved[controlled_]
+                   : std::hypot(std::sqrt(product(moved, moved)), psi_ * (to.factor - from.factor));
     }
 
     [[nodiscard]] VectorX free_difference(const Point& from, const Point& to) const {
@@ -207,11 +302,6 @@ private:
         numbering_.gather_free(to.state.q - from.state.q, free);
         moved.head(numbering_.free_coordinates()) = free;
         return moved;
-    }
-
-    [[nodiscard]] double first_length(Point& at) const {
-        // tangent_f > 0 here unless a displacement is controlled, whose step may be of either sign
-        return options_.first_step / at.tangent_f;
     }
 
     [[nodiscard]] Control along_path(const Point& from, double step) const {
@@ -232,12 +322,7 @@ private:
         require((free.array() != 0.0).any(),
                 "PathOptions: direction moves no coordinate that is free");
         mode /= std::sqrt(product(mode, mode));
-        return {true,
-                weights_.cwiseProduct(mode),
-                0.0,
-                options_.branch_step,
-                options_.branch_step * mode,
-                0.0};
+        return {true, weights_.cwiseProduct(mode), 0.0, step_, step_ * mode, 0.0};
     }
 
     [[nodiscard]] Control to_factor(double change) const {
@@ -245,8 +330,8 @@ private:
                 change, VectorX::Zero(numbering_.unknowns()), change};
     }
 
-    // Newton's method on the bordered system from `point`, the last one; -1 where it fails.
-    [[nodiscard]] int correct(const Control& control, Point& point) {
+    // Newton's method on the bordered system from `point`, the last one.
+    [[nodiscard]] Outcome correct(const Control& control, Point& point) {
         const Point start = point;
         const int free = numbering_.free_coordinates();
         VectorX du = control.first_u;
@@ -259,16 +344,20 @@ private:
             numbering_.add_free(du.head(free), 1.0, point.state.q);
             point.state.multipliers = start.state.multipliers + du.tail(numbering_.multipliers());
             point.factor = point.state.time = start.factor + df;
-            if (evaluate(point)) return -1;
+            if (const auto fault = evaluate(point)) return Outcome::of(*fault);
             const double unbalanced = monitor_.residual(assembly_);
             const bool balanced =
                 unbalanced <= options_.residual_tolerance ||
                 (unbalanced > 0.25 * before && monitor_.at_round_off(assembly_, point.state.q));
-            if (balanced && correction <= options_.correction_tolerance)
-                return assembly_.inspect(point.state.q) ? -1 : iteration;
+            if (balanced && correction <= options_.correction_tolerance) {
+                const auto fault = assembly_.inspect(point.state.q);
+                return fault ? Outcome::of(*fault) : Outcome{Status::converged, {}, iteration};
+            }
             before = unbalanced;
-            if (iteration == options_.max_iterations) return -1;
-            if (solver_.factorize(assembly_.tangent()).status != Status::converged) return -1;
+            if (iteration == options_.max_iterations) return Outcome::of(Status::max_iterations);
+            if (const FactorReport factor = solver_.factorize(assembly_.tangent());
+                factor.status != Status::converged)
+                return Outcome::of(factor.status);
             assembly_.residual(residual);
             solver_.solve(residual, by_residual);
             solve_load(point, by_load);
@@ -281,10 +370,10 @@ private:
                     : product(du, du) + psi_ * psi_ * df * df - control.length * control.length;
             const double change = (row.dot(by_residual) - violated) / (row.dot(by_load) + slope);
             const VectorX step = change * by_load - by_residual;
-            if (!step.allFinite() || !std::isfinite(change)) return -1;
+            if (!step.allFinite() || !std::isfinite(change)) return Outcome::of(Status::not_finite);
             du += step;
             df += change;
-            correction = monitor_.correction(step);
+            correction = std::max(monitor_.correction(step), psi_ * std::abs(change));
         }
     }
 
@@ -296,45 +385,50 @@ private:
         return a.tangent_f * b.tangent_f < 0.0;
     }
 
-    [[nodiscard]] bool crosses(const Point& a, const Point& b) const {
-        return a.negative_pivots >= 0 && b.negative_pivots >= 0
-                   ? a.negative_pivots != b.negative_pivots
-                   : turns(a, b);
+    // Change of the number of negative pivots; 0 where unknown.
+    [[nodiscard]] static int changed_pivots(const Point& a, const Point& b) {
+        if (a.negative_pivots < 0 || b.negative_pivots < 0) return 0;
+        return std::abs(a.negative_pivots - b.negative_pivots);
     }
 
-    // Bisects the step between two points until the critical one is found.
-    void locate(const Point& from, const Point& to, double step) {
-        double low = 0.0;
-        double high = step;
-        Point before = from;
-        Point after = to;
-        for (int halving = 0; halving < 30; ++halving) {
-            // aside of the middle where that happens to be too close to singular
-            double middle = low;
-            Point point = from;
-            bool found = false;
-            for (const double part : {0.5, 0.4, 0.65}) {
-                middle = low + part * (high - low);
-                point = from;
-                found = correct(along_path(from, middle), point) >= 0 &&
-                        prepare(point) == Status::converged;
-                if (found) break;
-            }
-            if (!found) break;
-            orient(from, point);
-            if (crosses(from, point)) {
-                high = middle;
-                after = std::move(point);
-            } else {
-                low = middle;
-                before = std::move(point);
-            }
+    // Finds the critical points of a step.
+    void find_critical(const Point& from, const Point& to) {
+        int budget = 200;  // of halvings: where the count flickers, both halves always have changes
+        search(from, {0.0, from}, {length(from, to), to}, 30, budget);
+    }
+
+    // Bisects a part of the step from `origin` until each of its critical points stands alone, or
+    // the tangent is too close to singular: then those that are left count as one.
+    void search(const Point& origin, const Sample& low, const Sample& high, int halvings,
+                int& budget) {
+        if (changed_pivots(low.point, high.point) == 0 && !turns(low.point, high.point)) return;
+        const bool halves = halvings > 0 && budget-- > 0;
+        const auto middle = halves ? between(origin, low, high) : std::nullopt;
+        if (!middle) return record_critical(low, high);
+        search(origin, low, *middle, halvings - 1, budget);
+        search(origin, *middle, high, halvings - 1, budget);
+    }
+
+    // A point of the path about half way, aside of it where that is too close to singular.
+    [[nodiscard]] std::optional<Sample> between(const Point& origin, const Sample& low,
+                                                const Sample& high) {
+        for (const double part : {0.5, 0.4, 0.65}) {
+            Sample middle{low.along + part * (high.along - low.along), origin};
+            if (!advance(origin, along_path(origin, middle.along), middle.point).failed())
+                return middle;
         }
-        const CriticalKind kind =
-            turns(before, after) ? CriticalKind::limit : CriticalKind::bifurcation;
-        report_.critical.push_back({kind, 0.5 * (before.factor + after.factor),
-                                    report_.points.empty() ? 0 : report_.points.size() - 1,
-                                    after.state, null_vector(after)});
+        return std::nullopt;
+    }
+
+    void record_critical(const Sample& low, const Sample& high) {
+        const int change = changed_pivots(low.point, high.point);
+        // a direction that turns over while the tangent stays regular: a sharp bend of the path
+        if (change == 0 && high.point.negative_pivots >= 0) return;
+        report_.critical.push_back(
+            {turns(low.point, high.point) ? CriticalKind::limit : CriticalKind::bifurcation,
+             0.5 * (low.point.factor + high.point.factor),
+             report_.points.empty() ? 0 : report_.points.size() - 1, high.point.state,
+             null_vector(high.point), std::max(change, 1), 0.5 * std::abs(high.along - low.along)});
     }
 
     // Inverse iteration with the nearly singular tangent at a critical point.
@@ -342,7 +436,7 @@ private:
         VectorX mode = VectorX::LinSpaced(numbering_.unknowns(), 1.0, 2.0);
         for (int k = 0; k < mode.size(); k += 2) mode[k] = -mode[k];
         Point point = at;
-        if (prepare(point) == Status::converged) {
+        if (!prepare(point).failed()) {
             VectorX next;
             for (int sweep = 0; sweep < 4; ++sweep) {
                 solver_.solve(mode, next);
@@ -355,10 +449,16 @@ private:
         return all;
     }
 
-    void record(const Point& point, int iterations, double step) {
+    void record(const Point& from, const Point& to, int iterations) {
         const double before = report_.points.empty() ? 0.0 : report_.points.back().arc;
         report_.points.push_back(
-            {point.factor, before + std::abs(step), iterations, point.negative_pivots});
+            {to.factor, before + std::abs(length(from, to)), iterations, to.negative_pivots});
+        if (to.negative_pivots < 0) report_.bifurcations_sought = false;
+    }
+
+    void note_failure(const Outcome& outcome) {
+        report_.failure = outcome.status;
+        report_.fault = outcome.fault;
     }
 
     [[nodiscard]] PathReport finish(Status status, const Point& last) {
@@ -377,6 +477,9 @@ private:
     VectorX weights_;      // of the free coordinates in the path's measure
     double psi_ = 0.0;     // weight of the load factor in it
     int controlled_ = -1;  // equation of the controlled coordinate
+    double step_ = 0.0;    // the next one, signed for a displacement or along a branch
+    double first_ = 0.0;   // size of the one that others are measured by
+    bool branching_ = false;
     PathReport report_;
 };
 

@@ -25,7 +25,7 @@ struct Convergence {
     std::array<double, 3> values;  ///< of each mesh
     double order = 0.0;            ///< p; 0 where the values do not settle
     double estimate = 0.0;         ///< the limit; the finest value where they do not settle
-    double error = 0.0;            ///< estimated error of the finest value, absolute
+    double error = 0.0;            ///< estimated error of the finest value, absolute; NaN with one
     bool settles = false;          ///< whether differences have one sign and shrink
 };
 
@@ -50,7 +50,8 @@ template <class Value>
         return result;
     }
     result.settles = std::isfinite(ratio) && ratio > 1.0;
-    result.error = std::max(std::abs(coarse), std::abs(fine));
+    // std::max would drop a NaN
+    result.error = std::isnan(ratio) ? ratio : std::max(std::abs(coarse), std::abs(fine));
     if (!result.settles) return result;
     result.order = std::log2(ratio);
     result.error = std::abs(fine) / (ratio - 1.0);

@@ -31,7 +31,8 @@ public:
 
     /// Iterates until no wanted value changes by more than the tolerance, relative, and the
     /// round-off of x^T A x.
-    /// @param free  number of coordinates; the rest of the unknowns are multipliers
+    /// @param free  number of coordinates, at least 1; the rest of the unknowns are multipliers
+    /// @return      singular where x^T A x is negative for a vector that the block contains
     Status run(int free, int count, double tolerance, int max_iterations) {
         const Eigen::Index size = A_.rows();
         const auto width = std::min<Eigen::Index>(2 * count + 8, free);
@@ -84,7 +85,7 @@ private:
         }
     }
 
-    /// Returns the relative round-off of the first values, eps |x|^T |A| |x| where x^T A x = 1.
+    /// Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
     [[nodiscard]] VectorX noise(Eigen::Index count) const {
         const MatrixX x = vectors.leftCols(count).cwiseAbs();
         return std::numeric_limits<double>::epsilon() *
@@ -92,6 +93,7 @@ private:
     }
 
     /// Solves the problem on the span of the vectors; those that add nothing are left out.
+    /// Returns false where the metric is not positive on the span, or nothing is left.
     bool reduce(int count) {
         const MatrixX a = vectors.transpose() * product(A_, vectors);
         // of unit diagonal: columns differ by the ratio of the eigenvalues
@@ -101,9 +103,11 @@ private:
         const MatrixX unit = scale.asDiagonal() * a * scale.asDiagonal();
         const Eigen::SelfAdjointEigenSolver<MatrixX> metric(unit);
         const VectorX& weights = metric.eigenvalues();
+        const double least = 1e-13 * weights[weights.size() - 1];
+        const double round_off = noise(diagonal.size()).cwiseQuotient(diagonal).sum();
+        if (weights[0] < -std::max(least, 4.0 * round_off)) return false;
         Eigen::Index first = 0;
-        while (first < weights.size() && weights[first] <= 1e-13 * weights[weights.size() - 1])
-            ++first;
+        while (first < weights.size() && weights[first] <= least) ++first;
         const Eigen::Index rank = weights.size() - first;
         const MatrixX basis =
             vectors * (scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
