@@ -6,10 +6,10 @@
 /// 0 to 0.8 s, for any element and every integrator. Near 1 s the beam on the link whips, and fine
 /// meshes fold.
 ///
-/// The error is the largest distance of the tip from the reference at 0.3, 0.5, 0.7 and, where
-/// the run gets there, 1 s: mesh and time together. Reference of the pendulum: the limit of the element's beam theory, known to
-/// 1e-6 m. Else: 64 elements of the same kind by steps of 50 us; no error below the distance of
-/// 32 elements and 100 us from it is told.
+/// The error is the largest distance of the tip from the reference at 0.3, 0.5, 0.7 and, where the
+/// run gets there, 1 s: mesh and time together. Reference of the pendulum: the limit of the
+/// element's beam theory, known to 1e-6 m. Else: 64 elements of the same kind by steps of 50 us; no
+/// error below the distance of 32 elements and 100 us from it is told.
 
 #pragma once
 
