@@ -24,9 +24,6 @@
 
 #include <CLI/CLI.hpp>
 
-#if ANCF_BENCH_LAPACK
-#include <lapack_banded.hpp>
-#endif
 #include <peak.hpp>
 
 #include <algorithm>
@@ -141,10 +138,6 @@ Times measure(const Settings& settings, int elements, const Rule& rule, const st
     constexpr double singular_rcond = 0.0;  // a long cantilever is ill-conditioned
     if (solver == "block-tridiagonal")
         return measure(settings, elements, rule, BlockTridiagonal(singular_rcond));
-#if ANCF_BENCH_LAPACK
-    if (solver == bench::LapackBanded::name())
-        return measure(settings, elements, rule, bench::LapackBanded());
-#endif
 #if ANCF_WITH_SUITESPARSE
     if (solver == "cholmod") {
         suitesparse::CholmodOptions options;
@@ -158,9 +151,6 @@ Times measure(const Settings& settings, int elements, const Rule& rule, const st
 std::vector<std::string> all_solvers() {
     return {
         "block-tridiagonal",
-#if ANCF_BENCH_LAPACK
-            "lapack-banded",
-#endif
 #if ANCF_WITH_SUITESPARSE
             "cholmod",
 #endif
