@@ -83,6 +83,7 @@ public:
     MessagePart(const char* text) : text_(text) {}
     MessagePart(std::string_view text) : text_(text) {}
     MessagePart(std::string text) : text_(std::move(text)) {}
+    MessagePart(char letter) : text_(1, letter) {}
     MessagePart(double value) : MessagePart(Components{&value, 1}) {}
     MessagePart(const Components& row) {
         std::ostringstream stream;
