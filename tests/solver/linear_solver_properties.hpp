@@ -360,6 +360,35 @@ void solves_unsymmetric_systems() {
     }
 }
 
+/// The values at the analysis do not count, stored zeros are places as well.
+template <class Solver>
+void serves_any_values_of_a_pattern() {
+    const SparseMatrix matrix = stored(random_chain({12, 12, 12}, 1), Solver::storage);
+    Solver solver;
+    solver.analyze(0.0 * matrix);
+    REQUIRE(solver.factorize(matrix).status == Status::converged);
+    const VectorX b = random_vector(36, 1);
+    VectorX x;
+    solver.solve(b, x);
+    CHECK(backward_error(matrix, Solver::storage, x, b) <= 4e-15);
+}
+
+/// A factorisation stands when its matrix has changed since.
+template <class Solver>
+void outlives_its_matrix() {
+    SparseMatrix matrix = stored(random_chain({12, 12}, 1), Solver::storage);
+    Solver solver;
+    solver.analyze(matrix);
+    REQUIRE(solver.factorize(matrix).status == Status::converged);
+    const VectorX b = random_vector(24, 1);
+    VectorX expected;
+    VectorX x;
+    solver.solve(b, expected);
+    matrix *= 0.0;
+    solver.solve(b, x);
+    CHECK(x == expected);
+}
+
 /// One constraint twice, and once more three times as large.
 template <class Solver>
 void calls_redundant_constraints_singular() {
