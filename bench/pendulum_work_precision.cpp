@@ -58,7 +58,7 @@ Pendulum build(const std::string& name, int elements) {
     if (name == "link")
         pendulum.model.add(ancf::Distance<3>(beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     else
-        pendulum.model.pin(beam.first());
+        pendulum.model.add(ancf::Pin<3>(beam.first(), Point::Zero()));
     pendulum.model.set_gravity({0.0, -9.81, 0.0});
     pendulum.tip = pendulum.model.coordinate(beam.last(), ancf::Field::r);
     return pendulum;
