@@ -127,7 +127,7 @@ TEST_CASE("discrete gradient: its work is the change of the energy, and its tang
     CHECK(std::abs(middle.dot(e1 - e0) - (bar.energy(e1) - before)) > 1e-10);
 }
 
-TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[dynamics][long]") {
+TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[dynamics]") {
     const double step = GENERATE(1e-3, 1e-2);
     Chain scene = chain(4, {0.2, 0.1, 0.0}, {1.2, 0.4, 0.3});
     spin(scene.model, {0.5, 3.0, 4.0}, {0.3, -0.2, 0.1});
@@ -139,8 +139,7 @@ TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[d
     CHECK(report.energy_drift <= 1e-11 * report.kinetic_largest);
 }
 
-TEST_CASE("energy-momentum: links inside a free chain move no momentum either",
-          "[dynamics][long]") {
+TEST_CASE("energy-momentum: links inside a free chain move no momentum either", "[dynamics]") {
     Chain scene = chain(4, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 200.0);
     scene.model.add(ancf::Distance<3>(scene.nodes[0], scene.nodes[2], 0.5));
     scene.model.add(ancf::Distance<3>(scene.nodes[1], scene.nodes[4], 0.75));
@@ -153,7 +152,7 @@ TEST_CASE("energy-momentum: links inside a free chain move no momentum either",
     CHECK(report.violation <= 1e-13);
 }
 
-TEST_CASE("energy-momentum: energy on a link and on a spring of fourth order", "[dynamics][long]") {
+TEST_CASE("energy-momentum: energy on a link and on a spring of fourth order", "[dynamics]") {
     Chain scene = swing();
     scene.model.add(Spring{scene.last(), {1.0, 0.5, 0.2}, 20.0});
     const DynamicsReport report = run(scene.model, 4e-3, until(10.0));
@@ -163,7 +162,7 @@ TEST_CASE("energy-momentum: energy on a link and on a spring of fourth order", "
     CHECK(report.violation_rate <= 0.5);  // held at positions alone
 }
 
-TEST_CASE("energy-momentum: second order", "[dynamics][long]") {
+TEST_CASE("energy-momentum: second order", "[dynamics]") {
     VectorX exact;
     double before = 0.0;
     int orders = 0;

@@ -69,8 +69,7 @@ TEST_CASE("generalized-alpha: free fall is exact for every damping", "[dynamics]
     }
 }
 
-TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers",
-          "[dynamics][long]") {
+TEST_CASE("generalized-alpha: second order in coordinates, rates and multipliers", "[dynamics]") {
     const double rho = GENERATE(0.2, 0.8, 1.0);
     INFO("rho " << rho);
     double before[3] = {0.0, 0.0, 0.0};

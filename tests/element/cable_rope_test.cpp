@@ -179,7 +179,7 @@ Flight fly(double speed, const Integrator& integrator) {
 }
 
 TEST_CASE("Cable: a mass thrown up on a rope that only pulls comes down on it",
-          "[element][cable][rope][long]") {
+          "[element][cable][rope]") {
     const double speed = GENERATE(3.0, 0.5);
     GeneralizedAlphaOptions damped;
     damped.rho = 0.5;  // the rope's fastest vibrations are not resolved

@@ -109,8 +109,7 @@ TEST_CASE("Ida: index 3 keeps a nonlinear constraint, and outputs lie on it", "[
     CHECK(got.report.energy_drift <= 1e-4 * got.report.kinetic_largest);
 }
 
-TEST_CASE("Ida: both forms reach the same link pendulum as the tolerance falls",
-          "[ida][link][long]") {
+TEST_CASE("Ida: both forms reach the same link pendulum as the tolerance falls", "[ida][link]") {
     ancf::Schedule schedule;
     schedule.end = 1.2;
     schedule.times = {1.2};
