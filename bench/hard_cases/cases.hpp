@@ -11,6 +11,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
@@ -64,6 +65,11 @@ struct Case {
 [[nodiscard]] std::vector<Case> planar_motion_cases();
 [[nodiscard]] std::vector<Case> motion_cases();
 
+/// Keeps the larger error; a NaN stays.
+inline void worsen(double& error, double other) {
+    if (!std::isnan(error) && !(other <= error)) error = other;
+}
+
 /// Returns seconds since the first call.
 [[nodiscard]] inline double now() {
     using Clock = std::chrono::steady_clock;
@@ -82,7 +88,8 @@ inline void set(Row& row, const ancf::StaticsReport& report) {
 inline void set(Row& row, const ancf::DynamicsReport& report) {
     row.iterations = static_cast<int>(report.iterations);
     row.steps = static_cast<int>(report.steps);
-    row.status = std::string(to_string(report.status));
+    if (row.status.empty() || report.status != ancf::Status::converged)
+        row.status = std::string(to_string(report.status));
 }
 
 }  // namespace hard_cases

@@ -150,9 +150,8 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
             text << ' ' << scientific(step.residuals[k]);
         if (step.at_round_off) text << " (round-off)";
     }
-    if (const int negative = report.factorisation.negative_pivots; negative > 0)
-        text << "; " << negative << (negative == 1 ? " negative pivot" : " negative pivots")
-             << ": not stable under dead loads, or a branch of the mesh alone";
+    if (report.stability == ancf::Stability::unstable)
+        text << "; unstable: past a bifurcation or limit point, or on a branch of the mesh alone";
     std::cerr << text.str() << '\n';
 }
 

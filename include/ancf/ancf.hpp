@@ -44,6 +44,7 @@
 #include <ancf/solver/path.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/scaled.hpp>
+#include <ancf/solver/stability.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>
 #include <ancf/version.hpp>

@@ -5,6 +5,7 @@
 
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/model/beam.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace statics_test {
 
@@ -209,6 +211,58 @@ TEST_CASE("statics: a bar beyond its limit load ends inverted", "[statics]") {
         CHECK(report.status == Status::converged);  // bars may turn inside out: Newton jumps there
         CHECK(chain.position({2})[0] < 0.0);
     }
+}
+
+/// A straight column of 1 m under a dead force along it, a multiple of Euler's pi^2 E I/(4 L^2).
+Scene make_column(double load) {
+    Scene scene;
+    const auto material = ancf::Material::from_moduli(1e9, 4e8, 1000.0);
+    const auto beam =
+        ancf::straight_beam(scene, material, ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8);
+    scene.add(ancf::Force(beam.last(), {-load * 32.9, 0, 0}));
+    return scene;
+}
+
+TEST_CASE("statics: a straight column is stable below Euler's load and unstable above",
+          "[statics][stability]") {
+    for (const double load : {0.9, 1.1, 5.0}) {
+        INFO("load " << load);
+        const auto expected = load < 1.0 ? ancf::Stability::stable : ancf::Stability::unstable;
+        Scene held = make_column(load);
+        held.clamp({0}, ancf::Clamp::full);
+        const auto report = solve(held);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.factorisation.negative_pivots == -1);
+        CHECK(report.stability == expected);
+
+        Scene counted = make_column(load);
+        counted.clamp({0}, ancf::Clamp::full);
+        ancf::EigenLdlt solver;
+        CHECK(ancf::solve_statics(counted, solver).stability == expected);
+
+        // held by multipliers alone: without them the tangent is singular
+        Scene welded = make_column(load);
+        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z})
+            for (int k = 0; k < 3; ++k)
+                welded.add(ancf::FixedCoordinate({0}, field, k, welded.value({0}, field)[k]));
+        CHECK(solve(welded).stability == expected);
+    }
+}
+
+TEST_CASE("statics: stability stays open where nothing decides it", "[statics][stability]") {
+    Scene floating = make_column(0.0);
+    CHECK(solve(floating).stability == ancf::Stability::unknown);  // rigid motions cost nothing
+    // a pressing follower: Beck's column never buckles, but its symmetric part does
+    Scene light = make_column(0.0), heavy = make_column(0.0);
+    for (auto [scene, load] : {std::pair(&light, 3.0), std::pair(&heavy, 300.0)}) {
+        scene->clamp({0}, ancf::Clamp::full);
+        scene->add(ancf::FollowerForce(last(*scene), {-load, 0.0, 0.0}));
+    }
+    CHECK(solve(light).stability == ancf::Stability::stable);
+    CHECK(solve(heavy).stability == ancf::Stability::unknown);
+    Scene broken = make_cantilever();
+    broken.add(ancf::Force(last(broken), {0.0, 1e305, 0.0}));
+    CHECK(solve(broken).stability == ancf::Stability::stable);  // the state kept: that at the start
 }
 
 TEST_CASE("statics: a scene at rest needs no iteration", "[statics]") {

@@ -22,7 +22,9 @@
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -75,6 +77,12 @@ template <class Element, class = void>
 struct EvaluatesPacks : std::false_type {};
 template <class Element>
 struct EvaluatesPacks<Element, std::enable_if_t<Element::evaluates_packs>> : std::true_type {};
+
+/// The step of central differences in the load factor: exact but for round-off for what is in
+/// proportion to it.
+[[nodiscard]] inline double factor_step(double factor) noexcept {
+    return 1e-4 * std::max(1.0, std::abs(factor));
+}
 
 /// How many equal elements the assembler evaluates at once: as many as a wide register has lanes
 /// where the element takes packs, else one.

@@ -74,7 +74,7 @@ void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
 template <class Scene>
 VectorX Assembly<Scene>::load_rate(const VectorX& q, double factor) const {
     check_size("load_rate", "coordinates", q);
-    constexpr double step = 1e-4;  // exact for loads in proportion to the factor
+    const double step = detail::factor_step(factor);
     const auto slope = [&](const auto& scale) {
         return (scale(Instant{factor + step, factor + step}) -
                 scale(Instant{factor - step, factor - step})) /

@@ -227,7 +227,7 @@ private:
 
     // Returns (G^T lambda)_f of constraints that move.
     [[nodiscard]] VectorX constraint_force_rate(const Point& at) {
-        constexpr double step = 1e-4;  // as of Assembly::load_rate
+        const double step = factor_step(at.factor);
         if (evaluate(at, -step, Request::force)) return VectorX::Zero(numbering_.coordinates());
         const VectorX before = assembly_.constraint_force();
         if (evaluate(at, step, Request::force)) return VectorX::Zero(numbering_.coordinates());

@@ -15,6 +15,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/stability.hpp>
 #include <ancf/types.hpp>
 
 #include <functional>
@@ -69,10 +70,8 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    FactorReport factorisation;  ///< of the last tangent: conditioning, negative pivots. Where no
-                                 ///< multipliers account for them, negative pivots say that the
-                                 ///< state is not stable under dead loads: a bifurcation or limit
-                                 ///< point was passed, or the mesh has a branch of its own
+    Stability stability = Stability::unknown;  ///< of the state reached
+    FactorReport factorisation;                ///< of the last tangent solved with
     VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
     Resultant imbalance;         ///< loads plus reactions: zero at equilibrium
     double strain_energy = 0.0;  ///< J

@@ -12,6 +12,7 @@
 #include <ancf/model/model.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/stability.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/solver/turning.hpp>
 #include <ancf/types.hpp>
@@ -117,13 +118,12 @@ private:
             const double residual = monitor_.residual(assembly_);
             step.residuals.push_back(residual);
             if (!std::isfinite(residual)) return Status::not_finite;
-            if (residual <= options_.residual_tolerance &&
-                correction <= options_.correction_tolerance)
-                return accept(state);
+            const bool at_rest = correction <= options_.correction_tolerance;
+            if (at_rest && residual <= options_.residual_tolerance) return accept(state);
             // a scene without loads that is at rest needs no correction to know it
             const bool idle =
                 step.iterations == 0 && !moved && (assembly_.external_force().array() == 0.0).all();
-            if (idle || stagnates(step)) {
+            if (idle || (at_rest && settled(step)) || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
@@ -194,6 +194,12 @@ private:
                    : std::min(options_.mixed_iterations, options_.max_iterations);
     }
 
+    /// Whether the last correction is small beside what the step has moved.
+    static bool settled(const LoadStep& step) {
+        return step.corrections.back() <=
+               1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
+    }
+
     static bool stagnates(const LoadStep& step) {
         const std::size_t count = step.residuals.size();
         return count >= 3 && step.corrections.back() < 1e-3 &&
@@ -209,6 +215,11 @@ private:
         if (!evaluate(state, nullptr)) return;
         report_.fault = fault;
         report_.strain_energy = assembly_.strain_energy();
+        // the last tangent of a run that failed is not of the state that it keeps
+        const bool counted = report_.status == Status::converged && !report_.steps.empty() &&
+                             report_.steps.back().iterations > 0;
+        report_.stability =
+            stability(assembly_, counted ? report_.factorisation.negative_pivots : -1);
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
