@@ -52,9 +52,9 @@ void print(const Row& row, bool csv) {
 int run(const std::string& chosen, bool csv, bool quick) {
     std::vector<hard_cases::Case> cases;
     for (auto* list :
-         {hard_cases::projected_cases, hard_cases::geodesic_cases, hard_cases::engineering_cases,
-          hard_cases::continuum_cases, hard_cases::cable_cases, hard_cases::planar_cases,
-          hard_cases::planar_motion_cases, hard_cases::motion_cases})
+         {hard_cases::projected_cases, hard_cases::transported_cases, hard_cases::geodesic_cases,
+          hard_cases::engineering_cases, hard_cases::continuum_cases, hard_cases::cable_cases,
+          hard_cases::planar_cases, hard_cases::planar_motion_cases, hard_cases::motion_cases})
         for (auto& one : list()) cases.push_back(std::move(one));
     if (!chosen.empty() && std::none_of(cases.begin(), cases.end(),
                                         [&](const auto& one) { return one.name == chosen; })) {

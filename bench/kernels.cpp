@@ -145,6 +145,7 @@ int main(int argc, char** argv) {
                 "element", "rule", "lanes", "what", "ns_per_element", "flops", "peak_fraction");
     const std::vector<Rule> rules{Rule::paper(), Rule::gauss(3), Rule::mixed()};
     run<CrossSectionBeam<3>>(settings, "cross-section", rules);
+    run<CrossSectionBeam<3, Transported>>(settings, "cross-section-transported", rules);
     run<CrossSectionBeam<3, Geodesic>>(settings, "cross-section-geodesic", rules);
     run<CrossSectionBeam<3, Projected, PointwiseShear>, false>(settings, "cross-section-pointwise",
                                                                {Rule::paper()});

@@ -57,6 +57,7 @@ struct Case {
 
 /// The cases of each element type; one source each, as instantiations are what compiles slowly.
 [[nodiscard]] std::vector<Case> projected_cases();
+[[nodiscard]] std::vector<Case> transported_cases();
 [[nodiscard]] std::vector<Case> geodesic_cases();
 [[nodiscard]] std::vector<Case> engineering_cases();
 [[nodiscard]] std::vector<Case> continuum_cases();

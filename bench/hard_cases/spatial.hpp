@@ -36,9 +36,10 @@ using Point = ancf::Vector<double, 3>;
 /// Whether an element carries its directors along the tangent.
 template <class Element>
 inline constexpr bool carries_directors = false;
-template <class Measure>
+template <class Directors, class Measure>
 inline constexpr bool
-    carries_directors<ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, Measure>> = true;
+    carries_directors<ancf::CrossSectionBeam<3, Directors, ancf::LinearShear, Measure>> =
+        !std::is_same_v<Directors, ancf::Projected>;
 
 /// Whether an element converges to Reissner's beam.
 template <class Element>

@@ -19,7 +19,7 @@ void BeamOptions::add_element_to(CommandLine& line, const std::vector<std::strin
     if (std::find(elements.begin(), elements.end(), "cable") != elements.end())
         rules.emplace_back("cable");
     line.add_choice("--rule", rule, rules, "integration along the element");
-    line.add_choice("--directors", directors, {"projected", "geodesic"},
+    line.add_choice("--directors", directors, {"projected", "transported", "geodesic"},
                     "how directors follow the slopes");
     line.add_choice("--transverse", transverse, {"green", "stretch"},
                     "transverse strain of the cross-section element");

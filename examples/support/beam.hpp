@@ -107,7 +107,8 @@ struct BeamOptions {
             return element == "cross-section-pointwise";
         else if constexpr (std::is_same_v<typename Element::Options, ancf::CrossSectionOptions>)
             return is_cross_section() && element != "cross-section-pointwise" &&
-                   (directors == "geodesic") == std::is_same_v<Element, CrossSectionGeodesic>;
+                   (directors == "geodesic") == std::is_same_v<Element, CrossSectionGeodesic> &&
+                   (directors == "transported") == std::is_same_v<Element, CrossSectionTransported>;
         else if constexpr (std::is_same_v<typename Element::Options, ancf::ContinuumOptions>)
             return is_continuum();
         else

@@ -15,6 +15,7 @@ namespace ancf::test {
 using Paper = CrossSectionBeam<3>;
 using Pointwise = CrossSectionBeam<3, Projected, PointwiseShear>;
 using Carried = CrossSectionBeam<3, Geodesic>;
+using Transporting = CrossSectionBeam<3, Transported>;
 
 inline Material sample_material() { return Material::from_moduli(2.0e7, 0.8e7, 7800.0); }
 

@@ -25,6 +25,7 @@ using namespace ancf;
 using test::Carried;
 using test::Paper;
 using test::Pointwise;
+using test::Transporting;
 
 /// Generates the variants that an element type allows: the mixed rule has too few points for
 /// pointwise shear.
@@ -39,14 +40,14 @@ test::Variant any_variant() {
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: energy and force vanish in every rigid motion of the rest state",
-    "[element][cross-section]", Paper, Pointwise, Carried) {
+    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     test::check_zero_at_rest(test::element_of<TestType>(variant));
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: energy is invariant under rigid motions, near and far",
-                   "[element][cross-section]", Paper, Pointwise, Carried) {
+                   "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     test::check_rigid_invariance(test::element_of<TestType>(variant));
@@ -54,14 +55,14 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: energy is invariant under rigid motions, n
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: force and tangent equal the complex-step derivatives",
-                   "[element][cross-section][tangent]", Paper, Pointwise, Carried) {
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     test::check_derivatives(test::element_of<TestType>(variant));
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of linearised strains",
-                   "[element][cross-section][tangent]", Paper, Pointwise, Carried) {
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
     using Complex = std::complex<double>;
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
@@ -95,7 +96,7 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of line
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: a stress-free element has exactly six zero modes",
-                   "[element][cross-section]", Paper, Pointwise, Carried) {
+                   "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     test::check_zero_modes(test::element_of<TestType>(variant));
@@ -115,7 +116,7 @@ TEST_CASE("CrossSectionBeam: the fewest points that a rule may have leave six ze
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: turning a stressed element turns its force",
-                   "[element][cross-section]", Paper, Pointwise, Carried) {
+                   "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     test::check_turning(test::element_of<TestType>(variant));
@@ -132,7 +133,7 @@ TEST_CASE("CrossSectionBeam: mass and gravity are those of the body", "[element]
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: planar motion of a section symmetric to the plane stays planar",
-    "[element][cross-section]", Paper, Pointwise, Carried) {
+    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     if (variant.odd) return;
     INFO(variant.name);
@@ -178,7 +179,7 @@ TEST_CASE("CrossSectionBeam: directors are not carried round by 180 degrees",
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: the strains of a stressed element still see all but six motions",
-    "[element][cross-section]", Paper, Pointwise, Carried) {
+    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
     const auto variant = any_variant<TestType>();
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);

@@ -25,10 +25,11 @@ using namespace ancf;
 using test::Carried;
 using test::Paper;
 using test::Pointwise;
+using test::Transporting;
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: Jacobians of position and directors equal the complex-step derivatives",
-    "[element][cross-section][results]", Paper, Pointwise, Carried) {
+    "[element][cross-section][results]", Paper, Pointwise, Carried, Transporting) {
     const auto element = test::element_of<TestType>(test::variants[0]);
     double position = 0.0, directors = 0.0, velocity = 0.0;
     int places = 0;
@@ -64,7 +65,7 @@ TEMPLATE_TEST_CASE(
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: a rigid motion carries points and directors along",
-                   "[element][cross-section][results]", Paper, Pointwise, Carried) {
+                   "[element][cross-section][results]", Paper, Pointwise, Carried, Transporting) {
     const auto element = test::element_of<TestType>(test::variants[0]);
     test::Random random(3);
     for (int k = 0; k < 20; ++k) {
@@ -81,7 +82,7 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: a rigid motion carries points and director
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: strains of a point are those of the gradient of positions",
-                   "[element][cross-section][results]", Paper, Pointwise, Carried) {
+                   "[element][cross-section][results]", Paper, Pointwise, Carried, Transporting) {
     const auto element = test::element_of<TestType>(test::variants[0]);
     constexpr double h = 1e-5;  // central differences in xi: an error of h^2 = 1e-10
     for (std::uint64_t seed = 0; seed < 50; ++seed) {

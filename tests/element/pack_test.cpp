@@ -24,6 +24,7 @@ namespace pack_test {
 using namespace ancf;
 using test::Carried;
 using test::Paper;
+using test::Transporting;
 
 TEMPLATE_TEST_CASE_SIG("Pack: arithmetic acts lane by lane", "[element][pack]",
                        ((int Lanes), Lanes), 1, 2, 4, 8) {
@@ -103,7 +104,7 @@ double difference(const std::array<const Element*, Lanes>& elements, const Packe
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: equal elements in the lanes of a pack give what each gives alone",
-    "[element][cross-section][pack]", Paper, Carried) {
+    "[element][cross-section][pack]", Paper, Carried, Transporting) {
     const auto variant = GENERATE(from_range(std::begin(test::variants), std::end(test::variants)));
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);
@@ -129,7 +130,7 @@ TEMPLATE_TEST_CASE("other beams: equal elements in the lanes of a pack give what
 
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: elements of different length, section and material share a pack",
-    "[element][cross-section][pack]", Paper, Carried) {
+    "[element][cross-section][pack]", Paper, Carried, Transporting) {
     CrossSectionOptions options;
     options.rule = Rule::mixed();
     const TestType one(test::sample_material(), test::sample_rectangle(), 0.7, options);

@@ -60,12 +60,12 @@ std::array<double, 3> errors(Profile profile, double angle) {
     return result;
 }
 
-TEST_CASE("isotropy: geodesic directors bend with one order and error in every plane",
-          "[verification]") {
+TEMPLATE_TEST_CASE("isotropy: carried directors bend with one order and error in every plane",
+                   "[verification]", ancf::Geodesic, ancf::Transported) {
     const Profile profile = GENERATE(Profile::square, Profile::round);
-    const auto straight = errors<ancf::Geodesic>(profile, 0.0);
+    const auto straight = errors<TestType>(profile, 0.0);
     for (const double angle : {0.0, 15.0, 30.0, 45.0}) {
-        const auto turned = errors<ancf::Geodesic>(profile, angle * degree);
+        const auto turned = errors<TestType>(profile, angle * degree);
         INFO("angle " << angle << ": " << turned[0] << ", " << turned[1] << ", " << turned[2]);
         for (std::size_t k = 1; k < 3; ++k)
             CHECK(std::log2(turned[k - 1] / turned[k]) >= 3.9);  // measured 3.99 to 4.18

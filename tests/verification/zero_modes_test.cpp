@@ -24,6 +24,7 @@ namespace zero_modes_test {
 using ancf::Status;
 using Paper = ancf::CrossSectionBeam<3>;
 using Carried = ancf::CrossSectionBeam<3, ancf::Geodesic>;
+using Transporting = ancf::CrossSectionBeam<3, ancf::Transported>;
 
 using ancf::pi;
 constexpr double young = 2e9, density = 1000.0, height = 0.05;
@@ -73,7 +74,7 @@ int below(const Scene& scene, double value) {
 }
 
 TEMPLATE_TEST_CASE("chains without stress have exactly six motions without energy",
-                   "[verification][zero-modes]", Paper, Carried) {
+                   "[verification][zero-modes]", Paper, Carried, Transporting) {
     const auto shape = GENERATE(Shape::straight, Shape::semicircle, Shape::twisted);
     int checked = 0;
     for (const char* rule : {"paper", "mixed", "gauss3", "lobatto3"})

@@ -10,12 +10,12 @@
 
 #pragma once
 
+#include <ancf/element/carried_formulation.hpp>
 #include <ancf/element/cross_section_kernel.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/engineering_measure.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/element/geodesic_formulation.hpp>
 #include <ancf/element/green_measure.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/projected.hpp>
@@ -45,15 +45,25 @@ struct FormulationOf {
 };
 template <class Measure>
 struct FormulationOf<Geodesic, LinearShear, Measure> {
-    using type = GeodesicFormulation<Measure>;
+    using type = CarriedFormulation<Measure, Geodesic::Angle>;
 };
+template <class Measure>
+struct FormulationOf<Transported, LinearShear, Measure> {
+    using type = CarriedFormulation<Measure, Transported::Angle>;
+};
+
+/// Whether directors are carried from the nodes.
+template <class Directors>
+inline constexpr bool carries_directors =
+    std::is_same_v<Directors, Geodesic> || std::is_same_v<Directors, Transported>;
 
 }  // namespace detail
 
 /// The beam element of Dufva, Sopanen and Mikkola.
 ///
 /// @tparam Dimension  3
-/// @tparam Directors  how the directors follow from the slopes: Projected (the paper) or Geodesic
+/// @tparam Directors  how the directors follow from the slopes: Projected (the paper),
+///                    Transported or Geodesic
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
 /// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
 ///                    paper) or EngineeringMeasure (Reissner's beam)
@@ -372,7 +382,7 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure>::admissible(
     for (const StationData<double>& station : kernel_.stations.full) {
         LocalVectors<double> local;
         interpolate(station.shape, nodes, local);
-        if constexpr (std::is_same_v<Directors, Geodesic>) {
+        if constexpr (carries_directors<Directors>) {
             // carried from the nodes: undefined where the tangent turns back on a node's, or
             // directors meet from behind
             if (!carriable(nodes, local[l_p], smallest)) return false;

@@ -13,6 +13,7 @@
 namespace ancf {
 
 struct Projected;
+struct Transported;
 struct Geodesic;
 struct LinearShear;
 struct PointwiseShear;

@@ -80,7 +80,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::place(const Vector<
     typename Formulation::template Lanes<S> lanes;
     Formulation::prepare(at.vectors, at.nodes, lanes);
     (void)Formulation::state(station, at.vectors, lanes, at.state);
-    if constexpr (std::is_same_v<Directors, Geodesic>) {
+    if constexpr (carries_directors<Directors>) {
         at.t = at.state.frame.t, at.n = at.state.frame.n, at.c = at.state.frame.c;
     } else {
         at.t = at.state.frames.y.t, at.n = at.state.frames.y.n, at.c = at.state.frames.y.c;
@@ -199,10 +199,13 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::spin_row(const Plac
         row.template segment<3>(coordinate_start[x]) += factor * to_vector(form).transpose();
     };
     const int a1 = n_a1 + 2 * director;
-    const double share[2] = {1.0 - at.shape.n2, at.shape.n2};
-    Vec3<double> by_p{};  // of the tangent vector p
-    if constexpr (std::is_same_v<Directors, Geodesic>) {
-        // the mean of the carried nodes' spins: what the node turns, and what the way to the place
+    Vec3<double> by_p{};          // of the tangent vector p
+    double second = at.shape.n2;  // what the second node's slope counts for
+    if constexpr (carries_directors<Directors>)
+        second = director == 0 ? shares(at.state.frame).y : shares(at.state.frame).z;
+    const double share[2] = {1.0 - second, second};
+    if constexpr (carries_directors<Directors>) {
+        // a mean of the carried nodes' spins: what the node turns, and what the way to the place
         // adds
         for (int node = 0; node < 2; ++node) {
             const auto& spin = at.nodes.spins[2 * director + node];

@@ -160,7 +160,7 @@ public:
 private:
     void set_up(const Material& material, const Section& section);
     template <class S>
-    [[nodiscard]] detail::GeodesicFrame<S> frame(const Vector<S, dofs>& e, double xi,
+    [[nodiscard]] detail::CarriedFrame<S> frame(const Vector<S, dofs>& e, double xi,
                                                  detail::Invariants<S>& w) const noexcept;
     [[nodiscard]] Vector<double, 4> raw_strains(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] static Coordinates straight(double length);
@@ -275,11 +275,11 @@ inline bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
 }
 
 template <class S>
-detail::GeodesicFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
+detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
                                             detail::Invariants<S>& w) const noexcept {
     detail::TorsionNodes<S> nodes;
     detail::torsion_nodes(e, nodes);
-    detail::GeodesicFrame<S> f;
+    detail::CarriedFrame<S> f;
     detail::torsion_frame(line_.shape(xi), nodes, f, w);
     return f;
 }
@@ -312,7 +312,7 @@ inline SectionForces TorsionBeam::section_forces(const Coordinates& e, double xi
 template <class S>
 Matrix<S, 3, 2> TorsionBeam::directors(const Vector<S, dofs>& e, double xi) const noexcept {
     detail::Invariants<S> w;
-    const detail::GeodesicFrame<S> f = frame(e, xi, w);
+    const detail::CarriedFrame<S> f = frame(e, xi, w);
     Matrix<S, 3, 2> result;
     for (int k = 0; k < 3; ++k) {
         result(k, 0) = f.n[k];
@@ -343,7 +343,7 @@ inline Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     const StationShape<double> shape = line_.shape(xi);
     TorsionState<double> at;
     torsion_state(shape, nodes, at);
-    const GeodesicFrame<double>& f = at.frame;
+    const CarriedFrame<double>& f = at.frame;
     // d n = th c - (n.dt) t and d c = -th n - (c.dt) t, with dt = (I - t t^T) dp/lam
     Vector<double, 3> t, n, c;
     for (int k = 0; k < 3; ++k) t[k] = f.t[k], n[k] = f.n[k], c[k] = f.c[k];

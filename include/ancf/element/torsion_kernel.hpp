@@ -13,7 +13,7 @@
 
 #include <ancf/element/compiler.hpp>
 #include <ancf/element/evaluation.hpp>
-#include <ancf/element/geodesic.hpp>
+#include <ancf/element/carried.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
@@ -59,7 +59,7 @@ using TorsionMatrix = Matrix<S, torsion_size>;
 /// The geometry of a station with the variations of (kap, chi, om) as rows.
 template <class S>
 struct TorsionState {
-    GeodesicFrame<S> frame;
+    CarriedFrame<S> frame;
     Invariants<S> w;
     TorsionRow<S> kap, chi;  ///< at fixed spin
     TorsionRow<S> spin;      ///< of the director
@@ -98,7 +98,7 @@ inline void set_line(const StationShape<double>& shape, const Vec3<S>& p, const 
 /// Writes the frame of a station and (kap, chi, om) in w.
 template <class S>
 inline void torsion_frame(const StationShape<double>& shape, const TorsionNodes<S>& nodes,
-                          GeodesicFrame<S>& f, Invariants<S>& w) noexcept {
+                          CarriedFrame<S>& f, Invariants<S>& w) noexcept {
     for (int k = 0; k < 3; ++k) {
         f.p[k] = f.p1[k] = S(0.0);
         for (int a = 0; a < 3; ++a) {
@@ -111,14 +111,14 @@ inline void torsion_frame(const StationShape<double>& shape, const TorsionNodes<
     f.n2 = S(shape.n2);
     f.n2_x = S(shape.n2_x);
     const S aligned[2] = {S(0.0), S(0.0)};
-    geodesic_invariants(nodes.y, aligned, f, w);
+    carried_invariants(nodes.y, aligned, f, w);
 }
 
 /// Writes frame and variations of a station.
 template <class S>
 ANCF_NOINLINE void torsion_state(const StationShape<double>& shape, const TorsionNodes<S>& nodes,
                                  TorsionState<S>& at) noexcept {
-    GeodesicFrame<S>& f = at.frame;
+    CarriedFrame<S>& f = at.frame;
     torsion_frame(shape, nodes, f, at.w);
     Vec3<S> kap_p, kap_v, chi_p, chi_v, spin_p, rate_p, rate_v;
     const double part[2] = {1.0 - shape.n2, shape.n2};
@@ -155,14 +155,14 @@ ANCF_NOINLINE void torsion_state(const StationShape<double>& shape, const Torsio
 /// Adds the blocks of a station's second variation beyond products of forms.
 template <class S>
 ANCF_NOINLINE void add_torsion_curvature(const StationShape<double>& shape,
-                                         const GeodesicFrame<S>& f, const S (&U)[3],
+                                         const CarriedFrame<S>& f, const S (&U)[3],
                                          TorsionMatrix<S>& K) noexcept {
     S weights[invariant_count];
     for (S& weight : weights) weight = S(0.0);
     weights[w_kap] = U[0];
     weights[w_chi] = U[1];
     weights[w_om] = U[2];
-    GeodesicHessian<S> h;
+    CarriedHessian<S> h;
     for (Block<S>* block : {&h(v_p, v_p), &h(v_p, v_p1)})
         for (S& value : block->v) value = S(0.0);
     add_line_curvature(f, weights, h);
@@ -246,7 +246,7 @@ inline void TorsionKernel::set_reference(const Vector<double, 18>& e) noexcept {
         station.reference = 0.5 * (dot(p, p) - 1.0);
     }
     for (TorsionStation& station : stations) {
-        GeodesicFrame<double> f;
+        CarriedFrame<double> f;
         Invariants<double> w;
         torsion_frame(station.shape, nodes, f, w);
         station.reference[0] = w.kap;
@@ -414,7 +414,7 @@ S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
     LocalMatrix<S> unused;
     S sum = add_axial<false>(nodes, force, unused) + add_holds<false>(nodes, force, unused);
     for (const TorsionStation& station : stations) {
-        GeodesicFrame<S> f;
+        CarriedFrame<S> f;
         Invariants<S> w;
         torsion_frame(station.shape, nodes, f, w);
         const S strain[3] = {deformation(w.kap, station.reference[0]),

@@ -9,8 +9,8 @@
 
 #pragma once
 
+#include <ancf/element/carried.hpp>
 #include <ancf/element/compiler.hpp>
-#include <ancf/element/geodesic.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_forms.hpp>
 #include <ancf/element/nodal_tangent.hpp>
@@ -41,8 +41,8 @@ inline NodalSpin<S> nodal_spin(const Vec3<S>& a, const Vec3<S>& g) noexcept {
     return spin;
 }
 
-template <class Measure>
-struct GeodesicFormulation {
+template <class Measure, class Angle>
+struct CarriedFormulation {
     static constexpr int scalars = 8;
     template <class S>
     using Gradient = NodalGradient<S, scalars>;
@@ -64,7 +64,7 @@ struct GeodesicFormulation {
 
     template <class S>
     struct State {
-        GeodesicFrame<S> frame;
+        CarriedFrame<S, Angle> frame;
         Invariants<S> w;
         S strain[strain_count];  ///< less the reference
         S stress[strain_count];  ///< times weight and length
@@ -93,7 +93,7 @@ struct GeodesicFormulation {
     template <class T, class P>
     ANCF_NOINLINE static P state(const StationData<T>& data, const NodalVectors<P>& n,
                                  const Lanes<P>& lanes, State<P>& at) noexcept {
-        GeodesicFrame<P>& f = at.frame;
+        CarriedFrame<P, Angle>& f = at.frame;
         const StationShape<T>& shape = data.shape;
         for (int k = 0; k < 3; ++k) {
             f.p[k] = shape.p[0] * n[n_D][k] + shape.p[1] * n[n_g1][k] + shape.p[2] * n[n_g2][k];
@@ -103,7 +103,7 @@ struct GeodesicFormulation {
         f.g[1] = n[n_g2];
         f.n2 = P(shape.n2);
         f.n2_x = P(shape.n2_x);
-        geodesic_invariants(lanes.y, lanes.angle, f, at.w);
+        carried_invariants(lanes.y, lanes.angle, f, at.w);
         interpolate_shears(shape, lanes.shears, at.w);
         return section_energy<Measure>(data, at.w, at.strain, at.stress);
     }
@@ -114,9 +114,9 @@ struct GeodesicFormulation {
         const StationShape<T>& shape = data.shape;
         Measure::jacobian(at.w, typename Measure::template Rates<P>(at.w), at.J);
         energy_gradient<Measure>(at.J, at.stress, at.U);
-        Vec3<P> vector[geodesic_count];
+        Vec3<P> vector[carried_count];
         P spin[spin_count];
-        geodesic_gradient(at.frame, at.U, vector, spin);
+        carried_gradient(at.frame, at.U, vector, spin);
         for (int i = 0; i < 3; ++i) {
             add(sums.vector[n_D + i], shape.p[i], vector[v_p]);
             add(sums.vector[n_D + i], shape.p1[i], vector[v_p1]);
@@ -140,8 +140,8 @@ struct GeodesicFormulation {
                         Hessian<P>& blocks) noexcept {
         P D[invariant_count][invariant_count];
         invariant_hessian<Measure>(data, at.w, at.J, at.stress, D);
-        GeodesicHessian<P> local;
-        geodesic_hessian(at.frame, at.U, D, local);
+        CarriedHessian<P> local;
+        carried_hessian(at.frame, at.U, D, local);
         add_blocks(data.shape, local, blocks);
         add_scalars(data.shape, local, blocks);
     }
@@ -181,7 +181,7 @@ private:
     /// Adds the blocks of p, p1 and the nodal tangents.
     template <class T, class P>
     ANCF_NOINLINE static void add_blocks(const StationShape<T>& shape,
-                                         const GeodesicHessian<P>& local, Hessian<P>& n) noexcept {
+                                         const CarriedHessian<P>& local, Hessian<P>& n) noexcept {
         add_line_blocks(shape, local(v_p, v_p), local(v_p, v_p1), local(v_p1, v_p1), n);
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 3; ++i) {
@@ -225,10 +225,10 @@ private:
 
     template <class T, class P>
     ANCF_NOINLINE static void add_scalars(const StationShape<T>& shape,
-                                          const GeodesicHessian<P>& local, Hessian<P>& n) noexcept {
+                                          const CarriedHessian<P>& local, Hessian<P>& n) noexcept {
         P row[scalars];
         for (int k = 0; k < 3; ++k) {
-            for (int x = 0; x < geodesic_count; ++x) {
+            for (int x = 0; x < carried_count; ++x) {
                 for (int m = 0; m < scalars; ++m) row[m] = local.coupling[x][m][k];
                 nodal_row(shape, row);
                 for (int m = 0; m < scalars; ++m) {
@@ -283,20 +283,29 @@ inline bool carriable(const NodalVectors<double>& vectors, const Vec3<double>& p
     if (!(square > smallest * smallest)) return false;
     const Vec3<double> t = (1.0 / std::sqrt(square)) * p;
     const double least = 0.5 * smallest * smallest;  // of 1 + cos near 180 degrees
-    NodalDirector<double> y[2];
+    NodalDirector<double> y[2], z[2];
     for (int node = 0; node < 2; ++node) {
         y[node] = nodal_director(vectors[n_g1 + node], vectors[n_a1 + node]);
-        const NodalDirector<double> z = nodal_director(vectors[n_g1 + node], vectors[n_b1 + node]);
-        if (!(1.0 + dot(y[node].t, t) > least) || !(1.0 + dot(y[node].n, z.n) > least))
+        z[node] = nodal_director(vectors[n_g1 + node], vectors[n_b1 + node]);
+        if (!(1.0 + dot(y[node].t, t) > least) || !(1.0 + dot(y[node].n, z[node].n) > least))
             return false;
     }
-    return 1.0 + dot(carried(y[0], t), carried(y[1], t)) > least;
+    return 1.0 + dot(carried(y[0], t), carried(y[1], t)) > least &&
+           1.0 + dot(carried(z[0], t), carried(z[1], t)) > least;
 }
 
 }  // namespace detail
 
 /// Directors carried from the nodes along the tangent, their angle interpolated:
 /// docs/theory-directors.md.
-struct Geodesic {};
+struct Geodesic {
+    using Angle = detail::LinearAngle;  ///< its course between the nodes
+};
+
+/// Directors carried from the nodes along the tangent, interpolated as vectors:
+/// docs/theory-directors.md.
+struct Transported {
+    using Angle = detail::ChordAngle;  ///< its course between the nodes
+};
 
 }  // namespace ancf
