@@ -396,7 +396,10 @@ private:
         Row row = make(semicircle       ? "semicircle"
                        : circles == 2.0 ? "two_circles"
                                         : "four_circles",
-                       elements, semicircle ? 5e-4 : is_reissner<Element> ? 2e-3 : 0.01);
+                       elements,
+                       semicircle             ? 5e-4
+                       : is_reissner<Element> ? 2e-3
+                                              : 0.01);
         const double start = now();
         Scene scene;
         const double height = semicircle ? 0.035 : 0.005;
