@@ -167,13 +167,13 @@ TEST_CASE("CrossSectionBeam: states without strains are refused", "[element][cro
     CHECK_FALSE(element.admissible(flat));
 }
 
-TEST_CASE("CrossSectionBeam: directors are not carried round by 180 degrees",
-          "[element][cross-section]") {
-    const auto element = test::element_of<Carried>(test::variants[0]);
+TEMPLATE_TEST_CASE("CrossSectionBeam: directors are not carried round by 180 degrees",
+                   "[element][cross-section]", Carried, Transporting) {
+    const auto element = test::element_of<TestType>(test::variants[0]);
     test::check_admissible(element);
     auto e = test::reference_coordinates(element);
-    e.segment<3>(18) << 0.0, -1.0, 0.0;
-    e.segment<3>(21) << 0.0, 0.0, -1.0;
+    e.template segment<3>(18) << 0.0, -1.0, 0.0;
+    e.template segment<3>(21) << 0.0, 0.0, -1.0;
     CHECK_FALSE(element.admissible(e));
 }
 

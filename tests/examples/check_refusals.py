@@ -109,7 +109,8 @@ def line_cases():
 def element_cases():
     """Options that an element has no use for."""
     for element in ["continuum", "cable", "cable-2d", "continuum-2d", "cross-section-2d", "cross-section-pointwise"]:
-        yield "cantilever", ["--element", element, "--directors", "geodesic"], ["--directors geodesic", element]
+        for directors in ["transported", "geodesic"]:
+            yield "cantilever", ["--element", element, "--directors", directors], [f"--directors {directors}", element]
     for element in ["continuum", "cable", "cable-2d", "continuum-2d"]:
         yield "semicircle", ["--element", element, "--transverse", "stretch"], ["--transverse stretch", element]
         yield "pendulum", ["--element", element, "--section", "saint-venant"], ["--section saint-venant", element]

@@ -206,6 +206,9 @@ def check_directors(checks):
         for directors in ["transported", "geodesic"]:
             row, = checks.rows(program, "--elements", "8", "--directors", directors)
             checks.near(float(row["y"]), float(other["y"]), 1e-8, f"{program}, {directors}")
+    other, = checks.rows("twist", "--elements", "2")
+    row, = checks.rows("twist", "--elements", "2", "--directors", "transported")
+    checks.near(float(row["angle_deg"]), float(other["angle_deg"]), 1e-6, "twist, two elements, transported")
     # uniform twist of the paper's section, free to shorten: 20.5632 N m for half a turn, 20.5867 N m per half turn more
     row, = checks.rows("twist", "--elements", "2", "--directors", "geodesic", "--transverse", "stretch")
     checks.near(float(row["angle_deg"]), 180.0 * (1.0 + (20.605 - 20.5631985582) / 20.5867), 0.01,

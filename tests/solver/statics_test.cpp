@@ -249,6 +249,28 @@ TEST_CASE("statics: a straight column is stable below Euler's load and unstable 
     }
 }
 
+TEST_CASE("statics: a column that a joint alone holds is judged like a clamped one",
+          "[statics][stability]") {
+    for (const double load : {0.9, 1.1}) {
+        Scene welded = make_column(load);
+        welded.add(ancf::Weld(welded, ancf::NodeId{0}));
+        // the section's own stretch, which a weld leaves free, is stiff
+        const auto report = solve(welded);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability ==
+              (load < 1.0 ? ancf::Stability::stable : ancf::Stability::unstable));
+        CHECK(to_string(report.stability) == (load < 1.0 ? "stable" : "unstable"));
+        // said twice, the weld changes nothing
+        welded.add(ancf::Weld(welded, ancf::NodeId{0}));
+        ancf::Assembly<Scene> assembly(welded, ancf::Storage::full);
+        const ancf::State& at = welded.state();
+        const ancf::VectorX rest = ancf::VectorX::Zero(at.q.size());
+        REQUIRE_FALSE(
+            assembly.evaluate({at.q, rest, at.multipliers, {1.0, 1.0}}, ancf::Request::tangent));
+        CHECK(ancf::stability(assembly) == report.stability);
+    }
+}
+
 TEST_CASE("statics: stability stays open where nothing decides it", "[statics][stability]") {
     Scene floating = make_column(0.0);
     CHECK(solve(floating).stability == ancf::Stability::unknown);  // rigid motions cost nothing

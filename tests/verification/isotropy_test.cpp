@@ -74,6 +74,11 @@ TEMPLATE_TEST_CASE("isotropy: carried directors bend with one order and error in
     }
 }
 
+TEST_CASE("isotropy: interpolating angles or vectors is the same in bending", "[verification]") {
+    const auto vectors = tip<ancf::Transported>(Profile::square, 30.0 * degree, 4);
+    CHECK((vectors - tip<ancf::Geodesic>(Profile::square, 30.0 * degree, 4)).norm() <= 1e-9);
+}
+
 TEST_CASE("isotropy: projected directors fall from fourth to second order off the axes",
           "[verification]") {
     const Profile profile = GENERATE(Profile::square, Profile::round);

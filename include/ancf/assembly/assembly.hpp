@@ -78,8 +78,8 @@ struct EvaluatesPacks : std::false_type {};
 template <class Element>
 struct EvaluatesPacks<Element, std::enable_if_t<Element::evaluates_packs>> : std::true_type {};
 
-/// The step of central differences in the load factor: exact but for round-off for what is in
-/// proportion to it.
+/// The step of central differences in the load factor, a ten-thousandth of it and at least 1e-4:
+/// exact but for round-off for loads in proportion to the factor.
 [[nodiscard]] inline double factor_step(double factor) noexcept {
     return 1e-4 * std::max(1.0, std::abs(factor));
 }

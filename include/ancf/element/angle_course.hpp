@@ -13,20 +13,19 @@
 
 #pragma once
 
-#include <ancf/types.hpp>
-
 #include <cmath>
+#include <complex>
 
 namespace ancf::detail {
 
 /// The angle is linear between the nodes.
 struct LinearAngle {
-    static constexpr bool linear = true;
+    static constexpr bool linear = true;  ///< psi is in proportion to phi
 };
 
 /// The angle is that of the vectors' linear interpolation.
 struct ChordAngle {
-    static constexpr bool linear = false;
+    static constexpr bool linear = false;  ///< psi is in proportion to phi
 };
 
 /// psi at a station with its derivatives.
@@ -41,6 +40,7 @@ struct AngleCourse {
     S change;   ///< psi_phi,phi,phi
 };
 
+/// Returns psi of ChordAngle with its derivatives.
 /// @param part,part_x  xi and its derivative along x
 /// @param turn         phi
 template <class S>

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/element/carried.hpp>
+#include <ancf/element/carried_hessian.hpp>
 #include <ancf/element/compiler.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_forms.hpp>
@@ -18,6 +19,8 @@
 #include <ancf/element/sparse_jacobian.hpp>
 #include <ancf/element/station.hpp>
 #include <ancf/element/station_data.hpp>
+
+#include <cmath>
 
 namespace ancf {
 
@@ -41,6 +44,8 @@ inline NodalSpin<S> nodal_spin(const Vec3<S>& a, const Vec3<S>& g) noexcept {
     return spin;
 }
 
+/// @tparam Measure  strains of the section
+/// @tparam Angle    LinearAngle or ChordAngle
 template <class Measure, class Angle>
 struct CarriedFormulation {
     static constexpr int scalars = 8;
@@ -298,14 +303,10 @@ inline bool carriable(const NodalVectors<double>& vectors, const Vec3<double>& p
 
 /// Directors carried from the nodes along the tangent, their angle interpolated:
 /// docs/theory-directors.md.
-struct Geodesic {
-    using Angle = detail::LinearAngle;  ///< its course between the nodes
-};
+struct Geodesic {};
 
 /// Directors carried from the nodes along the tangent, interpolated as vectors:
 /// docs/theory-directors.md.
-struct Transported {
-    using Angle = detail::ChordAngle;  ///< its course between the nodes
-};
+struct Transported {};
 
 }  // namespace ancf

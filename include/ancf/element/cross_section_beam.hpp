@@ -45,11 +45,11 @@ struct FormulationOf {
 };
 template <class Measure>
 struct FormulationOf<Geodesic, LinearShear, Measure> {
-    using type = CarriedFormulation<Measure, Geodesic::Angle>;
+    using type = CarriedFormulation<Measure, LinearAngle>;
 };
 template <class Measure>
 struct FormulationOf<Transported, LinearShear, Measure> {
-    using type = CarriedFormulation<Measure, Transported::Angle>;
+    using type = CarriedFormulation<Measure, ChordAngle>;
 };
 
 /// Whether directors are carried from the nodes.
@@ -63,13 +63,15 @@ inline constexpr bool carries_directors =
 ///
 /// @tparam Dimension  3
 /// @tparam Directors  how the directors follow from the slopes: Projected (the paper),
-///                    Transported or Geodesic
+///                    Transported or Geodesic; the last two with LinearShear alone
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
 /// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
 ///                    paper) or EngineeringMeasure (Reissner's beam)
 template <int Dimension, class Directors, class Shear, class Measure>
 class CrossSectionBeam {
     static_assert(Dimension == 3, "CrossSectionBeam exists in three dimensions");
+    static_assert(!detail::carries_directors<Directors> || Shear::nodal,
+                  "Geodesic and Transported directors go with LinearShear");
 
 public:
     static constexpr int dimension = Dimension;  ///< of space

@@ -199,14 +199,12 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::spin_row(const Plac
         row.template segment<3>(coordinate_start[x]) += factor * to_vector(form).transpose();
     };
     const int a1 = n_a1 + 2 * director;
-    Vec3<double> by_p{};          // of the tangent vector p
-    double second = at.shape.n2;  // what the second node's slope counts for
-    if constexpr (carries_directors<Directors>)
-        second = director == 0 ? shares(at.state.frame).y : shares(at.state.frame).z;
-    const double share[2] = {1.0 - second, second};
+    Vec3<double> by_p{};  // of the tangent vector p
     if constexpr (carries_directors<Directors>) {
         // a mean of the carried nodes' spins: what the node turns, and what the way to the place
         // adds
+        const double second = director == 0 ? shares(at.state.frame).y : shares(at.state.frame).z;
+        const double share[2] = {1.0 - second, second};
         for (int node = 0; node < 2; ++node) {
             const auto& spin = at.nodes.spins[2 * director + node];
             const auto& way = at.state.frame.from[node];
@@ -216,6 +214,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::spin_row(const Plac
         }
     } else {
         const DirectorFrame<double>& f = director == 0 ? at.state.frames.y : at.state.frames.z;
+        const double share[2] = {1.0 - at.shape.n2, at.shape.n2};
         for (int node = 0; node < 2; ++node) add(a1 + node, share[node] * f.inv_nu, f.c);
         by_p = (-f.al * f.inv_lam) * f.c;
     }

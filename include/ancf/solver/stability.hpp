@@ -22,7 +22,8 @@ namespace ancf {
 
 /// What the second variation of the energy says of an equilibrium.
 enum class Stability {
-    unknown,  ///< loads without a potential decide, or too close to a critical point to tell
+    unknown,  ///< not judged; or loads without a potential decide, or the state is too close to a
+              ///< critical point to tell
     stable,   ///< positive for all displacements that supports and constraints allow
     unstable  ///< negative for one: a bifurcation or limit point was passed, or the mesh has a
               ///< branch of its own
@@ -40,59 +41,80 @@ enum class Stability {
 
 namespace detail {
 
-/// Factorises the symmetric part of an assembly's tangent as L D L^T, each zero diagonal of a
-/// multiplier replaced by -delta: with that elastic constraint it has one negative pivot for each
-/// multiplier, and one for each direction of instability.
+/// One entry of a constraint's gradient.
+struct GradientEntry {
+    int column;
+    double value;
+};
+
+/// Appends the lower half of the stiffness of constraints as springs, each far stiffer than what
+/// it holds.
+/// @param diagonal  of the tangent; grows with the springs
+/// @return false where one of them holds nothing of positive stiffness.
+inline bool add_springs(const std::vector<std::vector<GradientEntry>>& gradients, VectorX& diagonal,
+                        std::vector<Eigen::Triplet<double>>& entries) {
+    constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
+    const VectorX held = diagonal;
+    for (const auto& gradient : gradients) {
+        double flexibility = 0.0;
+        for (const GradientEntry& g : gradient)
+            if (held[g.column] > 0.0) flexibility += g.value * g.value / held[g.column];
+        if (!(flexibility > 0.0)) return false;
+        const double spring = stiffness / flexibility;
+        for (const GradientEntry& a : gradient)
+            for (const GradientEntry& b : gradient) {
+                if (b.column > a.column) continue;
+                const double value = spring * a.value * b.value;
+                entries.emplace_back(a.column, b.column, value);
+                if (a.column == b.column) diagonal[a.column] += value;
+            }
+    }
+    return true;
+}
+
+/// Factorises the symmetric part of an assembly's tangent as L D L^T, constraints as springs.
 template <class Scene>
 [[nodiscard]] Stability stability_of_tangent(const Assembly<Scene>& assembly, bool symmetric) {
-    constexpr double stiffness = 1e6;    // of an elastic constraint, to that of what it holds
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
     const SparseMatrix& tangent = assembly.tangent();
     const int free = assembly.numbering().free_coordinates();
-    const int multipliers = assembly.numbering().multipliers();
-    VectorX diagonal = VectorX::Zero(tangent.cols());
-    VectorX flexibility = VectorX::Zero(multipliers);  // of what each constraint holds
+    VectorX diagonal = VectorX::Zero(free);
+    std::vector<std::vector<GradientEntry>> gradients(
+        static_cast<std::size_t>(assembly.numbering().multipliers()));
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(tangent.nonZeros()));
-    for (int column = 0; column < free; ++column) {
-        diagonal[column] = tangent.coeff(column, column);
+    for (int column = 0; column < free; ++column)
         for (SparseMatrix::InnerIterator entry(tangent, column); entry; ++entry) {
             const auto row = static_cast<int>(entry.row());
-            if (row < column) continue;
             if (!std::isfinite(entry.value())) return Stability::unknown;
-            const double value = symmetric || row >= free
-                                     ? entry.value()
-                                     : 0.5 * (entry.value() + tangent.coeff(column, row));
+            if (row >= free && entry.value() != 0.0)
+                gradients[static_cast<std::size_t>(row - free)].push_back({column, entry.value()});
+            if (row < column || row >= free) continue;
+            const double value =
+                symmetric ? entry.value() : 0.5 * (entry.value() + tangent.coeff(column, row));
             entries.emplace_back(row, column, value);
-            if (row >= free && diagonal[column] > 0.0)
-                flexibility[row - free] += entry.value() * entry.value() / diagonal[column];
+            if (row == column) diagonal[column] = value;
         }
-    }
-    for (int k = 0; k < multipliers; ++k) {
-        if (!(flexibility[k] > 0.0)) return Stability::unknown;
-        diagonal[free + k] = -flexibility[k] / stiffness;
-        entries.emplace_back(free + k, free + k, diagonal[free + k]);
-    }
-    SparseMatrix lower(tangent.rows(), tangent.cols());
+    if (free == 0) return Stability::stable;
+    if (!add_springs(gradients, diagonal, entries)) return Stability::unknown;
+    SparseMatrix lower(free, free);
     lower.setFromTriplets(entries.begin(), entries.end());
-    if (lower.cols() == 0) return Stability::stable;
     const Eigen::SimplicialLDLT<SparseMatrix> factor(lower);
     if (factor.info() != Eigen::Success) return Stability::unknown;
     const VectorX pivots = factor.vectorD();
-    int negative = 0;
-    for (int k = 0; k < pivots.size(); ++k) {
+    bool negative = false;
+    for (int k = 0; k < free; ++k) {
         const double whole = diagonal[factor.permutationPinv().indices()[k]];
         if (!(std::abs(pivots[k]) > round_off * std::abs(whole))) return Stability::unknown;
-        negative += pivots[k] < 0.0 ? 1 : 0;
+        negative = negative || pivots[k] < 0.0;
     }
-    if (negative <= multipliers) return Stability::stable;
+    if (!negative) return Stability::stable;
     return symmetric ? Stability::unstable : Stability::unknown;
 }
 
 }  // namespace detail
 
-/// Judges the state of an assembly's last evaluation, with its tangent, by the inertia of that
-/// tangent.
+/// Judges the state of an assembly's last evaluation, with its tangent, by the signs of its pivots.
 ///
 /// Under loads without a potential the symmetric part decides one way: where it is positive, the
 /// state is stable against any static disturbance.

@@ -70,8 +70,10 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    Stability stability = Stability::unknown;  ///< of the state reached
-    FactorReport factorisation;                ///< of the last tangent solved with
+    /// Of the state that the model is left in, an equilibrium where a step converged. Costs one
+    /// factorisation L D L^T after the last step where the solver counts no pivots.
+    Stability stability = Stability::unknown;
+    FactorReport factorisation;  ///< of the last tangent solved with
     VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
     Resultant imbalance;         ///< loads plus reactions: zero at equilibrium
     double strain_energy = 0.0;  ///< J
