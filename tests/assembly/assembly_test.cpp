@@ -151,6 +151,25 @@ TEST_CASE("Assembly: mass as matrix and as product agree, gravity has the weight
     CHECK(std::abs(sum.force[0]) + std::abs(sum.force[2]) <= 1e-13 * mass);
 }
 
+TEST_CASE("Assembly: loads grow with the load factor at the same rate however large it is",
+          "[assembly]") {
+    Scene scene = make_scene();
+    const ancf::NodeId end{scene.nodes() - 1};
+    scene.add(ancf::Force<3>(end, {0, 0, 1}), [](double factor) { return 3.0 * factor * factor; });
+    const ancf::Assembly<Scene> assembly(scene, Storage::full);
+    const VectorX& q = scene.state().q;
+    const int height = scene.coordinate(end, Field::r) + 2;
+    const VectorX unit = assembly.load_rate(q, 0.0);
+    CHECK(unit.norm() > 1.0);  // gravity and the moment
+    for (const double factor : {-1e12, -1.0, 1e-6, 5.0, 1e6, 1e15}) {
+        INFO("factor " << factor);
+        VectorX rate = assembly.load_rate(q, factor);
+        CHECK(rate[height] - unit[height] == Approx(6.0 * factor).epsilon(1e-9).margin(1e-9));
+        rate[height] = unit[height];
+        CHECK((rate - unit).norm() <= 1e-10 * unit.norm());
+    }
+}
+
 TEST_CASE("Assembly: internal forces of any state have no resultant", "[assembly]") {
     const Scene scene = make_scene();
     const VectorX q = disturbed(scene, 11);
