@@ -123,7 +123,7 @@ private:
             // a scene without loads that is at rest needs no correction to know it
             const bool idle =
                 step.iterations == 0 && !moved && (assembly_.external_force().array() == 0.0).all();
-            if (idle || (at_rest && settled(step)) || stagnates(step)) {
+            if (idle || settled(step) || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
@@ -194,10 +194,12 @@ private:
                    : std::min(options_.mixed_iterations, options_.max_iterations);
     }
 
-    /// Whether the last correction is small beside what the step has moved.
-    static bool settled(const LoadStep& step) {
-        return step.corrections.back() <=
-               1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
+    /// Whether the last correction is far below its tolerance and beside what the step has moved.
+    [[nodiscard]] bool settled(const LoadStep& step) const {
+        if (step.corrections.empty()) return false;
+        const double last = step.corrections.back();
+        return last <= 1e-2 * options_.correction_tolerance &&
+               last <= 1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
     }
 
     static bool stagnates(const LoadStep& step) {
