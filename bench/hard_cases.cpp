@@ -4,7 +4,7 @@
 /// @file
 /// The hard cases, one table: how far each element comes, in how many iterations, and what it says.
 ///
-///     hard_cases                     all cases, some minutes
+///     hard_cases                     all cases, a minute or two
 ///     hard_cases --case twist_720    one of them
 ///     hard_cases --csv               comma-separated values
 ///
