@@ -30,6 +30,7 @@
 
 #include <support/command_line.hpp>
 #include <support/integrate.hpp>
+#include <support/motion.hpp>
 #include <support/progress.hpp>
 #include <support/report.hpp>
 
@@ -82,6 +83,8 @@ void FourBar::parse(int argc, char** argv) {
     line.parse(argc, argv);
     ancf::detail::require(rho >= 0.0 && rho <= 1.0, "--rho: expected a number from 0 to 1, got ",
                           rho);
+    examples::require_countable("--step", step, duration);  // the power is summed up at every one
+    examples::require_countable("--output-interval", interval, duration);
 }
 
 /// The crank's angle: from rest to its speed by a cosine, then uniform; against the axis, as a node

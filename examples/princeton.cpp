@@ -16,6 +16,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/output/csv.hpp>
 #include <ancf/output/surface.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/solver/statics.hpp>
@@ -27,11 +28,12 @@
 #include <support/solver.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <iterator>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -43,34 +45,41 @@ constexpr examples::Geometry geometry = {0.508,  3.2024e-3,           12.377e-3,
                                          71.7e9, 71.7e9 / (2 * 1.31), 5.0 / 6.0};
 constexpr double tolerance = 5e-3;  // of each displacement
 
-/// A load, N, its angle, degrees, and where the tip goes, m.
-struct Row {
-    double load, angle, chordwise, flapwise;
+/// A load, N, and its angle, degrees.
+struct Load {
+    double force, angle;
 };
-constexpr Row published[] = {{4.448, 30.0, 0.00475107, 0.03994940},
-                             {8.896, 0.0, 0.01071541, 0.0},
-                             {8.896, 45.0, 0.00888886, 0.10904157},
-                             {8.896, 90.0, 0.0, 0.14625998},
-                             {13.345, 60.0, 0.01171642, 0.18192119}};
 
-/// Returns a load at every tenth degree; where the tip goes is not known.
-std::vector<Row> sweep(double load) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    std::vector<Row> rows;
-    for (int degrees = 0; degrees <= 90; degrees += 10)
-        rows.push_back({load, static_cast<double>(degrees), unknown, unknown});
-    return rows;
+/// Where the tip of the exact beam goes, m.
+struct Reference {
+    Load load;
+    double chordwise, flapwise;
+};
+constexpr Reference references[] = {{{4.448, 30.0}, 0.00475107, 0.03994940},
+                                    {{8.896, 0.0}, 0.01071541, 0.0},
+                                    {{8.896, 45.0}, 0.00888886, 0.10904157},
+                                    {{8.896, 90.0}, 0.0, 0.14625998},
+                                    {{13.345, 60.0}, 0.01171642, 0.18192119}};
+
+/// Returns the reference of a load, or nullptr.
+const Reference* find(const Load& load) {
+    const auto* const at =
+        std::find_if(std::begin(references), std::end(references), [&](const Reference& entry) {
+            return entry.load.force == load.force && entry.load.angle == load.angle;
+        });
+    return at == std::end(references) ? nullptr : at;
 }
 
 struct Princeton {
     int elements = 16;
-    double load = 0.0;  // N, at ten angles; 0: the published rows
+    double load = 0.0;  // N, at ten angles; 0: those of the references
     examples::BeamOptions beam;
     examples::SolverOptions solver;
     bool csv = false;
     std::string vtk;
 
     void parse(int argc, char** argv);
+    [[nodiscard]] std::vector<Load> loads() const;
 };
 
 void Princeton::parse(int argc, char** argv) {
@@ -86,7 +95,7 @@ void Princeton::parse(int argc, char** argv) {
     solver.add_to(line);
     line.set_group("Load");
     line.add_number("--load", load, examples::Range::finite,
-                    "N, at every tenth degree from the chord; 0: the published rows");
+                    "N, at every tenth degree from the chord; 0: those of the references");
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "the beam under the last load for ParaView: .vtp, .vtu or .vtk");
@@ -96,18 +105,28 @@ void Princeton::parse(int argc, char** argv) {
     if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
 }
 
+std::vector<Load> Princeton::loads() const {
+    std::vector<Load> all;
+    if (load == 0.0)
+        for (const Reference& reference : references) all.push_back(reference.load);
+    else
+        for (int degrees = 0; degrees <= 90; degrees += 10)
+            all.push_back({load, static_cast<double>(degrees)});
+    return all;
+}
+
 struct Result {
     ancf::StaticsReport report;
     double chordwise, flapwise;  // m
 };
 
 template <class Element>
-Result solve(const Princeton& problem, const Row& row) {
+Result solve(const Princeton& problem, const Load& load) {
     ancf::Model<Element> model;
     const auto beam = examples::straight_beam(model, problem.beam, problem.elements);
     model.clamp(beam.first(), problem.beam.clamped());
-    const double angle = row.angle * ancf::pi / 180.0;
-    const Point force(0.0, row.load * std::cos(angle), row.load * std::sin(angle));
+    const double angle = load.angle * ancf::pi / 180.0;
+    const Point force(0.0, load.force * std::cos(angle), load.force * std::sin(angle));
     model.add(ancf::Force<3>(beam.last(), force));
     auto report = examples::solve(model, problem.solver);
     if (!problem.vtk.empty()) {
@@ -119,13 +138,18 @@ Result solve(const Princeton& problem, const Row& row) {
     return {std::move(report), tip[1], tip[2]};
 }
 
-/// Returns how far a displacement is off, relative; where it is zero, relative to the other one.
-double deviation(double value, double expected, double other) {
-    return std::abs(value - expected) / (expected != 0.0 ? expected : other);
+/// Returns how far the tip is off: of each displacement or, where that is zero, of the other one.
+double deviation(const Result& result, const Reference& reference) {
+    const auto relative = [](double value, double expected, double other) {
+        return std::abs(value - expected) / (expected != 0.0 ? expected : other);
+    };
+    return std::max(relative(result.chordwise, reference.chordwise, reference.flapwise),
+                    relative(result.flapwise, reference.flapwise, reference.chordwise));
 }
 
-/// Solves every row; returns whether all is as expected.
+/// Solves every load; returns whether all is as expected.
 bool study(const Princeton& problem) {
+    using ancf::number_text;
     using examples::fixed;
     examples::Verdict verdict;
     bool close = true;
@@ -134,31 +158,38 @@ bool study(const Princeton& problem) {
                            "flapwise", "reference_chordwise", "reference_flapwise", "deviation"},
                           {"P, N", "angle", "iterations", "status", "chordwise, mm", "flapwise, mm",
                            "reference", "reference", "deviation, %"});
-    const std::vector<Row> rows = problem.load == 0.0
-                                      ? std::vector<Row>(std::begin(published), std::end(published))
-                                      : sweep(problem.load);
-    for (const Row& row : rows) {
+    for (const Load& load : problem.loads()) {
         const Result result = examples::with_element(
             examples::CrossSectionBeams{}, problem.beam,
-            [&](auto type) { return solve<typename decltype(type)::Element>(problem, row); });
+            [&](auto type) { return solve<typename decltype(type)::Element>(problem, load); });
         verdict.add(problem.elements, result.report);
-        const double off = std::max(deviation(result.chordwise, row.chordwise, row.flapwise),
-                                    deviation(result.flapwise, row.flapwise, row.chordwise));
         const std::string status(to_string(result.report.status));
-        sheet.add_csv(row.load, row.angle, problem.elements, result.report.iterations(), status,
-                      result.chordwise, result.flapwise, row.chordwise, row.flapwise, off);
-        sheet.add_table(
-            {fixed(row.load, 3), fixed(row.angle, 0), std::to_string(result.report.iterations()),
-             status, fixed(1e3 * result.chordwise, 4), fixed(1e3 * result.flapwise, 4),
-             fixed(1e3 * row.chordwise, 4), fixed(1e3 * row.flapwise, 4), fixed(100.0 * off, 4)});
-        if (problem.load == 0.0 && !(off <= tolerance)) {
-            close = false;
-            std::cerr << row.load << " N at " << row.angle << " degrees: missed by "
-                      << fixed(100.0 * off, 3) << " %, tolerance " << fixed(100.0 * tolerance, 1)
-                      << " %\n";
+        std::vector<std::string> row = {fixed(load.force, 3),
+                                        fixed(load.angle, 0),
+                                        std::to_string(result.report.iterations()),
+                                        status,
+                                        fixed(1e3 * result.chordwise, 4),
+                                        fixed(1e3 * result.flapwise, 4)};
+        std::array<std::string, 3> compared;  // empty where there is no reference
+        if (const Reference* reference = find(load)) {
+            const double off = deviation(result, *reference);
+            compared = {number_text(reference->chordwise), number_text(reference->flapwise),
+                        number_text(off)};
+            row.insert(row.end(), {fixed(1e3 * reference->chordwise, 4),
+                                   fixed(1e3 * reference->flapwise, 4), fixed(100.0 * off, 4)});
+            if (!(off <= tolerance)) {
+                close = false;
+                std::cerr << load.force << " N at " << load.angle << " degrees: missed by "
+                          << fixed(100.0 * off, 3) << " %, tolerance "
+                          << fixed(100.0 * tolerance, 1) << " %\n";
+            }
         }
+        sheet.add_csv(load.force, load.angle, problem.elements, result.report.iterations(), status,
+                      result.chordwise, result.flapwise, compared[0], compared[1], compared[2]);
+        sheet.add_table(std::move(row));
     }
-    sheet.finish("Princeton beam, " + std::to_string(problem.elements) + " elements, " +
+    sheet.finish("Princeton beam, " + std::to_string(problem.elements) +
+                 (problem.elements == 1 ? " element, " : " elements, ") +
                  problem.beam.description());
     return verdict.good() && close;
 }

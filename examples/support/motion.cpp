@@ -42,10 +42,14 @@ void MotionOptions::check(const CommandLine& line) const {
                           "--tolerance: expected a number from 1e-14 to 1, got ", tolerance);
     ancf::detail::require(ANCF_WITH_SUNDIALS || !by_ida(), "--integrator ", integrator,
                           " needs SUNDIALS, and this program was built without it");
-    constexpr double most_rows = 1e7;
-    ancf::detail::require(duration / interval <= most_rows, "--output-interval: ", interval,
-                          " s is too short for ", duration, " s");
+    require_countable("--output-interval", interval, duration);
     if (!save.empty()) require_writable(save);
+}
+
+void require_countable(const std::string& option, double interval, double duration) {
+    constexpr double most = 1e7;
+    ancf::detail::require(duration / interval <= most, option, ": ", interval,
+                          " s is too short for ", duration, " s");
 }
 
 void summarise(std::ostream& out, const MotionOptions& options, const Motion& motion) {

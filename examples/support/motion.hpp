@@ -45,6 +45,10 @@ struct MotionOptions {
     }
 };
 
+/// Refuses an interval of output of which more than ten million fill the duration.
+/// @throws InvalidArgument naming the option and the value.
+void require_countable(const std::string& option, double interval, double duration);
+
 /// How a motion went.
 struct Motion {
     ancf::DynamicsReport report;

@@ -152,6 +152,11 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     }
     if (report.stability == ancf::Stability::unstable)
         text << "; unstable: past a bifurcation or limit point, or on a branch of the mesh alone";
+    int indefinite = 0;
+    for (const ancf::LoadStep& step : report.steps) indefinite += step.indefinite;
+    if (indefinite > 0)
+        text << "; " << indefinite
+             << " of the tangents on the way indefinite: smaller steps may end elsewhere";
     std::cerr << text.str() << '\n';
 }
 

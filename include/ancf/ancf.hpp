@@ -48,3 +48,13 @@
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>
 #include <ancf/version.hpp>
+
+/// @namespace ancf
+/// Everything of the core: sections, elements, models and what builds them, assembly, linear
+/// solvers, statics, motion and output. SI units throughout; angles in rad.
+
+/// @namespace ancf::suitesparse
+/// Linear solvers of SuiteSparse: the component of that name.
+
+/// @namespace ancf::sundials
+/// IDA of SUNDIALS as integrator: the component of that name.

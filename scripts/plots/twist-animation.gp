@@ -4,19 +4,19 @@
 # The twisted beam as its torque grows and falls; the section is drawn larger than the length.
 
 set datafile separator whitespace
-set xlabel "x (mm)" offset 0, -1
-set ylabel "y (mm)" offset -4, -0.5
 set zlabel "z (mm)" offset 3, 0 rotate parallel
 enlarged = 10.0
 millimetre = 1e3
 set xrange [0:260]
 set yrange [-4 * enlarged:4 * enlarged]
 set zrange [-4 * enlarged:4 * enlarged]
-set xtics 50 offset 0, -0.4
-set ytics ("-4" -4 * enlarged, "0" 0, "4" 4 * enlarged)
+set xtics 50 offset -0.6, -0.7
+set ytics ("-4" -4 * enlarged, "0" 0, "4" 4 * enlarged) offset 0.4, -0.2
+set label 2 "x (mm)" at 130, -4 * enlarged, -4 * enlarged center offset -3, -3
+set label 3 "y (mm)" at 260, 0, -4 * enlarged left offset 6.5, -0.8
 set ztics ("-4" -4 * enlarged, "0" 0, "4" 4 * enlarged)
 set xyplane at -4 * enlarged
-set view 65, 25, 2.35
+set view 65, 25, 2.7
 set view equal xyz
 unset key
 unset colorbox

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the pages: every C++ block is a piece of a program that is compiled and run, and no link leads nowhere.
+"""Checks the pages: every block of C++ or CMake is a piece of a program or project that the tests build and run, no link
+leads nowhere, and no code in backticks ends at an apostrophe, where Doxygen takes `it' for a quotation.
 
     check_pages.py ROOT         exits 1 with one line per finding
     check_pages.py --self-test  exits 1 unless every rule refuses a page that breaks it
@@ -11,9 +12,11 @@ import re
 import sys
 
 PAGES = ["README.md", "CONTRIBUTING.md", "docs/*.md"]
-PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp", "tests/support/instances/*.hpp"]
-BLOCK = re.compile(r"^```cpp\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp", "tests/packaging/instances/scene.?pp",
+            "tests/packaging/readme/CMakeLists.txt"]
+BLOCK = re.compile(r"^```(?:cpp|cmake)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
+SPAN = re.compile(r"(?<!`)(`+)(?!`)((?:(?!\n\n).)+?)(?<!`)\1(?!`)", re.DOTALL)
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 
 
@@ -31,11 +34,24 @@ def block_findings(text, programs):
         block = lines(match.group(1))
         if not any(contains(program, block) for program in programs):
             number = text[:match.start()].count("\n") + 1
-            yield number, f"the C++ block is part of no program: {block[0] if block else 'it is empty'}"
+            yield number, f"the block is part of no program: {block[0] if block else 'it is empty'}"
+
+
+def without_blocks(text):
+    return CODE.sub(lambda code: "\n" * code.group().count("\n"), text)
+
+
+def span_findings(text):
+    text = without_blocks(text)
+    for match in SPAN.finditer(text):
+        ticks, code = len(match.group(1)), match.group(2)
+        needed = 3 if "''" in code else 2 if "'" in code else 1
+        if ticks < needed:
+            yield text[:match.start()].count("\n") + 1, f"code with an apostrophe needs {needed} backticks: {code}"
 
 
 def link_findings(text, exists):
-    text = CODE.sub(lambda code: "\n" * code.group().count("\n"), text)
+    text = without_blocks(text)
     for match in LINK.finditer(text):
         target = match.group(1)
         if "://" not in target and not exists(target):
@@ -44,16 +60,18 @@ def link_findings(text, exists):
 
 def findings(root):
     programs = [lines(path.read_text(encoding="utf-8")) for glob in PROGRAMS for path in sorted(root.glob(glob))]
-    blocks = links = 0
+    blocks = links = spans = 0
     for page in (page for glob in PAGES for page in sorted(root.glob(glob))):
         text = page.read_text(encoding="utf-8")
         blocks += len(BLOCK.findall(text))
         links += len(LINK.findall(text))
-        found = [*block_findings(text, programs), *link_findings(text, lambda name: (page.parent / name).exists())]
+        spans += len(SPAN.findall(without_blocks(text)))
+        found = [*block_findings(text, programs), *span_findings(text),
+                 *link_findings(text, lambda name: (page.parent / name).exists())]
         for number, finding in found:
             yield f"{page.relative_to(root)}:{number}: {finding}"
-    if blocks < 8 or links < 30:
-        yield f"only {blocks} C++ blocks and {links} links were looked at"
+    if blocks < 8 or links < 30 or spans < 500:
+        yield f"only {blocks} blocks, {links} links and {spans} pieces of code were looked at"
 
 
 def self_test():
@@ -63,6 +81,13 @@ def self_test():
         failures.append("refused: a piece of a program")
     if not list(block_findings("```cpp\nreturn 1;\n```\n", [program])):
         failures.append("accepted: a block of no program")
+    if not list(block_findings("```cmake\nproject(other)\n```\n", [program])):
+        failures.append("accepted: a block of no project")
+    if list(span_findings("it's `r` and ``p = r0'``, not ```r0\'\'```\n\n```cpp\n'`'\n```\n\na ` alone\n\nanother's ` too")):
+        failures.append("refused: code whose apostrophes are kept")
+    for wrong in ("`p = r0'`", "`a' = r_y'`", "`it's`", "``r0''``", "`r`: `r0' +\nr1`"):
+        if not list(span_findings(wrong)):
+            failures.append(f"accepted: {wrong}")
     if list(link_findings("[a](b.md) [c](https://d.invalid)", lambda name: True)):
         failures.append("refused: a good link")
     if list(link_findings("```cpp\n[a](b);\n```\n", lambda name: False)):

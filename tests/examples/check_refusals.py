@@ -88,6 +88,8 @@ def option_cases():
 def line_cases():
     """Command lines that are wrong as a whole."""
     for program in ALL:
+        for option in {"--step", "--output-interval"}.intersection(positive if program == "four_bar" else []):
+            yield program, [option, "1e-20"], [option, "too short"]
         yield program, ["--lenght", "1"], ["--lenght"]
         yield program, ["stray"], ["stray"]
         yield program, ["-q"], ["-q"]
@@ -137,6 +139,8 @@ def other_cases():
         for option in choices:
             for value in ["none of them", "7"]:
                 yield program, [option, value], [option, f'"{value}"']
+        for option in {"--step", "--output-interval"}.intersection(positive if program == "four_bar" else []):
+            yield program, [option, "1e-20"], [option, "too short"]
         yield program, ["--lenght", "1"], ["--lenght"]
         yield program, ["stray"], ["stray"]
     for program in MOTIONS:

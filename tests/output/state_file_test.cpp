@@ -83,6 +83,24 @@ TEST_CASE("state file: files on disk", "[output][state-file]") {
     CHECK_THROWS_WITH(ancf::save_state(file / "below", saved), ContainsSubstring("cannot write"));
 }
 
+TEST_CASE("state file: a link stays a link, and what is no file stays what it is",
+          "[output][state-file]") {
+    const auto folder = std::filesystem::temp_directory_path() / "ancf-state-file-link-test";
+    std::filesystem::create_directories(folder);
+    const auto file = folder / "file", link = folder / "link";
+    SavedState saved = awkward();
+    ancf::save_state(file, saved);
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(file, link);
+    saved.state.time = 7.0;
+    ancf::save_state(link, saved);
+    CHECK(std::filesystem::is_symlink(link));
+    CHECK(ancf::load_state(file).state.time == 7.0);
+    CHECK_THROWS_WITH(ancf::save_state(folder, saved), ContainsSubstring("cannot write"));
+    CHECK(std::filesystem::is_directory(folder));
+    std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("state file: every damaged line is refused by its number", "[output][state-file]") {
     SavedState saved;
     saved.state.q = VectorX::Constant(2, 1.5);

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Configures, builds and runs the project SOURCE as NAME below WORK; with REFUSED, expects its configuration to fail
-# with a message that matches.
+# Configures, builds and runs PROGRAM of the project SOURCE as NAME below WORK; with REFUSED, expects its configuration
+# to fail with a message that matches.
 
 set(binary "${WORK}/${NAME}")
 file(REMOVE_RECURSE "${binary}")
@@ -25,4 +25,4 @@ if(NOT result EQUAL 0)
     message(FATAL_ERROR "could not be configured:\n${output}\n${errors}")
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} --build "${binary}" COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${binary}/consumer" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${binary}/${PROGRAM}" COMMAND_ERROR_IS_FATAL ANY)

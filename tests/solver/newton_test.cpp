@@ -5,16 +5,21 @@
 /// Newton's method of mixed integration points: same solutions, fewer iterations.
 
 #include <ancf/constants.hpp>
+#include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/instances/continuum.hpp>
 #include <support/instances/cross_section.hpp>
+#include <support/instances/planar.hpp>
 
 #include <cmath>
+#include <tuple>
 
 namespace newton_test {
 
@@ -133,6 +138,55 @@ TEST_CASE("statics: slenderness hardly matters to mixed iterations", "[statics][
         CHECK(beam.scene.position(beam.beam.last())[1] / 2.0 ==
               Approx(0.5 * 0.821956422496).epsilon(slenderness < 20.0 ? 2e-2 : 3e-4));
     }
+}
+
+/// Returns a planar cantilever under A E I/L^2, and its bending stiffness of 1.
+template <class Beam>
+ancf::StaticsReport solve_planar(double load, double slenderness, NewtonKind newton,
+                                 ancf::Model<Beam>& scene,
+                                 const ancf::Rule& rule = ancf::Rule::mixed()) {
+    typename Beam::Options options;
+    options.rule = rule;
+    const double height = 1.0 / slenderness, stiffness = 12.0 / std::pow(height, 4);
+    const auto beam =
+        ancf::straight_beam(scene, ancf::Material::isotropic(stiffness, 0.3, 1.0),
+                            ancf::rectangle(height, height), {0, 0}, {1, 0}, 16, options);
+    scene.clamp(beam.first(), ancf::Clamp::full);
+    scene.add(ancf::Force<2>(beam.last(), {0, load}));
+    ancf::StaticsOptions how;
+    how.newton = newton;
+    ancf::EigenLu solver;
+    return ancf::solve_statics(scene, solver, how);
+}
+
+TEST_CASE("statics: planar beams take as few mixed iterations as spatial ones, at any slenderness",
+          "[statics][newton]") {
+    using Planar = ancf::CrossSectionBeam<2>;
+    // measured 5, 6, 6, 6; 9, 9, 9, 9; 12, 12, 12 (the thickest beam leaves its strain range there)
+    for (const auto& [load, most, thickest] :
+         {std::tuple(1.5, 6, 1e1), {10.0, 9, 1e1}, {50.0, 12, 1e2}})
+        for (const double slenderness : {1e1, 1e2, 1e3, 1e4}) {
+            if (slenderness < thickest) continue;
+            INFO("load " << load << ", slenderness " << slenderness);
+            ancf::Model<Planar> mixed, plain;
+            const auto report = solve_planar(load, slenderness, NewtonKind::mixed, mixed);
+            REQUIRE(report.status == Status::converged);
+            CHECK(report.steps.size() == 1);
+            CHECK(report.iterations() <= most);
+            CHECK(report.stability == ancf::Stability::stable);
+            REQUIRE(solve_planar(load, slenderness, NewtonKind::plain, plain).status ==
+                    Status::converged);
+            CHECK((mixed.state().q - plain.state().q).lpNorm<Eigen::Infinity>() <= 1e-6);
+        }
+}
+
+TEST_CASE("statics: elements without mixed iterations are iterated plainly", "[statics][newton]") {
+    ancf::Model<ancf::ContinuumBeam<2>> mixed, plain;
+    const auto report = solve_planar(1.5, 100.0, NewtonKind::mixed, mixed, ancf::Rule::paper());
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps.front().newton == NewtonKind::plain);
+    const auto same = solve_planar(1.5, 100.0, NewtonKind::plain, plain, ancf::Rule::paper());
+    CHECK(report.iterations() == same.iterations());
 }
 
 TEST_CASE("statics: an end moment rolls a cantilever up in few turned iterations",

@@ -274,6 +274,12 @@ TEST_CASE("statics: a column that a joint alone holds is judged like a clamped o
 TEST_CASE("statics: stability stays open where nothing decides it", "[statics][stability]") {
     Scene floating = make_column(0.0);
     CHECK(solve(floating).stability == ancf::Stability::unknown);  // rigid motions cost nothing
+    // nothing holds a pinned column from spinning about itself, whichever solver counts pivots
+    Scene pinned = make_column(-1.0);
+    pinned.pin({0});
+    CHECK(solve(pinned).stability == ancf::Stability::unknown);
+    ancf::EigenLdlt counts;
+    CHECK(ancf::solve_statics(pinned, counts).stability == ancf::Stability::unknown);
     // a pressing follower: Beck's column never buckles, but its symmetric part does
     Scene light = make_column(0.0), heavy = make_column(0.0);
     for (auto [scene, load] : {std::pair(&light, 3.0), std::pair(&heavy, 300.0)}) {

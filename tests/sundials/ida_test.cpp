@@ -372,6 +372,41 @@ TEST_CASE("Ida: a failure is a status with IDA's own name, keeps what was seen, 
     CHECK(said == 0);
 }
 
+TEST_CASE("Ida: multipliers far below the round-off of the stiffness do not hold a run up",
+          "[ida][round-off]") {
+    for (const int elements : {1, 4, 16}) {
+        INFO(elements);
+        Hanging light;
+        light.beam = ancf::straight_beam(
+            *light.model, ancf::Material::from_moduli(0.7e6, 2.6923e5, 1e-6),
+            ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, elements);
+        light.model->set_gravity({0.0, -0.1, 0.0});
+        light.model->add(ancf::Pin<3>(light.beam.first(), Point::Zero()));
+        ancf::DynamicProblem<Scene> problem(*light.model);
+        IdaOptions options;
+        options.max_steps = 1000;
+        const auto report = Ida(options).integrate(problem, ancf::equal_intervals(0, 0.2, 0.1));
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.steps <= 50);  // measured 11
+        // a stiff bar falls by 3/4 g t^2
+        CHECK(light.model->position(light.beam.last())[1] == Approx(-3e-3).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("Ida: a scene whose forces hide in round-off ends with a status", "[ida][round-off]") {
+    Hanging hopeless;
+    hopeless.beam =
+        ancf::straight_beam(*hopeless.model, ancf::Material::isotropic(2.1e11, 0.3, 1e-4),
+                            ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, 8);
+    hopeless.model->set_gravity({0.0, -1e-3, 0.0});
+    hopeless.model->add(ancf::Pin<3>(hopeless.beam.first(), Point::Zero()));
+    ancf::DynamicProblem<Scene> problem(*hopeless.model);
+    const auto report = Ida().integrate(problem, ancf::equal_intervals(0, 0.02, 0.02));
+    CHECK(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("at "));
+    CHECK(report.steps <= 10000);
+}
+
 TEST_CASE("Ida: a driven support and a driven constraint give the same motion", "[ida][driven]") {
     const double speed = 3.0;
     const auto value = [=](double t) { return 0.05 * std::sin(speed * t) * std::sin(speed * t); };

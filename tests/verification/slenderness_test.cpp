@@ -43,7 +43,9 @@ Point tip(double slenderness, int elements, double young = 1e9, double length = 
     how.adaptive = true;  // a millionth of the length takes twelve steps
     const auto report = ancf::solve_statics(scene, solver, how);
     REQUIRE(report.status == ancf::Status::converged);
-    CHECK(report.stability == ancf::Stability::stable);
+    // the softest displacement of a thread of 1e-6 has 1.7 eps of the energy of its terms
+    CHECK(report.stability ==
+          (slenderness > 5e-6 ? ancf::Stability::stable : ancf::Stability::unknown));
     return scene.position(beam.last()) / length;
 }
 

@@ -63,7 +63,7 @@ std::vector<int> Assembly<Scene>::coordinates_of(const Coupling& coupling, const
     for (const NodeField& at : coupling) {
         const int first = layout.index(at);
         detail::require(first >= 0, "a ", what, " acts on ", to_string(at.field), " of node ",
-                        at.node.index, ", which carries no such vector");
+                        at.node.index, ", which carries no such vector: no element there has one");
         for (int k = 0; k < layout.dimension(); ++k) coordinates.push_back(first + k);
     }
     return coordinates;

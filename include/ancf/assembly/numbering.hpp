@@ -91,7 +91,8 @@ Numbering::Numbering(const Model& model) {
     for (const Support& support : model.supports()) {
         const int first = layout.index({support.node, support.field});
         detail::require(first >= 0, "a support holds ", to_string(support.field), " of node ",
-                        support.node.index, ", which carries no such vector");
+                        support.node.index,
+                        ", which carries no such vector: no element there has one");
         equation_[static_cast<std::size_t>(first + support.component)] = -1;
     }
     sizes_.assign(static_cast<std::size_t>(nodes_), 0);

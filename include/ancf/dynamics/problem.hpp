@@ -246,6 +246,10 @@ public:
     /// of the elastic force; 0 where all of it is round-off.
     [[nodiscard]] double force_scale(const Start& start);
 
+    /// Returns the round-off of the elastic force at (t, q), N: what one rounding of every
+    /// coordinate changes in it, at most.
+    [[nodiscard]] double force_round_off(double t, const VectorX& q);
+
     /// Returns how fast the start moves or begins to move, rad/s: the largest rate, or the root of
     /// the largest acceleration, over length_scale(); 0 where all of it is round-off.
     [[nodiscard]] double motion_frequency(const Start& start);

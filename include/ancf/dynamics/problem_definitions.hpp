@@ -555,11 +555,19 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
                          inertia);
     const double loads = largest(assembly_.external_force());
-    const double scale = std::max({loads, largest(assembly_.internal_force()), largest(inertia)});
-    if (loads > 0.0) return scale;
-    const double round_off = frequency_noise * length_ * compact_mass_.diagonal().maxCoeff() *
-                             std::pow(highest_frequency(start.time, start.q), 2);
-    return scale > round_off ? scale : 0.0;
+    const double inner = std::max(largest(assembly_.internal_force()), largest(inertia));
+    return inner > force_round_off(start.time, start.q) ? std::max(loads, inner) : loads;
+}
+
+template <class Scene>
+double DynamicProblem<Scene>::force_round_off(double t, const VectorX& q) {
+    const VectorX rest = VectorX::Zero(size());
+    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    const SparseMatrix magnitudes = assembly_.tangent().cwiseAbs();
+    const VectorX changes = detail::multiply(magnitudes, options_.storage, scales_);
+    // moments of slopes, N m, over the scene's size
+    return std::numeric_limits<double>::epsilon() * changes.cwiseProduct(scales_).maxCoeff() /
+           length_;
 }
 
 template <class Scene>

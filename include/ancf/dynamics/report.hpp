@@ -67,11 +67,16 @@ struct Schedule {
 };
 
 /// Returns the schedule of a run with equally spaced outputs, both ends included.
-/// @throws InvalidArgument unless duration is at least 0 and the interval is positive.
+/// @throws InvalidArgument unless duration is at least 0 and the interval is positive, or for more
+///         than ten million outputs.
 [[nodiscard]] inline Schedule equal_intervals(double start, double duration, double interval) {
     detail::require(std::isfinite(duration) && duration >= 0.0,
                     "equal_intervals: duration must be at least 0 and finite, got ", duration);
     detail::require_positive("equal_intervals: interval", interval);
+    detail::require(std::isfinite(start), "equal_intervals: start must be finite, got ", start);
+    constexpr double most = 1e7;
+    detail::require(duration / interval <= most, "equal_intervals: interval ", interval,
+                    " s makes more than ", most, " outputs of ", duration, " s");
     Schedule schedule;
     schedule.end = start + duration;
     for (int k = 0; start + k * interval < schedule.end - 1e-9 * interval; ++k)

@@ -82,6 +82,18 @@ public:
         return kernel_.evaluate(e);
     }
 
+    /// Returns the same with the tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
+    /// unknowns".
+    /// @param before  where the last tangent was taken, 12 x 1
+    /// @param change  the correction that it gave, 12 x 1
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
+
     /// Returns the constant mass matrix, 12 x 12; kg, kg m and kg m^2 by block.
     [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<2>(mass_weights_); }
 

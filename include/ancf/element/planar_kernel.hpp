@@ -11,12 +11,14 @@
 
 #include <ancf/element/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
+#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/planar_section.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -169,18 +171,29 @@ inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S
     }
 }
 
-/// Adds a station's energy and gradient; `Second` adds the Hessian as well.
-template <bool Second, class Measure, class T, class S>
-inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar_nodal_count][2],
-                               const S (&sines)[2], PlanarSums<S>& sums) noexcept {
-    PlanarFrame<S> f;
+/// Writes a station's geometry, strains and stresses.
+template <class Measure, class T, class S>
+inline void planar_state(const PlanarStation<T>& data, const S (&v)[planar_nodal_count][2],
+                         const S (&sines)[2], PlanarFrame<S>& f, S (&strains)[planar_strain_count],
+                         S (&stress)[planar_strain_count]) noexcept {
     planar_frame(data.shape, v, sines, f);
-    S strains[planar_strain_count], stress[planar_strain_count];
     Measure::strains(f.w, strains);
     ANCF_UNROLL
     for (int k = 0; k < planar_strain_count; ++k)
         strains[k] = deformation(strains[k], data.reference[k]);
     planar_stress(data.stiffness, strains, stress);
+}
+
+/// Adds a station's energy and gradient; `Second` adds the Hessian as well.
+/// @param predicted  stresses to take instead of its own; null: its own
+template <bool Second, class Measure, class T, class S>
+inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar_nodal_count][2],
+                               const S (&sines)[2], PlanarSums<S>& sums,
+                               const S* predicted = nullptr) noexcept {
+    PlanarFrame<S> f;
+    S strains[planar_strain_count], stress[planar_strain_count];
+    planar_state<Measure>(data, v, sines, f, strains, stress);
+    if (Second && predicted != nullptr) std::copy_n(predicted, planar_strain_count, stress);
     ANCF_UNROLL
     for (int k = 0; k < planar_strain_count; ++k) sums.energy += 0.5 * stress[k] * strains[k];
     S U[planar_invariant_count];
@@ -271,6 +284,44 @@ struct PlanarKernel {
         return result;
     }
 
+    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
+    /// state before.
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        const Nodes<S> nodes(e);
+        PlanarSums<S> sums;
+        walk<false>(nodes, sums);
+        TransverseTerm<S> transverse[2];
+        Evaluation<S, dofs> result;
+        result.energy = sums.energy + transverse_terms(nodes, transverse);
+        result.force = gradient(nodes, sums, transverse);
+
+        Dual<S> course[dofs];
+        for (int i = 0; i < dofs; ++i) course[i] = Dual<S>(before[i], change[i]);
+        const Nodes<Dual<S>> line(course);
+        PlanarSums<S> predicted;
+        for (const PlanarStation<T>& station : stations) {
+            PlanarFrame<Dual<S>> frame;
+            Dual<S> strains[planar_strain_count], course_stress[planar_strain_count];
+            planar_state<Measure>(station, line.v, line.values, frame, strains, course_stress);
+            S stress[planar_strain_count];
+            for (int k = 0; k < planar_strain_count; ++k) stress[k] = arrived(course_stress[k]);
+            add_planar_station<true, Measure>(station, nodes.v, nodes.values, predicted, stress);
+        }
+        for (const AxialStationData<T>& station : axial) {
+            const S stress = arrived(axial_state(station, line.v).stress);
+            add_axial<true>(station, nodes.v, predicted, &stress);
+        }
+        TransverseTerm<Dual<S>> course_transverse[2];
+        (void)transverse_terms(line, course_transverse);
+        for (int node = 0; node < 2; ++node)
+            transverse[node].stress = arrived(course_transverse[node].stress);
+        write_tangent(nodes, predicted, transverse, result.tangent);
+        return result;
+    }
+
 private:
     template <class S>
     struct Nodes {
@@ -278,7 +329,8 @@ private:
         PlanarSine<S> sine[2];
         S values[2];
 
-        explicit Nodes(const Vector<S, dofs>& e) noexcept {
+        template <class Coordinates>
+        explicit Nodes(const Coordinates& e) noexcept {
             for (int k = 0; k < 2; ++k) {
                 v[pn_D][k] = e[6 + k] - e[k];
                 for (int x = pn_g1; x < planar_nodal_count; ++x) v[x][k] = e[planar_start[x] + k];
@@ -311,13 +363,37 @@ private:
         return data.p[0] * v[pn_D][k] + data.p[1] * v[pn_g1][k] + data.p[2] * v[pn_g2][k];
     }
 
+    // The slope of the centre line with its strain and force.
+    template <class S>
+    struct Axial {
+        S p[2];
+        S strain, stress;
+    };
+
+    template <class S>
+    static Axial<S> axial_state(const AxialStationData<T>& data,
+                                const S (&v)[planar_nodal_count][2]) noexcept {
+        Axial<S> at;
+        for (int k = 0; k < 2; ++k) at.p[k] = axial_slope(data, v, k);
+        at.strain =
+            deformation(S(0.5 * (at.p[0] * at.p[0] + at.p[1] * at.p[1] - 1.0)), data.reference);
+        at.stress = data.stiffness * at.strain;
+        return at;
+    }
+
+    // What a linearised state has reached at the end of its change.
+    template <class S>
+    static S arrived(const Dual<S>& course) noexcept {
+        return course.value + course.rate;
+    }
+
     template <bool Second, class S>
     static void add_axial(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2],
-                          PlanarSums<S>& sums) noexcept {
-        const S p[2] = {axial_slope(data, v, 0), axial_slope(data, v, 1)};
-        const S strain = deformation(S(0.5 * (p[0] * p[0] + p[1] * p[1] - 1.0)), data.reference);
-        const S stress = data.stiffness * strain;
-        sums.energy += 0.5 * stress * strain;
+                          PlanarSums<S>& sums, const S* predicted = nullptr) noexcept {
+        const Axial<S> at = axial_state(data, v);
+        const S(&p)[2] = at.p;
+        const S stress = Second && predicted != nullptr ? *predicted : at.stress;
+        sums.energy += 0.5 * stress * at.strain;
         for (int x = 0; x < 3; ++x) {
             for (int k = 0; k < 2; ++k) sums.line[x][k] += data.p[x] * stress * p[k];
         }

@@ -115,8 +115,12 @@ template <int Dimension>
 
 /// Adds a straight chain of equal elements with the given reference slopes.
 ///
-/// @param options  handed to the element's constructor after material, section and length.
-/// @throws InvalidArgument for coinciding ends or fewer than one element.
+/// @param from, to  the ends, m.
+/// @param slopes    columns r_x, r_y and, in space, r_z of every node; 1.
+/// @param elements  how many, at least 1.
+/// @param options   handed to the element's constructor after material, section and length.
+/// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element,
+///         slopes that are not finite, and what the element's constructor refuses.
 template <class Element = void, class... Elements, class... Options>
 auto straight_beam_with_slopes(Model<Elements...>& model, const Material& material,
                                const Section& section,
@@ -146,6 +150,12 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
 /// Adds a straight chain of equal elements between two points.
 ///
 /// The section's y axis follows `reference_slopes(to - from)`.
+/// @param from, to  the ends, m.
+/// @param elements  how many, at least 1.
+/// @param options   handed to the element's constructor after material, section and length.
+/// @return          the chain: its nodes from `from` to `to`, its elements and its prototype.
+/// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element, and
+///         what the element's constructor refuses.
 template <class Element = void, class... Elements, class... Options>
 auto straight_beam(Model<Elements...>& model, const Material& material, const Section& section,
                    const typename Model<Elements...>::Point& from,

@@ -175,13 +175,18 @@ inline SavedState read_state(std::istream& in) {
 inline void save_state(const std::filesystem::path& file, const SavedState& saved) {
     std::ostringstream text;
     write_state(text, saved);
-    std::filesystem::path fresh = file;
-    fresh += ".new";
+    // a file is replaced as a whole, the one that a link leads to; what is no file is written to
+    std::error_code failure;
+    const bool there = std::filesystem::exists(file, failure);
+    const bool replaced = !there || std::filesystem::is_regular_file(file, failure);
+    const auto target = there ? std::filesystem::canonical(file, failure) : file;
+    auto fresh = target;
+    if (replaced) fresh += ".new";
     std::ofstream out(fresh);
     out << text.str();
     out.close();
-    std::error_code failure;
-    if (!out.fail()) std::filesystem::rename(fresh, file, failure);
+    failure.clear();
+    if (!out.fail() && replaced) std::filesystem::rename(fresh, target, failure);
     detail::require(!out.fail() && !failure, "cannot write ", file.string());
 }
 

@@ -124,12 +124,14 @@ template <class Scene>
 template <class Element>
 void TimeSeries<Scene>::add_section_forces(const std::string& name, int element, double xi) {
     require_element<Element>(element, xi);
-    add(name, {"N", "Q_y", "Q_z", "T", "M_y", "M_z"}, [=](const State& state, Values& row) {
-        const auto e = model_.template element_coordinates<Element>(element, state.q);
-        const SectionForces f =
-            model_.template group<Element>().element(element).section_forces(e, xi);
-        row.insert(row.end(), {f.axial, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z});
-    });
+    add(name, {"N", "Q_y", "Q_z", "T", "M_y", "M_z"},
+        [this, element, xi](const State& state, Values& row) {
+            const auto e = model_.template element_coordinates<Element>(element, state.q);
+            const SectionForces f =
+                model_.template group<Element>().element(element).section_forces(e, xi);
+            row.insert(row.end(),
+                       {f.axial, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z});
+        });
 }
 
 template <class Scene>
@@ -143,7 +145,7 @@ void TimeSeries<Scene>::add_stress(const std::string& name, int element, double 
     std::vector<std::string> parts = {"S_xx"};
     if (components == 3) parts = {"S_xx", "S_yy", "S_xy"};
     if (components == 6) parts = {"S_xx", "S_yy", "S_zz", "S_yz", "S_xz", "S_xy"};
-    add(name, parts, [=](const State& state, Values& row) {
+    add(name, parts, [this, element, xi, y, z](const State& state, Values& row) {
         const auto e = model_.template element_coordinates<Element>(element, state.q);
         const Stress stress = model_.template group<Element>().element(element).stress(e, xi, y, z);
         row.insert(row.end(), stress.data(), stress.data() + components);
@@ -160,7 +162,7 @@ void TimeSeries<Scene>::add_reaction(const std::string& name, int constraint, No
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
     detail::require(found, "TimeSeries: ", held.name(), " does not hold node ", node.index);
-    add_force(name, [=](const State& state, Values& row) {
+    add_force(name, [this, node, constraint](const State& state, Values& row) {
         append_force(node, state, constraint_force(constraint, state), row);
     });
 }
@@ -177,7 +179,7 @@ void TimeSeries<Scene>::add_reaction(const std::string& name, DynamicProblem<Sce
         if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
     };
-    add_force(name, [=](const State& state, Values& row) {
+    add_force(name, [this, node](const State& state, Values& row) {
         append_force(node, state, support_force_, row);
     });
 }

@@ -64,6 +64,11 @@ struct ModalReport {
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
 ///
+/// @param model   in the state to vibrate about; it is left as it is.
+/// @param solver  any linear solver (linear_solver.hpp).
+/// @return        at most options.count modes; omega^2 in rad^2/s^2, shapes of unit modal mass.
+/// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
+///         does not suit.
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
 ///        from the modes sought alone. Unsymmetric load stiffness is symmetrised.
@@ -77,6 +82,11 @@ template <class Scene, class LinearSolver>
 /// The model stands in equilibrium without load. Stresses and multipliers grow with the load factor
 /// as linear theory has it. Elements that evaluate a tangent at given stresses keep their place;
 /// of others the deflection counts as well, which must then be small: docs/theory-modal.md.
+/// @param model   unloaded in its state; it is left as it is.
+/// @param solver  any linear solver (linear_solver.hpp).
+/// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
+/// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
+///         does not suit.
 template <class Scene, class LinearSolver>
 [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                                          const ModalOptions& options = {});

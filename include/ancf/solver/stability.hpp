@@ -6,8 +6,11 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <Eigen/SparseCholesky>
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -72,6 +76,22 @@ inline bool add_springs(const std::vector<std::vector<GradientEntry>>& gradients
     return true;
 }
 
+/// Tells whether the energy of the softest displacement, of either sign, is more than round-off.
+/// @param lower  half of the stiffness, with its diagonal and its factors
+inline bool resists(const SparseMatrix& lower, const VectorX& diagonal,
+                    const Eigen::SimplicialLDLT<SparseMatrix>& factor) {
+    constexpr int inverse_iterations = 3;
+    VectorX x(lower.cols());
+    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = probe_weight(k);
+    for (int k = 0; k < inverse_iterations; ++k)
+        x = VectorX(factor.solve(diagonal.cwiseAbs().cwiseProduct(x))).normalized();
+    const VectorX magnitudes = x.cwiseAbs();
+    const SparseMatrix stiffness = lower.cwiseAbs();
+    const double energy = std::abs(x.dot(multiply(lower, Storage::lower, x)));
+    const double terms = magnitudes.dot(multiply(stiffness, Storage::lower, magnitudes));
+    return energy > 16.0 * std::numeric_limits<double>::epsilon() * terms;
+}
+
 /// Factorises the symmetric part of an assembly's tangent as L D L^T, constraints as springs.
 template <class Scene>
 [[nodiscard]] Stability stability_of_tangent(const Assembly<Scene>& assembly, bool symmetric) {
@@ -102,13 +122,12 @@ template <class Scene>
     const Eigen::SimplicialLDLT<SparseMatrix> factor(lower);
     if (factor.info() != Eigen::Success) return Stability::unknown;
     const VectorX pivots = factor.vectorD();
-    bool negative = false;
     for (int k = 0; k < free; ++k) {
         const double whole = diagonal[factor.permutationPinv().indices()[k]];
         if (!(std::abs(pivots[k]) > round_off * std::abs(whole))) return Stability::unknown;
-        negative = negative || pivots[k] < 0.0;
     }
-    if (!negative) return Stability::stable;
+    if (!resists(lower, diagonal, factor)) return Stability::unknown;
+    if ((pivots.array() > 0.0).all()) return Stability::stable;
     return symmetric ? Stability::unstable : Stability::unknown;
 }
 
@@ -118,15 +137,19 @@ template <class Scene>
 ///
 /// Under loads without a potential the symmetric part decides one way: where it is positive, the
 /// state is stable against any static disturbance.
-/// @param negative_pivots  what a solver counted in it (FactorReport); -1: one more factorisation
+/// @param counted  the factorisation of that tangent, of which a count of negative pivots serves
+///                 where it is well conditioned; without it, one more factorisation
 template <class Scene>
-[[nodiscard]] Stability stability(const Assembly<Scene>& assembly, int negative_pivots = -1) {
+[[nodiscard]] Stability stability(const Assembly<Scene>& assembly,
+                                  const FactorReport& counted = {}) {
+    constexpr double well_conditioned = 1e-10;
     const auto& loads = assembly.model().loads();
     const bool symmetric = std::all_of(
         loads.begin(), loads.end(), [](const ScaledLoad& load) { return load.load.symmetric(); });
-    if (!symmetric || negative_pivots < 0) return detail::stability_of_tangent(assembly, symmetric);
-    return negative_pivots > assembly.numbering().multipliers() ? Stability::unstable
-                                                                : Stability::stable;
+    if (!symmetric || counted.negative_pivots < 0 || !(counted.rcond > well_conditioned))
+        return detail::stability_of_tangent(assembly, symmetric);
+    return counted.negative_pivots > assembly.numbering().multipliers() ? Stability::unstable
+                                                                        : Stability::stable;
 }
 
 }  // namespace ancf

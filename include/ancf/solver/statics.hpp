@@ -58,6 +58,8 @@ struct LoadStep {
     double factor = 0.0;                    ///< load factor at its end
     NewtonKind newton = NewtonKind::plain;  ///< which iteration it took
     int iterations = 0;                     ///< linear solves
+    int indefinite = 0;                     ///< of them, those with negative pivots that no
+                                            ///< multiplier accounts for, where a solver counts
     Status status = Status::converged;      ///< how it ended
     bool at_round_off = false;              ///< converged by the floor of the residual's round-off
     std::vector<double> residuals;          ///< relative residual before each solve, and the last

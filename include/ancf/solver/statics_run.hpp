@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace ancf {
@@ -37,7 +38,8 @@ public:
           options_(options),
           assembly_(model, LinearSolver::storage),
           monitor_(model, assembly_.numbering()),
-          turning_(model, assembly_.numbering()) {
+          turning_(model, assembly_.numbering()),
+          newton_(possible(options.newton)) {
         solver_.analyze(assembly_.tangent());
     }
 
@@ -76,9 +78,20 @@ public:
 private:
     /// Solves at a load factor from the model's state; keeps the state where that fails.
     const LoadStep& advance(double factor) {
-        const LoadStep& step = attempt(factor, options_.newton);
-        if (step.status == Status::converged || options_.newton == NewtonKind::plain) return step;
+        const LoadStep& step = attempt(factor, newton_);
+        if (step.status == Status::converged || newton_ == NewtonKind::plain) return step;
         return attempt(factor, NewtonKind::plain);
+    }
+
+    /// The iteration asked for, or the plain one where no element has another.
+    [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
+        bool evaluates_mixed = false;
+        model_.for_each_group([&](const auto& group) {
+            using Element = std::decay_t<decltype(group.element(0))>;
+            if (EvaluatesMixed<Element>::value && !group.connections.empty())
+                evaluates_mixed = true;
+        });
+        return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
     }
 
     const LoadStep& attempt(double factor, NewtonKind newton) {
@@ -136,6 +149,8 @@ private:
             solver_.solve(residual_, correction_);
             correction_ = -correction_;
             ++step.iterations;
+            if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
+                ++step.indefinite;
             if (!correction_.allFinite()) return Status::not_finite;
             if (!move(state, residual, step.newton)) return report_.fault->status;
             correction = monitor_.correction(correction_);
@@ -220,8 +235,7 @@ private:
         // the last tangent of a run that failed is not of the state that it keeps
         const bool counted = report_.status == Status::converged && !report_.steps.empty() &&
                              report_.steps.back().iterations > 0;
-        report_.stability =
-            stability(assembly_, counted ? report_.factorisation.negative_pivots : -1);
+        report_.stability = stability(assembly_, counted ? report_.factorisation : FactorReport{});
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
@@ -236,6 +250,7 @@ private:
     Assembly<Scene> assembly_;
     ConvergenceMonitor monitor_;
     Turning<Scene> turning_;
+    NewtonKind newton_;
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;

@@ -55,9 +55,10 @@ public:
     /// Turns the messages of an IDA object to this context.
     void silence(void* ida) noexcept;
 
-private:
+    /// Keeps a message, as one of SUNDIALS.
     void remember(const char* message) noexcept;
 
+private:
     SUNContext handle_ = nullptr;
     std::string message_;
 };

@@ -69,6 +69,7 @@ private:
     void set_tolerances();
     [[nodiscard]] double first_step() const;
     [[nodiscard]] bool step();
+    [[nodiscard]] bool lost_in_round_off() const;
     void observe_until(double time);
     void monitor();
     void finish();
@@ -172,7 +173,11 @@ void IdaRun<Scene>::set_tolerances() {
     auto absolute = view(tolerances_.get());
     system_.q(absolute) = options_.tolerance * sizes;
     system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
-    system_.lambda(absolute).setConstant(options_.tolerance * s.force);
+    // Newton's method cannot bring multipliers below the round-off of the forces they balance, of
+    // which it sees a part. Where that hides the forces themselves, step() ends the run.
+    const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
+    const double resolved = round_off < s.force ? round_off : 0.0;
+    system_.lambda(absolute).setConstant(std::max(options_.tolerance * s.force, resolved));
     system_.mu(absolute).setConstant(options_.tolerance * s.force * s.length / s.velocity);
     call(IDASVtolerances(ida_.get(), options_.tolerance, tolerances_.get()));
 
@@ -243,6 +248,11 @@ bool IdaRun<Scene>::step() {
     code_ = code;
     ++report_.steps;
     time_ = reached;
+    if (lost_in_round_off()) {
+        context_.remember("Newton's method fails in most steps, the forces hide in round-off");
+        fail(IDA_CONV_FAIL);
+        return false;
+    }
     double length = 0.0;
     IDAGetLastStep(ida_.get(), &length);
     report_.smallest_step = std::min(report_.smallest_step, length);
@@ -255,6 +265,14 @@ bool IdaRun<Scene>::step() {
         return false;
     }
     return true;
+}
+
+// IDA halves its step where Newton's method fails and doubles it after the next, for ever.
+template <class Scene>
+bool IdaRun<Scene>::lost_in_round_off() const {
+    long failures = 0;
+    IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
+    return failures > 1000 && 3 * failures > report_.steps;
 }
 
 // What a step left: energy and constraints, before any projection.
