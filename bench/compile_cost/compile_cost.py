@@ -4,9 +4,10 @@
 """Compiles typical translation units and prints what that costs.
 
     compile_cost.py [--csv] [--compiler g++] [--flags "-O2"] [--eigen /usr/include/eigen3]
-                    [--suitesparse /usr/include/suitesparse]
+                    [--suitesparse /usr/include/suitesparse] [--headers]
 
-Columns: unit, flags, seconds of processor time, largest memory in MB, bytes of code and data in the object file.
+Columns: unit, flags, seconds of processor time, largest memory in MB, bytes of code and data in the object file. With
+--headers, every public header alone instead: header, seconds, largest memory, without code.
 """
 
 import argparse
@@ -37,7 +38,18 @@ def main():
     parser.add_argument("--flags", action="append", help="flags of one column; may be repeated")
     parser.add_argument("--eigen", default="/usr/include/eigen3", help="folder of Eigen's headers")
     parser.add_argument("--suitesparse", default="/usr/include/suitesparse", help="folder of SuiteSparse's headers")
+    parser.add_argument("--headers", action="store_true", help="every public header alone")
     arguments = parser.parse_args()
+    third_parties = ["-isystem", arguments.eigen, "-isystem", arguments.suitesparse]
+    if arguments.headers:
+        print("header,seconds,memory_mb" if arguments.csv else f"{'header':46} {'seconds':>8} {'memory, MB':>11}")
+        for header in sorted((ROOT / "include").rglob("*.hpp")):
+            seconds, memory = compile_unit([arguments.compiler, "-std=c++17", "-fsyntax-only", "-w", "-x", "c++",
+                                            f"-I{ROOT}/include", *third_parties, header])
+            name = header.relative_to(ROOT / "include")
+            line = "{},{:.2f},{:.0f}" if arguments.csv else "{!s:46} {:8.2f} {:11.0f}"
+            print(line.format(name, seconds, memory), flush=True)
+        return
     print("unit,flags,seconds,memory_mb,object_bytes" if arguments.csv else
           f"{'unit':14} {'flags':22} {'seconds':>8} {'memory, MB':>11} {'object, bytes':>14}")
     for flags in arguments.flags or ["-O2", "-O2 -march=native"]:
@@ -45,8 +57,8 @@ def main():
             with tempfile.TemporaryDirectory() as folder:
                 target = pathlib.Path(folder) / "unit.o"
                 seconds, memory = compile_unit(
-                    [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include", "-isystem",
-                     arguments.eigen, "-isystem", arguments.suitesparse, "-w", "-c", unit, "-o", target])
+                    [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include",
+                     *third_parties, "-w", "-c", unit, "-o", target])
                 size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
             size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
             line = "{},{},{:.2f},{:.0f},{}" if arguments.csv else "{:14} {:22} {:8.2f} {:11.0f} {:14}"

@@ -131,7 +131,9 @@ TEST_CASE("CrossSectionBeam: the mixed rule converges with fourth order in Model
         error[k] = std::hypot(chain.tip()(0) - x, chain.tip()(1) - y);
     }
     for (int k = 1; k < 4; ++k) CHECK(error[k - 1] / error[k] >= 14.0);
-    CHECK(error[3] <= 2e-6 * 2.0);
+    // measured 2.7e-3, 1.7e-4, 1.1e-5, 6.6e-7 of the length
+    const double most[] = {4e-3, 2.5e-4, 2e-5, 1.5e-6};
+    for (int k = 0; k < 4; ++k) CHECK(error[k] <= most[k] * 2.0);
 }
 
 }  // namespace cross_section_reference_test

@@ -124,7 +124,8 @@ TEST_CASE("modes: eight elements have Timoshenko's first three pairs of bending"
     }
 }
 
-TEST_CASE("modes: 32 elements have Timoshenko's first five pairs, of fourth order", "[modal]") {
+TEST_CASE("modes: 32 elements have Timoshenko's first five pairs, of third order at least",
+          "[modal]") {
     const auto theory = timoshenko(0.01, 5);
     std::array<std::array<double, 5>, 2> errors{};
     for (const std::size_t fine : {0U, 1U}) {
@@ -133,8 +134,13 @@ TEST_CASE("modes: 32 elements have Timoshenko's first five pairs, of fourth orde
         ten.count = 10;
         const auto report = ancf::natural_modes(cantilever(fine == 1 ? 32 : 16, 0.01), solver, ten);
         REQUIRE(report.status == Status::converged);
-        for (std::size_t k = 0; k < 5; ++k)
-            errors[fine][k] = 2.0 * pi * report.modes.at(2 * k).frequency() / theory[k] - 1.0;
+        REQUIRE(report.modes.size() == 10);
+        for (std::size_t k = 0; k < 5; ++k) {
+            const double low = report.modes[2 * k].frequency();
+            errors[fine][k] = 2.0 * pi * low / theory[k] - 1.0;
+            // the other one of a square section's pair
+            CHECK(report.modes[2 * k + 1].frequency() == Approx(low).epsilon(1e-9));
+        }
     }
     // measured 1.7e-8, 6.5e-7, 5.1e-6, 1.9e-5, 5.2e-5, and orders from 3.2 to 3.3
     for (std::size_t k = 0; k < 5; ++k) {
