@@ -24,6 +24,9 @@
 
 #include <CLI/CLI.hpp>
 
+#if ANCF_BENCH_LAPACK
+#include <lapack_banded.hpp>
+#endif
 #include <peak.hpp>
 
 #include <algorithm>
@@ -145,6 +148,9 @@ Times measure(const Settings& settings, int elements, const Rule& rule, const st
         return measure(settings, elements, rule, suitesparse::Cholmod(options));
     }
 #endif
+#if ANCF_BENCH_LAPACK
+    if (solver == "lapack-banded") return measure(settings, elements, rule, bench::LapackBanded());
+#endif
     return measure(settings, elements, rule, EigenLdlt(singular_rcond));
 }
 
@@ -153,6 +159,9 @@ std::vector<std::string> all_solvers() {
         "block-tridiagonal",
 #if ANCF_WITH_SUITESPARSE
             "cholmod",
+#endif
+#if ANCF_BENCH_LAPACK
+            "lapack-banded",
 #endif
             "eigen-ldlt"
     };
