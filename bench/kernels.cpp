@@ -147,6 +147,7 @@ int main(int argc, char** argv) {
     run<CrossSectionBeam<3>>(settings, "cross-section", rules);
     run<CrossSectionBeam<3, Transported>>(settings, "cross-section-transported", rules);
     run<CrossSectionBeam<3, Geodesic>>(settings, "cross-section-geodesic", rules);
+    run<QuinticBeam<>>(settings, "cross-section-quintic", {Rule::quintic()});
     run<CrossSectionBeam<3, Projected, PointwiseShear>, false>(settings, "cross-section-pointwise",
                                                                {Rule::paper()});
     run<ContinuumBeam<3>>(settings, "continuum", {Rule::paper(), Rule::gauss(3), Rule::lobatto3()});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// LAPACK's banded LU factorisation with partial pivoting, to measure the solver for chains against.
+/// LAPACK's banded LU factorisation with partial pivoting, beside the solver for chains.
 
 #pragma once
 

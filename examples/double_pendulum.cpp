@@ -69,6 +69,7 @@ void DoublePendulum::parse(int argc, char** argv) {
     line.add_number("--density", density, examples::Range::positive, "kg/m^3");
     line.add_number("--gravity", gravity, examples::Range::finite, "m/s^2, downwards");
     beam.add_element_to(line, examples::spatial_beams);
+    beam.add_inertia_to(line);
     line.add_count("--elements", elements, 1, examples::most_elements,
                    "number of elements per beam");
     motion.add_to(line);

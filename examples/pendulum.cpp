@@ -71,6 +71,7 @@ void Pendulum::parse(int argc, char** argv) {
         "length of a massless link from a pivot above the beam's end, m; without it the end "
         "is pinned");
     beam.add_element_to(line, examples::all_elements);
+    beam.add_inertia_to(line);
     line.add_count("--elements", elements, 1, examples::most_elements, "number of elements");
     motion.add_to(line);
     output.add_to(line);

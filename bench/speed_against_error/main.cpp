@@ -121,9 +121,9 @@ int main(int argc, char** argv) {
     };
     try {
         for (const auto run :
-             {speed::cross_section, speed::geodesic, speed::pointwise, speed::continuum,
-              speed::torsion, speed::planar, speed::cable, speed::pendulums_in_space,
-              speed::pendulums_in_the_plane, speed::pendulums_of_cable})
+             {speed::cross_section, speed::geodesic, speed::quintic, speed::pointwise,
+              speed::continuum, speed::torsion, speed::planar, speed::cable,
+              speed::pendulums_in_space, speed::pendulums_in_the_plane, speed::pendulums_of_cable})
             run(plan, report);
     } catch (const std::exception& failure) {
         std::cerr << failure.what() << '\n';

@@ -13,6 +13,7 @@
 
 #pragma once
 
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/constraints_points.hpp>
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,8 @@ Motion run_pendulum(const std::string& name, const ancf::Rule& rule, int element
     ancf::Model<Element> model;
     typename Element::Options options;
     options.rule = rule;
+    if constexpr (std::is_base_of_v<ancf::CrossSectionOptions, typename Element::Options>)
+        options.rotary_inertia = ancf::RotaryInertia::lumped;
     const auto material = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
     const auto beam = ancf::straight_beam(model, material, section, Point(Point::Zero()),
@@ -113,7 +117,8 @@ std::vector<Series<Scene>> all_series(bool quick) {
     if (quick) return all;
     add(ancf::bench::adaptive_generalized_alpha<Scene>("generalized-alpha-adaptive"),
         {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
-    add(ancf::bench::energy_momentum<Scene>("energy-momentum"), {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
+    add(ancf::bench::energy_momentum<Scene>("energy-momentum"),
+        {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
     return all;
 }
 

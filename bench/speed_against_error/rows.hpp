@@ -43,6 +43,7 @@ using Report = std::function<void(const Row&)>;
 // Each is one translation unit: all its runs with one or two elements.
 void cross_section(const Plan& plan, const Report& report);
 void geodesic(const Plan& plan, const Report& report);
+void quintic(const Plan& plan, const Report& report);
 void pointwise(const Plan& plan, const Report& report);
 void continuum(const Plan& plan, const Report& report);
 void torsion(const Plan& plan, const Report& report);

@@ -12,6 +12,7 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
+#include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/torsion_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/curve.hpp>
@@ -130,6 +131,8 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     ancf::Model<Element> model;
     typename Element::Options element_options;
     element_options.rule = rule;
+    if constexpr (std::is_same_v<typename Element::Options, ancf::QuinticOptions>)
+        element_options.section_model = ancf::SectionModel::paper;  // as of the others
     const auto material = ancf::Material::from_moduli(scene.young, scene.shear, 7850.0);
     const auto section = ancf::rectangle(scene.width, scene.height)
                              .with_shear_correction(scene.correction, scene.correction);

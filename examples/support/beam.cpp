@@ -38,6 +38,13 @@ void BeamOptions::add_geometry_to(CommandLine& line) {
                     "factor k of the shear modulus");
 }
 
+void BeamOptions::add_inertia_to(CommandLine& line) {
+    moving = true;
+    line.set_group("Element");
+    line.add_choice("--rotary-inertia", rotary_inertia, {"consistent", "lumped"},
+                    "of sections that turn: by interpolated slopes, or at the nodes");
+}
+
 void BeamOptions::add_clamp_to(CommandLine& line) {
     clampable = true;
     line.set_group("Beam");
@@ -58,17 +65,25 @@ void BeamOptions::settle(const CommandLine& line) {
         const auto own = ancf::CrossSectionOptions::best();
         const bool green = own.transverse == ancf::TransverseStrain::green;
         const bool as_paper = own.section_model == ancf::SectionModel::paper;
+        const bool lumped = own.rotary_inertia == ancf::RotaryInertia::lumped;
         // two points are too few for shear that is not interpolated between the nodes
         const bool few_points = is_cross_section() && element != "cross-section-pointwise";
         line.settle<std::string>("--rule", rule,
-                                 is_cable()   ? "cable"
+                                 is_quintic() ? "quintic"
+                                 : is_cable() ? "cable"
                                  : few_points ? own.rule.name()
                                               : paper.rule);
         line.settle<std::string>("--directors", directors, "geodesic");
         line.settle<std::string>("--transverse", transverse, green ? "green" : "stretch");
         line.settle<std::string>("--section", section_model, as_paper ? "paper" : "saint-venant");
+        if (moving && is_cross_section())
+            line.settle<std::string>("--rotary-inertia", rotary_inertia,
+                                     lumped ? "lumped" : "consistent");
     }
-    refuse(has_directors(), "--directors", directors, paper.directors);
+    if (is_quintic()) line.settle<std::string>("--rule", rule, "quintic");
+    refuse(has_directors(), "--directors", directors, is_quintic() ? "geodesic" : paper.directors);
+    if (moving)
+        refuse(is_cross_section(), "--rotary-inertia", rotary_inertia, paper.rotary_inertia);
     refuse(is_cross_section(), "--transverse", transverse, paper.transverse);
     refuse(is_cross_section() && !is_planar(), "--section", section_model, paper.section_model);
     if (clampable && is_cable()) refuse(false, "--clamp", clamp, "full");  // no other slope
@@ -80,6 +95,7 @@ std::string BeamOptions::description() const {
     std::string text = element + " element, rule " + rule;
     if (!is_cross_section()) return text;
     if (!is_planar()) text += ", directors " + directors + ", section model " + section_model;
+    if (moving) text += ", rotary inertia " + rotary_inertia;
     return text + ", transverse strain " + transverse;
 }
 

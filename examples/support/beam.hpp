@@ -47,20 +47,16 @@ struct Geometry {
 };
 
 /// Words of --element; the cross-section beams come first, then the other spatial ones.
-inline const std::vector<std::string> cross_section_beams = {"cross-section",
-                                                             "cross-section-pointwise"};
-inline const std::vector<std::string> spatial_beams = {"cross-section", "cross-section-pointwise",
-                                                       "continuum", "continuum-hooke",
-                                                       "continuum-enhanced"};
-inline const std::vector<std::string> all_elements = {"cross-section",
-                                                      "cross-section-pointwise",
-                                                      "continuum",
-                                                      "continuum-hooke",
-                                                      "continuum-enhanced",
-                                                      "cross-section-2d",
-                                                      "continuum-2d",
-                                                      "cable",
-                                                      "cable-2d"};
+inline const std::vector<std::string> cross_section_beams = {
+    "cross-section", "cross-section-quintic", "cross-section-pointwise"};
+inline const std::vector<std::string> spatial_beams = {
+    "cross-section", "cross-section-quintic", "cross-section-pointwise",
+    "continuum",     "continuum-hooke",       "continuum-enhanced"};
+inline const std::vector<std::string> all_elements = {
+    "cross-section",    "cross-section-quintic", "cross-section-pointwise",
+    "continuum",        "continuum-hooke",       "continuum-enhanced",
+    "cross-section-2d", "continuum-2d",          "cable",
+    "cable-2d"};
 
 /// A beam as the command line describes it; the defaults are the paper's.
 struct BeamOptions {
@@ -71,8 +67,10 @@ struct BeamOptions {
     std::string directors = "projected";
     std::string transverse = "green";
     std::string section_model = "paper";
+    std::string rotary_inertia = "consistent";
     std::string clamp = "free-slope";
     bool clampable = false;  ///< whether the program takes --clamp
+    bool moving = false;     ///< whether the program takes --rotary-inertia
 
     /// Adds the choice of the element and of its options.
     /// @param elements  what the program offers
@@ -80,6 +78,9 @@ struct BeamOptions {
 
     /// Adds what the beam is made of.
     void add_geometry_to(CommandLine& line);
+
+    /// Adds how the beam resists turning.
+    void add_inertia_to(CommandLine& line);
 
     /// Adds how the beam is held.
     void add_clamp_to(CommandLine& line);
@@ -96,6 +97,8 @@ struct BeamOptions {
         return element.size() > 3 && element.compare(element.size() - 3, 3, "-2d") == 0;
     }
 
+    [[nodiscard]] bool is_quintic() const { return element == "cross-section-quintic"; }
+
     /// Returns whether the element's directors may be chosen.
     [[nodiscard]] bool has_directors() const { return element == "cross-section"; }
 
@@ -105,8 +108,10 @@ struct BeamOptions {
         if (is_planar() != (Element::dimension == 2)) return false;
         if constexpr (std::is_same_v<Element, CrossSectionPointwise>)
             return element == "cross-section-pointwise";
+        else if constexpr (std::is_same_v<Element, CrossSectionQuintic>)
+            return is_quintic();
         else if constexpr (std::is_same_v<typename Element::Options, ancf::CrossSectionOptions>)
-            return is_cross_section() && element != "cross-section-pointwise" &&
+            return is_cross_section() && element != "cross-section-pointwise" && !is_quintic() &&
                    (directors == "geodesic") == std::is_same_v<Element, CrossSectionGeodesic> &&
                    (directors == "transported") == std::is_same_v<Element, CrossSectionTransported>;
         else if constexpr (std::is_same_v<typename Element::Options, ancf::ContinuumOptions>)
@@ -118,9 +123,9 @@ struct BeamOptions {
     /// Returns whether every choice but that of the element is the paper's.
     [[nodiscard]] bool as_paper() const {
         const BeamOptions paper{};
-        return std::tie(rule, directors, transverse, section_model, clamp) ==
+        return std::tie(rule, directors, transverse, section_model, rotary_inertia, clamp) ==
                std::tie(paper.rule, paper.directors, paper.transverse, paper.section_model,
-                        paper.clamp);
+                        paper.rotary_inertia, paper.clamp);
     }
 
     /// Returns the element and its options in words.
@@ -154,11 +159,15 @@ struct BeamOptions {
         } else if constexpr (std::is_same_v<Options, ancf::CableOptions>) {
             return Options{quadrature, 1.0};
         } else {
-            return Options{quadrature,
-                           transverse == "green" ? ancf::TransverseStrain::green
-                                                 : ancf::TransverseStrain::stretch,
-                           section_model == "paper" ? ancf::SectionModel::paper
-                                                    : ancf::SectionModel::saint_venant};
+            Options options;
+            options.rule = quadrature;
+            options.transverse = transverse == "green" ? ancf::TransverseStrain::green
+                                                       : ancf::TransverseStrain::stretch;
+            options.section_model = section_model == "paper" ? ancf::SectionModel::paper
+                                                             : ancf::SectionModel::saint_venant;
+            options.rotary_inertia = rotary_inertia == "lumped" ? ancf::RotaryInertia::lumped
+                                                                : ancf::RotaryInertia::consistent;
+            return options;
         }
     }
 };

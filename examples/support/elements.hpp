@@ -20,6 +20,7 @@ namespace examples {
 using CrossSection = ancf::CrossSectionBeam<3>;
 using CrossSectionTransported = ancf::CrossSectionBeam<3, ancf::Transported>;
 using CrossSectionGeodesic = ancf::CrossSectionBeam<3, ancf::Geodesic>;
+using CrossSectionQuintic = ancf::QuinticBeam<>;
 using CrossSectionPointwise = ancf::CrossSectionBeam<3, ancf::Projected, ancf::PointwiseShear>;
 using Continuum = ancf::ContinuumBeam<3>;
 using PlanarCrossSection = ancf::CrossSectionBeam<2>;
@@ -31,21 +32,21 @@ using PlanarCable = ancf::Cable<2>;
 template <class... Elements>
 struct ElementList {};
 
-using CrossSectionBeams =
-    ElementList<CrossSection, CrossSectionTransported, CrossSectionGeodesic, CrossSectionPointwise>;
+using CrossSectionBeams = ElementList<CrossSection, CrossSectionTransported, CrossSectionGeodesic,
+                                      CrossSectionQuintic, CrossSectionPointwise>;
 using SpatialBeams = ElementList<CrossSection, CrossSectionTransported, CrossSectionGeodesic,
-                                 CrossSectionPointwise, Continuum>;
-using AllElements =
-    ElementList<CrossSection, CrossSectionTransported, CrossSectionGeodesic, CrossSectionPointwise,
-                Continuum, PlanarCrossSection, PlanarContinuum, Cable, PlanarCable>;
+                                 CrossSectionQuintic, CrossSectionPointwise, Continuum>;
+using AllElements = ElementList<CrossSection, CrossSectionTransported, CrossSectionGeodesic,
+                                CrossSectionQuintic, CrossSectionPointwise, Continuum,
+                                PlanarCrossSection, PlanarContinuum, Cable, PlanarCable>;
 
 }  // namespace examples
 
 /// Calls a macro for every element type.
 #define ANCF_EXAMPLES_FOR_EACH_ELEMENT(apply)                                      \
     apply(CrossSection) apply(CrossSectionTransported) apply(CrossSectionGeodesic) \
-        apply(CrossSectionPointwise) apply(Continuum) apply(PlanarCrossSection)    \
-            apply(PlanarContinuum) apply(Cable) apply(PlanarCable)
+        apply(CrossSectionQuintic) apply(CrossSectionPointwise) apply(Continuum)   \
+            apply(PlanarCrossSection) apply(PlanarContinuum) apply(Cable) apply(PlanarCable)
 
 // Assemblers are instantiated in solve_*.cpp alone.
 #define ANCF_EXAMPLES_DECLARE(Element) \

@@ -157,6 +157,9 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     if (indefinite > 0)
         text << "; " << indefinite
              << " of the tangents on the way indefinite: smaller steps may end elsewhere";
+    if (report.softened)
+        text << "; element " << report.softened->element
+             << " is so short that its law softens: smaller steps may end elsewhere";
     std::cerr << text.str() << '\n';
 }
 

@@ -9,9 +9,11 @@
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/element/torsion_beam.hpp>
 #include <ancf/section/material.hpp>
+#include <ancf/section/polygon.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>
+#include <support/element_properties.hpp>
 #include <support/instances/cable.hpp>
 #include <support/instances/continuum.hpp>
 #include <support/instances/cross_section.hpp>
@@ -29,6 +31,29 @@ TEMPLATE_TEST_CASE("mass: it has the mass moments of the section and nothing els
     const TestType element(material, both, 0.7);
     CHECK(element.mass() == TestType(material, other, 0.7).mass());
     CHECK(element.mass() != TestType(material, plain, 0.7).mass());
+}
+
+TEMPLATE_TEST_CASE("mass: rotary inertia at the nodes is the whole of it and couples no nodes",
+                   "[element][mass]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>) {
+    const auto material = ancf::Material::from_moduli(2e9, 8e8, 1200.0);
+    const ancf::Section section =
+        ancf::polygon({{-0.06, -0.09}, {0.11, -0.07}, {0.09, 0.05}, {-0.04, 0.12}});
+    ancf::CrossSectionOptions options;
+    options.rotary_inertia = ancf::RotaryInertia::lumped;
+    const TestType element(material, section, 0.7, options);
+    ancf::test::check_mass(element, material.density, section.moments());
+    ancf::test::check_gravity(element, material.density, section.moments());
+    const auto mass = element.mass();
+    const auto consistent = TestType(material, section, 0.7).mass();
+    constexpr int dimension = TestType::dimension, node = TestType::dofs / 2, line = 2 * dimension;
+    const auto across = [&](const auto& matrix, int row, int column) {
+        return matrix.template block<node - line, node - line>(row + line, column + line).norm();
+    };
+    CHECK(across(mass, 0, node) == 0.0);
+    CHECK(across(consistent, 0, node) > 0.0);
+    CHECK(across(mass, 0, 0) == Approx(1.5 * across(consistent, 0, 0)));
+    CHECK(mass.template topLeftCorner<line, line>() ==
+          consistent.template topLeftCorner<line, line>());
 }
 
 }  // namespace mass_test

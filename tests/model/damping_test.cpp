@@ -7,6 +7,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/model/curve.hpp>
 #include <ancf/model/damping.hpp>
@@ -115,6 +116,21 @@ TEST_CASE("add_drag: its power is that of the centre line's velocity, on a curve
         length += model.group().element(k).length();
     }
     CHECK(power == Approx(-c * length).epsilon(2e-4));  // cubics for arcs
+}
+
+TEST_CASE("add_drag: r_xx of a quintic centre line has its part", "[model][damping]") {
+    Model<QuinticBeam<>> model;
+    const double c = 2.5;
+    const auto beam = straight_beam(model, material(), section(), {0, 0, 0}, {1, 0, 0}, 1);
+    add_drag(model, beam, c);
+    LoadState state{VectorX::Zero(30), VectorX::Zero(30), 0.0};
+    // the velocity x^4 across: -c int x^8 dx is its power
+    state.v[15 + 1] = 1.0;
+    state.v[18 + 1] = 4.0;
+    state.v[27 + 1] = 12.0;
+    LoadResult out{VectorX::Zero(30), MatrixX::Zero(30, 30), MatrixX::Zero(30, 30), 0.0};
+    model.loads()[0].load.evaluate(state, out);
+    CHECK(out.force.dot(state.v) == Approx(-c / 9.0).epsilon(1e-13));
 }
 
 TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",

@@ -15,13 +15,13 @@ using namespace ancf;
 
 TEMPLATE_TEST_CASE("KelvinVoigt: derivatives equal the complex step of the force",
                    "[model][damping]", CrossSectionBeam<3>, (CrossSectionBeam<3, Geodesic>),
-                   (CrossSectionBeam<3, Projected, PointwiseShear>)) {
+                   (CrossSectionBeam<3, Projected, PointwiseShear>), QuinticBeam<>) {
     test::kelvin_voigt::check_derivatives<TestType>();
 }
 
 TEMPLATE_TEST_CASE("KelvinVoigt: rigid motions of a deformed element meet no force",
                    "[model][damping]", CrossSectionBeam<3>, (CrossSectionBeam<3, Geodesic>),
-                   (CrossSectionBeam<3, Projected, PointwiseShear>)) {
+                   (CrossSectionBeam<3, Projected, PointwiseShear>), QuinticBeam<>) {
     test::kelvin_voigt::check_rigid_motions<TestType>();
 }
 

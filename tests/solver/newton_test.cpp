@@ -242,6 +242,25 @@ TEST_CASE("statics: a step that mixed iterations fail is repeated as plain", "[s
     CHECK(report.iterations() == 3 + report.steps[1].iterations);
 }
 
+TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][newton]") {
+    for (const int steps : {1, 10}) {
+        Cantilever beam(4, 1.0, 0.1, ancf::Rule::gauss(3));
+        beam.scene.add(ancf::Force<3>(beam.beam.last(), {0.0, 30.0 * beam.bending, 0.0}));
+        const auto report = beam.solve(NewtonKind::plain, steps);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        const double tip = beam.scene.position(beam.beam.last())[0];
+        if (steps == 1) {
+            CHECK(tip < 0.0);  // another equilibrium of the mesh; measured -0.007
+            REQUIRE(report.softened);
+            CHECK(report.softened->element == 0);
+        } else {
+            CHECK(tip == Approx(0.242).margin(2e-3));  // finer meshes have 0.239
+            CHECK_FALSE(report.softened);
+        }
+    }
+}
+
 TEST_CASE("statics: a small correction that turns is the correction itself", "[statics][newton]") {
     Cantilever beam(6, 1.0, 0.1, ancf::Rule::paper());
     const ancf::Numbering numbering(beam.scene);

@@ -154,9 +154,10 @@ template <class Element>
 void check_zero_modes(const Element& element) {
     // Slopes scaled by the length, so that all coordinates are lengths; the least elastic
     // eigenvalue belongs to bending, h^2/l^2 of the largest.
-    Coordinates<Element> scale = Coordinates<Element>::Constant(1.0 / element.length());
+    Coordinates<Element> scale;
     for_each_vector<Element>([&](int, Field field, int first) {
-        if (field == Field::r) scale.template segment<Element::dimension>(first).setOnes();
+        scale.template segment<Element::dimension>(first).setConstant(
+            std::pow(element.length(), length_power(field) - 1));
     });
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Random random(seed);

@@ -86,11 +86,13 @@ template <int Dimension>
     }
 }
 
-/// Returns the unit vector along which a field of the straight reference points: 0, e_x, e_y, e_z.
+/// Returns the unit vector along which a field of the straight reference points: e_x, e_y, e_z of
+/// slopes, 0 of the others.
 template <int Dimension>
 [[nodiscard]] Vector<double, Dimension> reference_direction(Field field) {
-    return field == Field::r ? Vector<double, Dimension>::Zero().eval()
-                             : Vector<double, Dimension>::Unit(static_cast<int>(field) - 1).eval();
+    return length_power(field) != 0
+               ? Vector<double, Dimension>::Zero().eval()
+               : Vector<double, Dimension>::Unit(static_cast<int>(field) - 1).eval();
 }
 
 /// Calls visit(node, field, first coordinate) for every vector of an element.
@@ -98,7 +100,7 @@ template <class Element, class Visit>
 void for_each_vector(const Visit& visit) {
     constexpr int dimension = Element::dimension;
     for (int node = 0; node < 2; ++node) {
-        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z}) {
+        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z, Field::r_xx}) {
             if (!Element::fields.contains(field)) continue;
             visit(node, field,
                   dimension * (node * Element::fields.count() + Element::fields.rank(field)));
@@ -152,6 +154,7 @@ template <class Element>
             v *= element.length();
         } else {
             v = frame[node] * (v + strain * random.vector<dimension>());
+            if (field == Field::r_xx) v /= element.length();
         }
         e.template segment<dimension>(first) = v;
     });

@@ -63,6 +63,14 @@ struct Fault {
 
 namespace detail {
 
+/// Whether an element tells where its law softens.
+template <class Element, class = void>
+struct TellsSoftened : std::false_type {};
+template <class Element>
+struct TellsSoftened<Element, std::void_t<decltype(std::declval<const Element&>().softened(
+                                  std::declval<const typename Element::Coordinates&>()))>>
+    : std::true_type {};
+
 /// Whether an element has the tangent of mixed integration points.
 template <class Element, class = void>
 struct EvaluatesMixed : std::false_type {};
@@ -148,6 +156,11 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
+    /// Returns the first element so short that its law softens, of those that tell, such as
+    /// CrossSectionBeam: its status is degenerate.
+    /// @throws InvalidArgument for a q of another size.
+    [[nodiscard]] std::optional<Fault> softened(const VectorX& q) const;
+
     /// Writes the residual of the unknowns.
     void residual(VectorX& out) const;
 
@@ -190,6 +203,10 @@ public:
     }
 
 private:
+    // Returns the first element that judge(element, coordinates) has a status for.
+    template <class Judge>
+    [[nodiscard]] std::optional<Fault> find_element(const VectorX& q, const Judge& judge) const;
+
     void check_size(const char* call, const char* what, const VectorX& given) const;
 
     // an element's place in the system

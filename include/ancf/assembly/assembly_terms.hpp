@@ -163,6 +163,26 @@ void Assembly<Scene>::check_size(const char* call, const char* what, const Vecto
 template <class Scene>
 std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
     check_size("inspect", "coordinates", q);
+    return find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
+        if (!e.allFinite()) return Status::not_finite;
+        if (!element.admissible(e)) return Status::degenerate;
+        return std::nullopt;
+    });
+}
+
+template <class Scene>
+std::optional<Fault> Assembly<Scene>::softened(const VectorX& q) const {
+    check_size("softened", "coordinates", q);
+    return find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
+        if constexpr (detail::TellsSoftened<std::decay_t<decltype(element)>>::value)
+            if (element.softened(e)) return Status::degenerate;
+        return std::nullopt;
+    });
+}
+
+template <class Scene>
+template <class Judge>
+std::optional<Fault> Assembly<Scene>::find_element(const VectorX& q, const Judge& judge) const {
     int group_index = 0;
     std::optional<Fault> fault;
     for_each_group([&](const auto& group, const auto& slots) {
@@ -173,10 +193,8 @@ std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
             element_coordinates<Element>(slots[k], coordinate);
             for (int i = 0; i < Element::dofs; ++i) e[i] = q[coordinate[i]];
             const int index = static_cast<int>(k);
-            if (!e.allFinite())
-                fault = Fault{Status::not_finite, group_index, index};
-            else if (!group.element(index).admissible(e))
-                fault = Fault{Status::degenerate, group_index, index};
+            if (const std::optional<Status> status = judge(group.element(index), e))
+                fault = Fault{*status, group_index, index};
         }
         ++group_index;
     });

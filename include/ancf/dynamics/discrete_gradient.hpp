@@ -60,7 +60,7 @@ template <class Element>
     }
     const double length = element.length();
     const RigidModes<Element::dimension, Element::dofs> modes(
-        middle, [](int k) { return Element::fields.contains(Field::r) && k % per_node == 0; },
+        middle, [](int k) { return length_power(Element::fields.at(k % per_node)); },
         length * length);
     const Coordinates rest = modes.without(change);
     const Coordinates weighted = modes.weights().cwiseProduct(rest);
@@ -89,10 +89,10 @@ template <class Element>
 /// @param difference  g(q_1) - g(q_0).
 /// @param invariant   whether rigid motions leave g as it is: then the correction moves no
 ///                    momentum.
-template <int Dimension, class Flags>
+template <int Dimension, class Power>
 void correct_gradient(double difference, const VectorX& middle, const VectorX& change,
-                      bool invariant, const Flags& is_position, double length, VectorX& gradient) {
-    const RigidModes<Dimension, Eigen::Dynamic> modes(middle, is_position, length * length);
+                      bool invariant, const Power& length_power, double length, VectorX& gradient) {
+    const RigidModes<Dimension, Eigen::Dynamic> modes(middle, length_power, length * length);
     const VectorX rest = invariant ? modes.without(change) : change;
     const VectorX weighted = modes.weights().cwiseProduct(rest);
     const double square = rest.dot(weighted);

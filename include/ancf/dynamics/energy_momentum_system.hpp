@@ -46,7 +46,7 @@ public:
 private:
     struct LocalLoad {
         std::vector<int> at;
-        std::vector<char> is_position;
+        std::vector<int> power;  // of a length in each vector's unit
     };
 
     void weigh();
@@ -121,7 +121,7 @@ typename EnergyMomentumSystem<Scene>::LocalLoad EnergyMomentumSystem<Scene>::loc
     for (const NodeField& at : coupling) {
         const int first = problem_.model().layout().index(at);
         for (int k = 0; k < Scene::dimension; ++k) result.at.push_back(first + k);
-        result.is_position.push_back(at.field == Field::r ? 1 : 0);
+        result.power.push_back(length_power(at.field));
     }
     return result;
 }
@@ -153,10 +153,10 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
         turn(a, b) = -0.6;
         turn(b, a) = 0.6;
         VectorX moved = q;
-        for (std::size_t k = 0; k < local.is_position.size(); ++k) {
+        for (std::size_t k = 0; k < local.power.size(); ++k) {
             const int first = dimension * static_cast<int>(k);
             for (int i = 0; i < dimension; ++i) {
-                moved[first + i] = local.is_position[k] != 0 ? shift[i] : 0.0;
+                moved[first + i] = local.power[k] > 0 ? shift[i] : 0.0;
                 for (int j = 0; j < dimension; ++j) moved[first + i] += turn(i, j) * q[first + j];
             }
         }
@@ -265,8 +265,8 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
             if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                 correct_gradient<Scene::dimension>(
                     earlier - later, middle_q, change, false,
-                    [&](int i) { return place.is_position[static_cast<std::size_t>(i)] != 0; },
-                    length_, result.force);
+                    [&](int i) { return place.power[static_cast<std::size_t>(i)]; }, length_,
+                    result.force);
         }
         const double scale = load.scale(middle);
         for (std::size_t i = 0; i < place.at.size(); ++i)
@@ -317,8 +317,8 @@ void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const Vecto
             if (!out && std::abs(rest) > 1e-15 * size_of_terms)
                 correct_gradient<Scene::dimension>(
                     difference[i], middle_q, change, invariant_[k] != 0,
-                    [&](int j) { return place.is_position[static_cast<std::size_t>(j)] != 0; },
-                    length_, gradient);
+                    [&](int j) { return place.power[static_cast<std::size_t>(j)]; }, length_,
+                    gradient);
             for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
         }
         for (Eigen::Index j = 0; j < size; ++j)

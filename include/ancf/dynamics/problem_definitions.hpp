@@ -102,8 +102,10 @@ void DynamicProblem<Scene>::set_length_scale(double length) {
     length_ = length;
     full_scales_.setOnes(layout.size());
     for (int node = 0; node < layout.nodes(); ++node)
-        if (layout.fields(node).contains(Field::r))
-            full_scales_.template segment<dimension>(layout.first(node)).setConstant(length);
+        for (const Field field : {Field::r, Field::r_xx})
+            if (const int first = layout.index({{node}, field}); first >= 0)
+                full_scales_.template segment<dimension>(first).setConstant(
+                    field == Field::r ? length : 1.0 / length);
     numbering().gather_free(full_scales_, scales_);
 }
 

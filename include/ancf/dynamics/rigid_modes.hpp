@@ -47,19 +47,22 @@ public:
     using Point = Vector<double, Dimension>;
     using Square = Matrix<double, Size>;
 
-    /// @param is_position    per vector.
-    /// @param slope_weight   W of slopes, m^2.
-    template <class Flags>
-    RigidModes(const Coordinates& e, const Flags& is_position, double slope_weight) {
+    /// @param length_power   of each vector's unit: 1 of positions, 0 of slopes, -1 of r_xx.
+    /// @param slope_weight   W of slopes, m^2; W^2 is that of r_xx.
+    template <class Power>
+    RigidModes(const Coordinates& e, const Power& length_power, double slope_weight) {
         count_ = static_cast<int>(e.size()) / Dimension;
         relative_ = e;
         weight_.resize(e.size());
         centroid_.setZero();
         for (int k = 0; k < count_; ++k) {
-            if (is_position(k)) position_ |= std::uint64_t{1} << static_cast<unsigned>(k);
+            const int power = length_power(k);
+            if (power > 0) position_ |= std::uint64_t{1} << static_cast<unsigned>(k);
             for (int i = 0; i < Dimension; ++i)
-                weight_[Dimension * k + i] = is_position(k) ? 1.0 : slope_weight;
-            if (!is_position(k)) continue;
+                weight_[Dimension * k + i] = power > 0    ? 1.0
+                                             : power == 0 ? slope_weight
+                                                          : slope_weight * slope_weight;
+            if (power <= 0) continue;
             centroid_ += vector(e, k);
             ++positions_;
         }

@@ -68,13 +68,10 @@ template <int Dimension, class Measure>
 Cable<Dimension, Measure>::Cable(const Material& material, const Section& section,
                                  const Coordinates& reference, double length,
                                  const CableOptions& options)
-    : Cable(material, section,
-            ReferenceLine<Dimension>((detail::require_positive("length", length), length),
-                                     reference.template segment<Dimension>(2 * Dimension) -
-                                         reference.template head<Dimension>(),
-                                     reference.template segment<Dimension>(Dimension),
-                                     reference.template tail<Dimension>()),
-            reference, options) {}
+    : Cable(
+          material, section,
+          ReferenceLine<Dimension>((detail::require_positive("length", length), length), reference),
+          reference, options) {}
 
 template <int Dimension, class Measure>
 Cable<Dimension, Measure>::Cable(const Material& material, const Section& section,

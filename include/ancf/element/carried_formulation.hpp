@@ -46,13 +46,15 @@ inline NodalSpin<S> nodal_spin(const Vec3<S>& a, const Vec3<S>& g) noexcept {
 
 /// @tparam Measure  strains of the section
 /// @tparam Angle    LinearAngle or ChordAngle
-template <class Measure, class Angle>
+/// @tparam Line     number of nodal vectors in the centre line, 3 or 5
+template <class Measure, class Angle, int Line = 3>
 struct CarriedFormulation {
+    static constexpr int line = Line;  ///< nodal vectors in the centre line
     static constexpr int scalars = 8;
     template <class S>
-    using Gradient = NodalGradient<S, scalars>;
+    using Gradient = NodalGradient<S, scalars, Line>;
     template <class S>
-    using Hessian = NodalHessian<S, 3, scalars>;
+    using Hessian = NodalHessian<S, Line, scalars>;
 
     template <class S>
     struct Nodes {
@@ -78,7 +80,8 @@ struct CarriedFormulation {
     };
 
     template <class S, class P>
-    static void prepare(const NodalVectors<S>& vectors, Nodes<S>& nodes, Lanes<P>& lanes) noexcept {
+    static void prepare(const NodalVectors<S, Line>& vectors, Nodes<S>& nodes,
+                        Lanes<P>& lanes) noexcept {
         nodal_sines(vectors, nodes.sines);
         for (int m = 0; m < 4; ++m) {
             nodes.spins[m] = nodal_spin(vectors[slope_of(m)], vectors[tangent_of(m)]);
@@ -96,14 +99,12 @@ struct CarriedFormulation {
     }
 
     template <class T, class P>
-    ANCF_NOINLINE static P state(const StationData<T>& data, const NodalVectors<P>& n,
+    ANCF_NOINLINE static P state(const StationData<T, Line>& data, const NodalVectors<P, Line>& n,
                                  const Lanes<P>& lanes, State<P>& at) noexcept {
         CarriedFrame<P, Angle>& f = at.frame;
-        const StationShape<T>& shape = data.shape;
-        for (int k = 0; k < 3; ++k) {
-            f.p[k] = shape.p[0] * n[n_D][k] + shape.p[1] * n[n_g1][k] + shape.p[2] * n[n_g2][k];
-            f.p1[k] = shape.p1[0] * n[n_D][k] + shape.p1[1] * n[n_g1][k] + shape.p1[2] * n[n_g2][k];
-        }
+        const StationShape<T, Line>& shape = data.shape;
+        f.p = line_derivative(shape.p, n);
+        f.p1 = line_derivative(shape.p1, n);
         f.g[0] = n[n_g1];
         f.g[1] = n[n_g2];
         f.n2 = P(shape.n2);
@@ -114,17 +115,17 @@ struct CarriedFormulation {
     }
 
     template <class T, class P>
-    ANCF_NOINLINE static void gradient(const StationData<T>& data, State<P>& at,
+    ANCF_NOINLINE static void gradient(const StationData<T, Line>& data, State<P>& at,
                                        Gradient<P>& sums) noexcept {
-        const StationShape<T>& shape = data.shape;
+        const StationShape<T, Line>& shape = data.shape;
         Measure::jacobian(at.w, typename Measure::template Rates<P>(at.w), at.J);
         energy_gradient<Measure>(at.J, at.stress, at.U);
         Vec3<P> vector[carried_count];
         P spin[spin_count];
         carried_gradient(at.frame, at.U, vector, spin);
-        for (int i = 0; i < 3; ++i) {
-            add(sums.vector[n_D + i], shape.p[i], vector[v_p]);
-            add(sums.vector[n_D + i], shape.p1[i], vector[v_p1]);
+        for (int i = 0; i < Line; ++i) {
+            add(sums.vector[line_vector(i)], shape.p[i], vector[v_p]);
+            add(sums.vector[line_vector(i)], shape.p1[i], vector[v_p1]);
         }
         for (int k = 0; k < 3; ++k) {
             sums.vector[n_g1][k] += vector[v_g1][k];
@@ -141,7 +142,7 @@ struct CarriedFormulation {
     }
 
     template <class T, class P>
-    static void hessian(const StationData<T>& data, const State<P>& at,
+    static void hessian(const StationData<T, Line>& data, const State<P>& at,
                         Hessian<P>& blocks) noexcept {
         P D[invariant_count][invariant_count];
         invariant_hessian<Measure>(data, at.w, at.J, at.stress, D);
@@ -161,10 +162,10 @@ struct CarriedFormulation {
     template <class P, class S>
     ANCF_NOINLINE static void assign(const Nodes<S>& nodes, const Gradient<S>& gradient,
                                      const Hessian<P>& blocks,
-                                     const HalfTangent<S>& half) noexcept {
+                                     const HalfTangent<S, dofs_with<Line>>& half) noexcept {
         const NodalForm<S>* forms[scalars];
         list_forms(nodes, forms);
-        Vector<S, 24> Z[scalars];
+        Vector<S, dofs_with<Line>> Z[scalars];
         form_columns(forms, blocks, Z);
         for (int m = 0; m < 4; ++m) add_sine_shares(nodes.sines[m], gradient.scalar[m], m, Z[m]);
         assign_columns(forms, Z, half);
@@ -185,15 +186,16 @@ private:
 
     /// Adds the blocks of p, p1 and the nodal tangents.
     template <class T, class P>
-    ANCF_NOINLINE static void add_blocks(const StationShape<T>& shape,
+    ANCF_NOINLINE static void add_blocks(const StationShape<T, Line>& shape,
                                          const CarriedHessian<P>& local, Hessian<P>& n) noexcept {
         add_line_blocks(shape, local(v_p, v_p), local(v_p, v_p1), local(v_p1, v_p1), n);
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 3; ++i) {
                 for (int m = 0; m < 2; ++m) {
                     const P pg = local(v_p, v_g1 + m)(i, j), vg = local(v_p1, v_g1 + m)(i, j);
-                    P line[3];  // block of (D, g1, g2) with this tangent
-                    for (int a = 0; a < 3; ++a) line[a] = shape.p[a] * pg + shape.p1[a] * vg;
+                    P line[Line];  // block of (D, g1, g2, k1, k2) with this tangent
+                    for (int a = 0; a < Line; ++a) line[a] = shape.p[a] * pg + shape.p1[a] * vg;
+                    for (int a = 3; a < Line; ++a) n(n_g1 + m, a)(j, i) += line[a];
                     n(n_D, n_g1 + m)(i, j) += line[0];
                     if (m == 0) {
                         n(n_g1, n_g1)(i, j) += line[1];
@@ -214,7 +216,7 @@ private:
     /// Writes the row of derivatives by (sines, spins) from that by (spins y, angles, s, s', q,
     /// q').
     template <class T, class P>
-    static void nodal_row(const StationShape<T>& shape, P (&row)[scalars]) noexcept {
+    static void nodal_row(const StationShape<T, Line>& shape, P (&row)[scalars]) noexcept {
         P s = row[4], s1 = row[5], q = row[6], q1 = row[7];
         shears_to_nodes(shape, s, s1, q, q1);
         for (int node = 0; node < 2; ++node) {
@@ -229,7 +231,7 @@ private:
     }
 
     template <class T, class P>
-    ANCF_NOINLINE static void add_scalars(const StationShape<T>& shape,
+    ANCF_NOINLINE static void add_scalars(const StationShape<T, Line>& shape,
                                           const CarriedHessian<P>& local, Hessian<P>& n) noexcept {
         P row[scalars];
         for (int k = 0; k < 3; ++k) {
@@ -240,10 +242,8 @@ private:
                     if (x >= v_g1) {
                         n.coupling[n_g1 + x - v_g1][m][k] += row[m];
                     } else {
-                        for (int a = 0; a < 3; ++a) {
-                            n.coupling[n_D + a][m][k] +=
-                                (x == v_p ? shape.p[a] : shape.p1[a]) * row[m];
-                        }
+                        for (int a = 0; a < Line; ++a)
+                            n.coupling[a][m][k] += (x == v_p ? shape.p[a] : shape.p1[a]) * row[m];
                     }
                 }
             }
@@ -263,8 +263,8 @@ private:
     /// Adds half of the symmetric second variation of a nodal spin.
     template <class S>
     static void add_spin(const NodalDirector<S>& director, const S& weight, int m,
-                         const HalfTangent<S>& half) noexcept {
-        constexpr int stride = HalfTangent<S>::stride;
+                         const HalfTangent<S, dofs_with<Line>>& half) noexcept {
+        constexpr int stride = dofs_with<Line>;
         const int g = tangent_of(m), a = slope_of(m);
         Block<S> gg{}, ga{}, aa{};
         add_nodal_spin(director, weight, gg, ga, aa);
@@ -282,8 +282,9 @@ private:
 
 /// Tells whether directors can be carried from both nodes to a station of tangent vector p, and
 /// turned into each other: no turn is within `smallest` of 180 degrees.
-inline bool carriable(const NodalVectors<double>& vectors, const Vec3<double>& p,
-                      double smallest) noexcept {
+template <int Vectors>
+bool carriable(const Vec3<double> (&vectors)[Vectors], const Vec3<double>& p,
+               double smallest) noexcept {
     const double square = dot(p, p);
     if (!(square > smallest * smallest)) return false;
     const Vec3<double> t = (1.0 / std::sqrt(square)) * p;

@@ -218,11 +218,7 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
                                         const Options& options)
     : ContinuumBeam(
           material, section,
-          ReferenceLine<Dimension>((detail::require_positive("length", length), length),
-                                   reference.template segment<Dimension>(node_dofs) -
-                                       reference.template segment<Dimension>(0),
-                                   reference.template segment<Dimension>(Dimension),
-                                   reference.template segment<Dimension>(node_dofs + Dimension)),
+          ReferenceLine<Dimension>((detail::require_positive("length", length), length), reference),
           reference, options) {
     detail::require(admissible(reference),
                     "the reference coordinates of an element need slopes of some length, "

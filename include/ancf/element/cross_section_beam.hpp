@@ -39,17 +39,17 @@ namespace ancf {
 
 namespace detail {
 
-template <class Directors, class Shear, class Measure>
+template <class Directors, class Shear, class Measure, class Line>
 struct FormulationOf {
     using type = LocalFormulation<Directors, Shear, Measure>;
 };
-template <class Measure>
-struct FormulationOf<Geodesic, LinearShear, Measure> {
-    using type = CarriedFormulation<Measure, LinearAngle>;
+template <class Measure, class Line>
+struct FormulationOf<Geodesic, LinearShear, Measure, Line> {
+    using type = CarriedFormulation<Measure, LinearAngle, Line::vectors>;
 };
-template <class Measure>
-struct FormulationOf<Transported, LinearShear, Measure> {
-    using type = CarriedFormulation<Measure, ChordAngle>;
+template <class Measure, class Line>
+struct FormulationOf<Transported, LinearShear, Measure, Line> {
+    using type = CarriedFormulation<Measure, ChordAngle, Line::vectors>;
 };
 
 /// Whether directors are carried from the nodes.
@@ -67,23 +67,31 @@ inline constexpr bool carries_directors =
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
 /// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
 ///                    paper) or EngineeringMeasure (Reissner's beam)
-template <int Dimension, class Directors, class Shear, class Measure>
+/// @tparam Line       CubicLine (the paper) or QuinticLine, which goes with carried directors; its
+///                    nodes have r_xx besides, as QuinticBeam
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 class CrossSectionBeam {
     static_assert(Dimension == 3, "CrossSectionBeam exists in three dimensions");
     static_assert(!detail::carries_directors<Directors> || Shear::nodal,
                   "Geodesic and Transported directors go with LinearShear");
+    static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;
+    static_assert(!quintic || detail::carries_directors<Directors>,
+                  "QuinticLine goes with Geodesic or Transported directors");
 
 public:
     static constexpr int dimension = Dimension;  ///< of space
-    static constexpr int dofs = 24;              ///< number of nodal coordinates of an element
+    /// Number of nodal coordinates of an element: 24, or 30 with a quintic centre line.
+    static constexpr int dofs = detail::dofs_with<Line::vectors>;
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.
-    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z;
+    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z |
+                                     (quintic ? Fields(Field::r_xx) : Fields());
 
     /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Options = CrossSectionOptions;  ///< choices that are values
+    /// Choices that are values.
+    using Options = std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>;
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -96,7 +104,7 @@ public:
     ///
     /// The strains of that state are subtracted; integrals run over the arc length of its centre
     /// line.
-    /// @param reference  nodal coordinates, 24 x 1
+    /// @param reference  nodal coordinates, 24 x 1 or 30 x 1
     /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
     ///           arc length
     /// @throws InvalidArgument as above, and for a reference that is not admissible.
@@ -115,7 +123,8 @@ public:
     ///
     /// K = sum_g w_g (B^T C B + sum_i sigma_i d2 s_i/de2) in the generalised strains s of
     /// docs/theory.md.
-    /// @param e  nodal coordinates, 24 x 1, [r r_x r_y r_z] per node; m and 1
+    /// @param e  nodal coordinates, 24 x 1, [r r_x r_y r_z] per node; m and 1. A quintic line: 30 x
+    ///           1, r_xx last, 1/m
     /// @note     noexcept, no heap allocation
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
@@ -125,8 +134,8 @@ public:
     ///
     /// Energy and force are those of e. Source: Magisano, Leonetti, Garcea 2017;
     /// docs/theory-statics.md, "Stresses as unknowns".
-    /// @param before  where the last tangent was taken, 24 x 1
-    /// @param change  the correction that it gave, 24 x 1
+    /// @param before  where the last tangent was taken, dofs x 1
+    /// @param change  the correction that it gave, dofs x 1
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                const Vector<S, dofs>& before,
@@ -135,11 +144,10 @@ public:
     }
 
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
-    /// Vector<Pack<Lanes>, 24>.
+    /// Vector<Pack<Lanes>, dofs>.
     template <int Lanes>
-    using Together =
-        detail::CrossSectionKernel<Pack<Lanes>,
-                                   typename detail::FormulationOf<Directors, Shear, Measure>::type>;
+    using Together = detail::CrossSectionKernel<
+        Pack<Lanes>, typename detail::FormulationOf<Directors, Shear, Measure, Line>::type>;
 
     /// Puts elements side by side; each keeps its own length, section and material. Equal elements
     /// need not be put together: evaluate() of any of them takes packs as well.
@@ -148,7 +156,8 @@ public:
     [[nodiscard]] static Together<Lanes> together(
         const std::array<const CrossSectionBeam*, Lanes>& elements);
 
-    /// Returns the constant mass matrix, 24 x 24; kg, kg m and kg m^2 by block. [Dufva2006, Eq. 34]
+    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
+    /// r_xx. [Dufva2006, Eq. 34]
     [[nodiscard]] Matrix<double, dofs> mass() const {
         return mass_matrix<Dimension>(mass_weights_);
     }
@@ -169,6 +178,10 @@ public:
     /// right-handed and turning by less than 120 degrees from node to node; at every station longer
     /// than 1e-6, the sine of the angle between them larger than 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+
+    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length at a station: there
+    /// the stress of Green's measure falls as it shortens, and equilibria are no longer unique.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
@@ -236,7 +249,7 @@ public:
                                              double z = 0.0) const noexcept;
 
 private:
-    using Formulation = typename detail::FormulationOf<Directors, Shear, Measure>::type;
+    using Formulation = typename detail::FormulationOf<Directors, Shear, Measure, Line>::type;
 
     /// The state of the section at a place.
     template <class S>
@@ -260,31 +273,27 @@ private:
     [[nodiscard]] Vector<S, 3> raw_transverse_strains(const Vector<S, dofs>& e,
                                                       double xi) const noexcept;
 
-    ReferenceLine<Dimension> line_;
+    ReferenceLine<Dimension, Line> line_;
     Coordinates reference_;  ///< of the stress-free state; used where the line is curved
     Options options_;
     SectionStiffness section_;
     Vector<double, 6> moduli_;  ///< of green_strain(), Pa
     detail::CrossSectionKernel<double, Formulation> kernel_;
-    Matrix<double, 8> mass_weights_;
+    Matrix<double, dofs / 3> mass_weights_;
 };
 
-template <int Dimension, class Directors, class Shear, class Measure>
-CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(const Material& material,
-                                                                         const Section& section,
-                                                                         double length,
-                                                                         const Options& options)
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
+    const Material& material, const Section& section, double length, const Options& options)
     : line_((detail::require_positive("length", length), length)), options_(options) {
     set_up(material, section);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
     const Material& material, const Section& section, const Coordinates& reference, double length,
     const Options& options)
-    : line_((detail::require_positive("length", length), length),
-            reference.template segment<Dimension>(12) - reference.template segment<Dimension>(0),
-            reference.template segment<Dimension>(3), reference.template segment<Dimension>(15)),
+    : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
     detail::require(reference.allFinite(),
@@ -298,11 +307,11 @@ CrossSectionBeam<Dimension, Directors, Shear, Measure>::CrossSectionBeam(
     kernel_.set_reference(reference);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-void CrossSectionBeam<Dimension, Directors, Shear, Measure>::set_up(const Material& material,
-                                                                    const Section& section) {
-    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
-    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const Material& material,
+                                                                          const Section& section) {
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", quintic ? 5 : 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", quintic ? 4 : 2);
     detail::require_points(options_.rule, StrainGroup::shear, "shear", Shear::nodal ? 2 : 3);
     detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
     section_ = section_stiffness(material, section, options_.section_model);
@@ -318,11 +327,12 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure>::set_up(const Materi
                           {}};
     kernel_.transverse_measure = options_.transverse;
     mass_weights_ = line_.template mass<4>(material.density, section.mass_moments());
+    if (options_.rotary_inertia == RotaryInertia::lumped) lump_rotary_inertia<4>(mass_weights_);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <int Lanes>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::together(
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
     const std::array<const CrossSectionBeam*, Lanes>& elements) -> Together<Lanes> {
     const CrossSectionBeam& first = *elements[0];
     Together<Lanes> result;
@@ -345,33 +355,33 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::together(
     return result;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-S CrossSectionBeam<Dimension, Directors, Shear, Measure>::energy(
+S CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::energy(
     const Vector<S, dofs>& e) const noexcept {
     return kernel_.energy(e);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::force(
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::force(
     const Vector<S, dofs>& e) const noexcept -> Vector<S, dofs> {
     return kernel_.force(e);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::evaluate(
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::evaluate(
     const Vector<S, dofs>& e) const noexcept -> Evaluation<S, dofs> {
     return kernel_.evaluate(e);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-bool CrossSectionBeam<Dimension, Directors, Shear, Measure>::admissible(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
     const Coordinates& e) const noexcept {
     using namespace detail;
-    if (!e.allFinite() || !upright<3>(e, line_.parameter_length())) return false;
-    NodalVectors<double> nodes;
+    if (!e.allFinite() || !upright<3, Line>(e, line_.parameter_length())) return false;
+    NodalVectors<double, Line::vectors> nodes;
     nodal_vectors(e, nodes);
     constexpr double smallest = 1e-6;  // length, and sine of the angle between slope and tangent
     [[maybe_unused]] const auto distinct = [](const Vec3<double>& tangent,
@@ -381,19 +391,37 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure>::admissible(
         return tt > smallest * smallest && ss > smallest * smallest &&
                dot(normal, normal) > smallest * smallest * tt * ss;
     };
-    for (const StationData<double>& station : kernel_.stations.full) {
-        LocalVectors<double> local;
-        interpolate(station.shape, nodes, local);
+    for (const auto& station : kernel_.stations.full) {
         if constexpr (carries_directors<Directors>) {
             // carried from the nodes: undefined where the tangent turns back on a node's, or
             // directors meet from behind
-            if (!carriable(nodes, local[l_p], smallest)) return false;
+            if (!carriable(nodes, line_derivative(station.shape.p, nodes), smallest)) return false;
         } else {
+            LocalVectors<double> local;
+            interpolate(station.shape, nodes, local);
             if (!distinct(local[l_p], local[l_a]) || !distinct(local[l_p], local[l_b]))
                 return false;
         }
     }
     return true;
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::softened(
+    const Coordinates& e) const noexcept {
+    using namespace detail;
+    if (Measure::engineering) return false;
+    NodalVectors<double, Line::vectors> nodes;
+    nodal_vectors(e, nodes);
+    const auto is_short = [&](const double(&weights)[Line::vectors]) {
+        const Vec3<double> p = line_derivative(weights, nodes);
+        return 3.0 * dot(p, p) < 1.0;
+    };
+    for (const auto& station : kernel_.stations.full)
+        if (is_short(station.shape.p)) return true;
+    for (const auto& station : kernel_.stations.axial)
+        if (is_short(station.p)) return true;
+    return false;
 }
 
 }  // namespace ancf

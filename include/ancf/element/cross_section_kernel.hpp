@@ -28,10 +28,11 @@ namespace ancf::detail {
 /// Constant data of an element, and what follows from nodal coordinates.
 template <class T, class Formulation>
 struct CrossSectionKernel {
-    static constexpr int dofs = 24;
+    static constexpr int line = Formulation::line;  ///< nodal vectors in the centre line
+    static constexpr int dofs = dofs_with<line>;
 
-    StationTable<T> stations;
-    StationTable<Pack<native_lanes>> packs;  ///< again, side by side; used where T is double
+    StationTable<T, line> stations;
+    StationTable<Pack<native_lanes>, line> packs;  ///< again, side by side; used where T is double
     TransverseData<T> transverse;
     TransverseStrain transverse_measure = TransverseStrain::green;
 
@@ -68,7 +69,7 @@ private:
     /// Nodal vectors and what is evaluated at the nodes.
     template <class S>
     struct Nodes {
-        NodalVectors<S> vectors;
+        NodalVectors<S, line> vectors;
         typename Formulation::template Nodes<S> scalars;
         TransverseState<S> transverse;
     };
@@ -76,7 +77,7 @@ private:
     /// The same in every lane, as far as stations need it.
     template <class P>
     struct Lanes {
-        NodalVectors<P> vectors;
+        NodalVectors<P, line> vectors;
         typename Formulation::template Lanes<P> scalars;
     };
 
@@ -126,7 +127,7 @@ private:
 template <class T, class Formulation>
 template <class P, class S>
 void CrossSectionKernel<T, Formulation>::prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
-    for (int x = 0; x < nodal_count; ++x) {
+    for (int x = 0; x < vectors_with<line>; ++x) {
         for (int k = 0; k < 3; ++k) lanes.vectors[x][k] = P(nodes.vectors[x][k]);
     }
     Formulation::prepare(nodes.vectors, nodes.scalars, lanes.scalars);
@@ -138,12 +139,12 @@ void CrossSectionKernel<T, Formulation>::set_reference(const Vector<double, dofs
     Nodes<double> nodes;
     Lanes<double> lanes;
     prepare(e, nodes, lanes);
-    for (StationData<T>& station : stations.full) {
+    for (StationData<T, line>& station : stations.full) {
         At<double> at;
         (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
         for (int k = 0; k < strain_count; ++k) station.reference[k] += at.strain[k];
     }
-    for (AxialStationData<T>& station : stations.axial) {
+    for (AxialStationData<T, line>& station : stations.axial) {
         AxialState<double> at;
         (void)axial_state(station, lanes.vectors, at);
         station.reference += at.stress / station.stiffness;
@@ -209,10 +210,10 @@ template <class S, class P>
 void CrossSectionKernel<T, Formulation>::linearise(const Vector<S, dofs>& e,
                                                    const Vector<S, dofs>& change,
                                                    Linearised<S, P>& at) const noexcept {
-    NodalVectors<S> values, rates;
+    NodalVectors<S, line> values, rates;
     nodal_vectors(e, values);
     nodal_vectors(change, rates);
-    for (int x = 0; x < nodal_count; ++x) {
+    for (int x = 0; x < vectors_with<line>; ++x) {
         for (int k = 0; k < 3; ++k) at.nodes.vectors[x][k] = Dual<S>(values[x][k], rates[x][k]);
     }
     prepare(at.nodes, at.lanes);
@@ -276,7 +277,7 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
     if constexpr (Mixed) sum_lanes(predicted, weights);
     Evaluation<S, dofs> result;
     result.energy = nodes.transverse.energy + collapsed<S>(sum);
-    const HalfTangent<S> half(result.tangent);
+    const HalfTangent<S, dofs> half(result.tangent);
     Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
     Formulation::finish(nodes.scalars, gradient);
     add_transverse(nodes.transverse, nodes.vectors, gradient);

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/section/section.hpp>
 
@@ -19,10 +20,17 @@ struct LinearShear;
 struct PointwiseShear;
 struct GreenMeasure;
 struct EngineeringMeasure;
+struct CubicLine;
+struct QuinticLine;
 
 template <int Dimension = 3, class Directors = Projected, class Shear = LinearShear,
-          class Measure = GreenMeasure>
+          class Measure = GreenMeasure, class Line = CubicLine>
 class CrossSectionBeam;
+
+/// The beam whose centre line is quintic: each node has the second derivative r_xx as well. Most
+/// accurate for its coordinates; docs/theory-quintic.md.
+template <class Measure = GreenMeasure>
+using QuinticBeam = CrossSectionBeam<3, Geodesic, LinearShear, Measure, QuinticLine>;
 
 /// How the length of a slope across becomes a strain.
 enum class TransverseStrain {
@@ -35,15 +43,23 @@ struct CrossSectionOptions {
     Rule rule = Rule::paper();                              ///< stations along the element
     TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
     SectionModel section_model = SectionModel::paper;       ///< how the section resists torsion
+    RotaryInertia rotary_inertia = RotaryInertia::consistent;  ///< where sections resist turning
 
     /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
     [[nodiscard]] static CrossSectionOptions paper() { return {}; }
 
     /// What is most accurate for its cost, Geodesic directors with it: the axial term on points of
-    /// its own, and the torsional stiffness of a section that warps.
+    /// its own, the torsional stiffness of a section that warps, rotary inertia at the nodes.
     [[nodiscard]] static CrossSectionOptions best() {
-        return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant};
+        return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant,
+                RotaryInertia::lumped};
     }
+};
+
+/// The choices of a beam with a quintic centre line.
+struct QuinticOptions : CrossSectionOptions {
+    /// The rule "quintic" and the rest of CrossSectionOptions::best().
+    QuinticOptions() : CrossSectionOptions(best()) { rule = Rule::quintic(); }
 };
 
 }  // namespace ancf

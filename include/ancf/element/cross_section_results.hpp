@@ -13,12 +13,12 @@
 
 namespace ancf {
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-struct CrossSectionBeam<Dimension, Directors, Shear, Measure>::Place {
-    StationShape<double> shape;
-    detail::NodalVectors<S> vectors;
-    detail::LocalVectors<S> local;
+struct CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::Place {
+    StationShape<double, Line::vectors> shape;
+    detail::NodalVectors<S, Line::vectors> vectors;
+    detail::Vec3<S> p;  ///< r0'
     typename Formulation::template Nodes<S> nodes;
     typename Formulation::template State<S> state;
     detail::Vec3<S> t, n, c;  ///< frame of the y director
@@ -66,17 +66,17 @@ template <class S>
 
 }  // namespace detail
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::place(const Vector<S, dofs>& e,
-                                                                   double xi) const noexcept
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::place(const Vector<S, dofs>& e,
+                                                                         double xi) const noexcept
     -> Place<S> {
     using namespace detail;
     Place<S> at;
-    StationData<double> station{};
+    StationData<double, Line::vectors> station{};
     station.shape = at.shape = line_.shape(xi);
     nodal_vectors(e, at.vectors);
-    interpolate(at.shape, at.vectors, at.local);
+    at.p = line_derivative(at.shape.p, at.vectors);
     typename Formulation::template Lanes<S> lanes;
     Formulation::prepare(at.vectors, at.nodes, lanes);
     (void)Formulation::state(station, at.vectors, lanes, at.state);
@@ -88,40 +88,39 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::place(const Vector<
     return at;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::strains(const Vector<S, dofs>& e,
-                                                                     double xi) const noexcept
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::strains(const Vector<S, dofs>& e,
+                                                                           double xi) const noexcept
     -> Vector<S, 12> {
     Vector<S, 12> result = raw_strains(e, xi);
     if (line_.curved()) result -= raw_strains(reference_, xi).template cast<S>();
     return result;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::raw_strains(const Vector<S, dofs>& e,
-                                                                         double xi) const noexcept
-    -> Vector<S, 12> {
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::raw_strains(
+    const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 12> {
     const Place<S> at = place(e, xi);
     return Eigen::Map<const Vector<S, 12>>(at.state.strain);
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::transverse_strains(
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::transverse_strains(
     const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 3> {
     Vector<S, 3> result = raw_transverse_strains(e, xi);
     if (line_.curved()) result -= raw_transverse_strains(reference_, xi).template cast<S>();
     return result;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::raw_transverse_strains(
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::raw_transverse_strains(
     const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 3> {
     using namespace detail;
-    NodalVectors<S> nodes;
+    NodalVectors<S, Line::vectors> nodes;
     nodal_vectors(e, nodes);
     Vector<S, 3> strain = Vector<S, 3>::Zero();
     for (int node = 0; node < 2; ++node) {
@@ -134,8 +133,8 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::raw_transverse_stra
     return strain;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure>::green_strain(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::green_strain(
     const Coordinates& e, double xi, double y, double z) const noexcept {
     const Vector<double, 12> s = strains(e, xi);
     const Vector<double, 3> transverse = transverse_strains(e, xi);
@@ -145,14 +144,14 @@ Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure>::green_
     return strain;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure>::stress(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::stress(
     const Coordinates& e, double xi, double y, double z) const noexcept {
     return moduli_.cwiseProduct(green_strain(e, xi, y, z));
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure>::section_forces(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::section_forces(
     const Coordinates& e, double xi) const noexcept {
     using namespace detail;
     const Place<double> at = place(e, xi);
@@ -163,7 +162,7 @@ SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure>::section_fo
 
     const Vec3<double> d = at.director(0), h = at.director(1);
     // the engineering measure has the section's normal for r0', and no terms of second order
-    const Vec3<double> p = Measure::engineering ? cross(d, h) : at.local[l_p];
+    const Vec3<double> p = Measure::engineering ? cross(d, h) : at.p;
     const Vec3<double> d1 = Measure::engineering ? Vec3<double>{} : at.director_rate(0),
                        h1 = Measure::engineering ? Vec3<double>{} : at.director_rate(1);
     const Vec3<double> force = f[0] * p + f[1] * d1 + f[2] * h1 + f[6] * d + f[9] * h;
@@ -178,25 +177,23 @@ SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure>::section_fo
             dot(moment, t), dot(moment, n), dot(moment, c)};
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::directors(const Vector<S, dofs>& e,
-                                                                       double xi) const noexcept
-    -> Matrix<S, 3, 2> {
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::directors(
+    const Vector<S, dofs>& e, double xi) const noexcept -> Matrix<S, 3, 2> {
     const Place<S> at = place(e, xi);
     Matrix<S, 3, 2> directors;
     directors << detail::to_vector(at.director(0)), detail::to_vector(at.director(1));
     return directors;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::spin_row(const Place<double>& at,
-                                                                      int director) const noexcept
-    -> Row {
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::spin_row(
+    const Place<double>& at, int director) const noexcept -> Row {
     using namespace detail;
     Row row = Row::Zero();
     const auto add = [&row](int x, double factor, const Vec3<double>& form) {
-        row.template segment<3>(coordinate_start[x]) += factor * to_vector(form).transpose();
+        row.template segment<3>(coordinate_start<dofs>(x)) += factor * to_vector(form).transpose();
     };
     const int a1 = n_a1 + 2 * director;
     Vec3<double> by_p{};  // of the tangent vector p
@@ -218,19 +215,18 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::spin_row(const Plac
         for (int node = 0; node < 2; ++node) add(a1 + node, share[node] * f.inv_nu, f.c);
         by_p = (-f.al * f.inv_lam) * f.c;
     }
-    for (int x = 0; x < 3; ++x) add(n_D + x, at.shape.p[x], by_p);
+    for (int x = 0; x < Line::vectors; ++x) add(line_vector(x), at.shape.p[x], by_p);
     row.template head<3>() = -at.shape.p[0] * to_vector(by_p).transpose();
     return row;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::shear_row(const Place<double>& at,
-                                                                       int director) const noexcept
-    -> Row {
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::shear_row(
+    const Place<double>& at, int director) const noexcept -> Row {
     using namespace detail;
     Row row = Row::Zero();
     const auto add = [&row](int x, double factor, const Vec3<double>& form) {
-        row.template segment<3>(coordinate_start[x]) += factor * to_vector(form).transpose();
+        row.template segment<3>(coordinate_start<dofs>(x)) += factor * to_vector(form).transpose();
     };
     const int a1 = n_a1 + 2 * director;
     const double share[2] = {1.0 - at.shape.n2, at.shape.n2};
@@ -241,8 +237,8 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::shear_row(const Pla
             add(n_g1 + node, share[node], sine.dg);
         }
     } else {
-        const NodalSine<double> sine =
-            nodal_sine(at.local[director == 0 ? l_a : l_b], at.local[l_p]);
+        const Vec3<double> slope = share[0] * at.vectors[a1] + share[1] * at.vectors[a1 + 1];
+        const NodalSine<double> sine = nodal_sine(slope, at.p);
         for (int node = 0; node < 2; ++node) add(a1 + node, share[node], sine.da);
         for (int x = 0; x < 3; ++x) add(n_D + x, at.shape.p[x], sine.dg);
         row.template head<3>() = -at.shape.p[0] * to_vector(sine.dg).transpose();
@@ -250,8 +246,8 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::shear_row(const Pla
     return row;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::director_jacobian(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::director_jacobian(
     const Place<double>& at, int director) const noexcept -> Matrix<double, 3, dofs> {
     using namespace detail;
     // dt = (n u_n + c u_c), dn = th c - u_n t with u = R^T dp/lam and the spin th
@@ -264,15 +260,15 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::director_jacobian(
     const Vector<double, 3> by_shear = Measure::engineering ? t - s / cosine * n : t;
     Matrix<double, 3, dofs> jacobian =
         cosine * c * spin_row(at, director) + by_shear * shear_row(at, director);
-    for (int x = 0; x < 3; ++x) {
-        jacobian.template middleCols<3>(coordinate_start[n_D + x]) += at.shape.p[x] * by_p;
-    }
+    for (int x = 0; x < Line::vectors; ++x)
+        jacobian.template middleCols<3>(coordinate_start<dofs>(line_vector(x))) +=
+            at.shape.p[x] * by_p;
     jacobian.template leftCols<3>() -= at.shape.p[0] * by_p;
     return jacobian;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::directors_jacobian(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::directors_jacobian(
     const Coordinates& e, double xi) const noexcept -> Matrix<double, 6, dofs> {
     const Place<double> at = place(e, xi);
     Matrix<double, 6, dofs> jacobian;
@@ -280,16 +276,16 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::directors_jacobian(
     return jacobian;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::position(const Vector<S, dofs>& e,
-                                                                      double xi, double y,
-                                                                      double z) const noexcept
-    -> Vector<S, 3> {
-    const auto weights = hermite(xi, line_.parameter_length());
-    Vector<S, 3> r = weights[0] * e.template segment<3>(0) + weights[1] * e.template segment<3>(3) +
-                     weights[2] * e.template segment<3>(12) +
-                     weights[3] * e.template segment<3>(15);
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position(
+    const Vector<S, dofs>& e, double xi, double y, double z) const noexcept -> Vector<S, 3> {
+    detail::NodalVectors<S, Line::vectors> vectors;
+    detail::nodal_vectors(e, vectors);
+    const auto weights = Line::value(xi, line_.parameter_length());
+    Vector<S, 3> r = e.template segment<3>(0);
+    for (std::size_t x = 0; x < weights.size(); ++x)
+        r += weights[x] * detail::to_vector(vectors[detail::line_vector(static_cast<int>(x))]);
     if (y != 0.0 || z != 0.0) {
         const Matrix<S, 3, 2> d = directors(e, xi);
         r += y * d.col(0) + z * d.col(1);
@@ -297,24 +293,27 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::position(const Vect
     return r;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure>::position_jacobian(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position_jacobian(
     const Coordinates& e, double xi, double y, double z) const noexcept -> Matrix<double, 3, dofs> {
     Matrix<double, 3, dofs> jacobian = Matrix<double, 3, dofs>::Zero();
     if (y != 0.0 || z != 0.0) {
         const Matrix<double, 6, dofs> d = directors_jacobian(e, xi);
         jacobian = y * d.template topRows<3>() + z * d.template bottomRows<3>();
     }
-    const auto weights = hermite(xi, line_.parameter_length());
+    const auto weights = Line::value(xi, line_.parameter_length());
     for (int k = 0; k < 3; ++k) {
-        jacobian(k, k) += weights[0], jacobian(k, 3 + k) += weights[1];
-        jacobian(k, 12 + k) += weights[2], jacobian(k, 15 + k) += weights[3];
+        jacobian(k, k) += 1.0 - weights[0];
+        for (std::size_t x = 0; x < weights.size(); ++x) {
+            const int place = detail::line_vector(static_cast<int>(x));
+            jacobian(k, detail::coordinate_start<dofs>(place) + k) += weights[x];
+        }
     }
     return jacobian;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure>
-Vector<double, 3> CrossSectionBeam<Dimension, Directors, Shear, Measure>::velocity(
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+Vector<double, 3> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::velocity(
     const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
     return position_jacobian(e, xi, y, z) * rate;
 }

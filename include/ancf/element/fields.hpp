@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The vectors that a node carries: position and slopes.
+/// The vectors that a node carries: position, slopes, and the curvature of a quintic centre line.
 ///
 /// A node stores the union of what its elements need, in the order of Field; an element's nodal
 /// coordinates are the fields of its first node, then those of its second.
@@ -16,10 +16,16 @@ enum class Field : unsigned {
     r,    ///< position, m
     r_x,  ///< slope along the axis, 1
     r_y,  ///< slope across, 1
-    r_z   ///< slope across, 1 (three dimensions only)
+    r_z,  ///< slope across, 1 (three dimensions only)
+    r_xx  ///< second derivative along the axis, 1/m
 };
 
-inline constexpr int field_count = 4;  ///< number of vectors that there are
+inline constexpr int field_count = 5;  ///< number of vectors that there are
+
+/// Returns the power of a length in the unit of a field: 1 of r, 0 of slopes, -1 of r_xx.
+constexpr int length_power(Field field) noexcept {
+    return field == Field::r ? 1 : field == Field::r_xx ? -1 : 0;
+}
 
 /// A set of fields.
 struct Fields {
@@ -50,6 +56,14 @@ struct Fields {
     /// Returns how many fields of the set stand before this one: its place in a node's coordinates.
     [[nodiscard]] constexpr int rank(Field field) const noexcept {
         return Fields(bits & ((1U << static_cast<unsigned>(field)) - 1U)).count();
+    }
+
+    /// Returns the field of a rank, 0 <= rank < count().
+    [[nodiscard]] constexpr Field at(int rank) const noexcept {
+        int k = 0;
+        for (; rank > 0 || !contains(static_cast<Field>(k)); ++k)
+            if (contains(static_cast<Field>(k))) --rank;
+        return static_cast<Field>(k);
     }
 
     /// Returns the union.

@@ -4,8 +4,8 @@
 /// @file
 /// Constant mass of a straight element whose position is r = r0(x) + y r_y(x) + z r_z(x).
 ///
-/// Source: [Dufva2006, Eqs. 33, 34] for a section of any moments. The centre line is cubic Hermite,
-/// the slopes are linear. Every vector pair (f, g) of the nodes contributes a scalar weight times
+/// Source: [Dufva2006, Eqs. 33, 34] for a section of any moments. The centre line is Hermite's, the
+/// slopes are linear. Every vector pair (f, g) of the nodes contributes a scalar weight times
 /// the identity: M = W (x) I.
 
 #pragma once
@@ -19,54 +19,82 @@
 
 namespace ancf {
 
+/// How the inertia of turning sections is spread: int rho (y r_y + z r_z)^2 dV.
+enum class RotaryInertia {
+    consistent,  ///< of slopes interpolated linearly, [Dufva2006, Eq. 34]
+    /// By the trapezoidal rule, at the nodes. Slopes between nodes turn with the centre line, not
+    /// linearly: where rotary inertia counts, frequencies converge with the fourth order instead
+    /// of the second. docs/theory-modal.md.
+    lumped
+};
+
 /// Returns the mass weights W = int rho s^T s dV, s the row of shape functions in the order
-/// [r, r_x, r_y, r_z]_i, [r, r_x, r_y, r_z]_j cut to the first FieldsPerNode fields of each node.
+/// [r, r_x, r_y, r_z]_i, [r, r_x, r_y, r_z]_j cut to the first FieldsPerNode fields of each node;
+/// a quintic line has r_xx after them.
 ///
-/// FieldsPerNode is 2 for a cable, 3 in the plane, 4 in space.
+/// FieldsPerNode, r_xx not counted, is 2 for a cable, 3 in the plane, 4 in space.
 /// @param density  rho, kg/m^3
 /// @param moments  of the section; area, first and second moments are used
 /// @param length   l, m
-/// @param points   of the integration; 4 are exact for a straight element
+/// @param points   of the integration; 4, for a quintic 6, are exact for a straight element
 /// @param metric   ds/dx as a function of xi, 1 for a straight element
 /// @return kg between positions, kg m between a position and a slope, kg m^2 between slopes
-template <int FieldsPerNode, class Metric>
-[[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass_weights(double density, const Moments& moments,
-                                                             double length, int points,
-                                                             const Metric& metric) {
+template <int FieldsPerNode, class Line = CubicLine, class Metric>
+[[nodiscard]] auto mass_weights(double density, const Moments& moments, double length, int points,
+                                const Metric& metric) {
     static_assert(FieldsPerNode >= 2 && FieldsPerNode <= 4);
     // Of the shape functions s = (centre line) + y (slopes) + z (slopes), which factor belongs to a
     // field.
     const double section[3][3] = {{moments.area, moments.y, moments.z},
                                   {moments.y, moments.yy, moments.yz},
                                   {moments.z, moments.yz, moments.zz}};
-    constexpr int size = 2 * FieldsPerNode;
+    constexpr int fields = FieldsPerNode + Line::fields - CubicLine::fields;
+    constexpr int size = 2 * fields;
     Matrix<double, size> weights = Matrix<double, size>::Zero();
     for (const QuadraturePoint& point : gauss_quadrature(points)) {
-        const auto line = hermite(point.xi, length);
-        const std::array<double, 8> shape{line[0], line[1], 1.0 - point.xi, 1.0 - point.xi,
-                                          line[2], line[3], point.xi,       point.xi};
-        const double scale = density * length * point.weight * metric(point.xi);
-        for (int a = 0; a < size; ++a) {
-            for (int b = 0; b < size; ++b) {
-                const int field_a = a % FieldsPerNode, field_b = b % FieldsPerNode;
-                const double shape_a =
-                    shape[static_cast<unsigned>(4 * (a / FieldsPerNode) + field_a)];
-                const double shape_b =
-                    shape[static_cast<unsigned>(4 * (b / FieldsPerNode) + field_b)];
-                const int factor_a = field_a < 2 ? 0 : field_a - 1,
-                          factor_b = field_b < 2 ? 0 : field_b - 1;
-                weights(a, b) += scale * section[factor_a][factor_b] * shape_a * shape_b;
-            }
+        const auto line = Line::value(point.xi, length);
+        double shape[size];
+        for (int node = 0; node < 2; ++node) {
+            double* const of_node = shape + node * fields;
+            of_node[0] = node == 0 ? 1.0 - line[0] : line[0];
+            of_node[1] = line[1 + static_cast<unsigned>(node)];
+            for (int slope = 2; slope < FieldsPerNode; ++slope)
+                of_node[slope] = node == 0 ? 1.0 - point.xi : point.xi;
+            if constexpr (fields > FieldsPerNode)
+                of_node[FieldsPerNode] = line[3 + static_cast<unsigned>(node)];
         }
+        const auto factor = [](int field) {
+            return field < 2 || field == FieldsPerNode ? 0 : field - 1;
+        };
+        const double scale = density * length * point.weight * metric(point.xi);
+        for (int a = 0; a < size; ++a)
+            for (int b = 0; b < size; ++b)
+                weights(a, b) +=
+                    scale * section[factor(a % fields)][factor(b % fields)] * shape[a] * shape[b];
     }
     return weights;
 }
 
 /// Returns the mass weights of a straight element.
-template <int FieldsPerNode>
-[[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass_weights(double density, const Moments& moments,
-                                                             double length) {
-    return mass_weights<FieldsPerNode>(density, moments, length, 4, [](double) { return 1.0; });
+template <int FieldsPerNode, class Line = CubicLine>
+[[nodiscard]] auto mass_weights(double density, const Moments& moments, double length) {
+    return mass_weights<FieldsPerNode, Line>(density, moments, length, Line::vectors + 1,
+                                             [](double) { return 1.0; });
+}
+
+/// Moves the weights between slopes across of different nodes to the node of their row:
+/// RotaryInertia::lumped. Those of each node add up to what they did.
+template <int FieldsPerNode, int Size>
+void lump_rotary_inertia(Matrix<double, Size>& weights) {
+    constexpr int fields = Size / 2;
+    for (int a = 0; a < Size; ++a) {
+        const int own = a - a % fields, other = fields - own;
+        if (a % fields < 2 || a % fields >= FieldsPerNode) continue;
+        for (int field = 2; field < FieldsPerNode; ++field) {
+            weights(a, own + field) += weights(a, other + field);
+            weights(a, other + field) = 0.0;
+        }
+    }
 }
 
 /// Returns the mass matrix M = W (x) I of Dimension-vectors from its weights.

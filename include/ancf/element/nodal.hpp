@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The seven nodal vectors that an element's energy depends on, and the way from stations to them.
+/// The nodal vectors that an element's energy depends on, and the way from stations to them.
 ///
+/// Seven, or nine where the centre line is quintic: `Line` is the number of those in it, 3 or 5.
 /// By translation invariance only D = r_j - r_i of the positions enters; it is formed first, so
 /// that an element far from the origin loses no digits. The shears stand beside the vectors.
 
@@ -18,25 +19,47 @@
 
 namespace ancf::detail {
 
-/// Places of the nodal vectors: D, g = r_x, a = r_y, b = r_z at the first and second node.
-enum NodalIndex : int { n_D, n_g1, n_g2, n_a1, n_a2, n_b1, n_b2, nodal_count };
+/// Places of the nodal vectors: D, g = r_x, a = r_y, b = r_z at the first and second node; after
+/// them, of a quintic centre line, k = r_xx.
+enum NodalIndex : int {
+    n_D,
+    n_g1,
+    n_g2,
+    n_a1,
+    n_a2,
+    n_b1,
+    n_b2,
+    nodal_count,
+    n_k1 = nodal_count,
+    n_k2
+};
 
-template <class S>
-using NodalVectors = Vec3<S>[nodal_count];
+/// Number of nodal vectors, and of nodal coordinates, with Line of them in the centre line.
+template <int Line>
+inline constexpr int vectors_with = Line + 4;
+template <int Line>
+inline constexpr int dofs_with = 3 * (Line + 5);
+
+/// Returns the place of vector i of the centre line (D, g1, g2, k1, k2).
+constexpr int line_vector(int i) noexcept { return i < 3 ? n_D + i : n_k1 + i - 3; }
+
+template <class S, int Line = 3>
+using NodalVectors = Vec3<S>[vectors_with<Line>];
 
 /// First derivatives of an element's energy: by the vectors, and by scalars at the nodes that are
 /// functions of these vectors in turn (the shears first).
-template <class S, int Scalars = shear_count>
+template <class S, int Scalars = shear_count, int Line = 3>
 struct NodalGradient {
-    Vec3<S> vector[nodal_count];
+    Vec3<S> vector[vectors_with<Line>];
     S scalar[Scalars];
 };
 
-/// Second derivatives of an element's energy by its first Vectors nodal vectors, the upper triangle
-/// of blocks, and by the scalars.
+/// Second derivatives of an element's energy by nodal vectors, the upper triangle of blocks, and by
+/// the scalars: by all seven vectors, or by the Vectors = Line of the centre line in their order.
 template <class S, int Vectors = nodal_count, int Scalars = shear_count>
 struct NodalHessian {
     static constexpr int vectors = Vectors;
+    static constexpr int line = Vectors == nodal_count ? 3 : Vectors;  ///< of the centre line
 
     Block<S> block[block_index(0, Vectors)];
     Vec3<S> coupling[Vectors][Scalars];
@@ -62,6 +85,18 @@ inline void interpolate(const StationShape<T>& shape, const NodalVectors<S>& n,
     }
 }
 
+/// Returns a derivative of the centre line by its weights.
+template <class T, class S, int Line, int Vectors>
+inline Vec3<S> line_derivative(const T (&weights)[Line], const Vec3<S> (&n)[Vectors]) noexcept {
+    static_assert(Vectors == vectors_with<Line>);
+    Vec3<S> sum;
+    for (int k = 0; k < 3; ++k) {
+        sum[k] = weights[0] * n[n_D][k] + weights[1] * n[n_g1][k] + weights[2] * n[n_g2][k];
+        for (int i = 3; i < Line; ++i) sum[k] += weights[i] * n[line_vector(i)][k];
+    }
+    return sum;
+}
+
 /// Adds a station's gradient to the nodes.
 template <class T, class S>
 inline void add_to_nodes(const StationShape<T>& shape, const LocalGradient<S>& local,
@@ -82,17 +117,17 @@ inline void add_to_nodes(const StationShape<T>& shape, const LocalGradient<S>& l
 }
 
 /// Adds the blocks of the centre line alone, from those of p and v = p1.
-template <class T, class S, int Vectors, int Scalars>
-inline void add_line_blocks(const StationShape<T>& shape, const Block<S>& p_p, const Block<S>& p_v,
+template <class Shape, class S, int Vectors, int Scalars>
+inline void add_line_blocks(const Shape& shape, const Block<S>& p_p, const Block<S>& p_v,
                             const Block<S>& v_v, NodalHessian<S, Vectors, Scalars>& n) noexcept {
+    constexpr int line = NodalHessian<S, Vectors, Scalars>::line;
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
             const S pp = p_p(i, j), pv = p_v(i, j), vp = p_v(j, i), vv = v_v(i, j);
-            for (int b = 0; b < 3; ++b) {
+            for (int b = 0; b < line; ++b) {
                 const S p = shape.p[b] * pp + shape.p1[b] * pv;
                 const S v = shape.p[b] * vp + shape.p1[b] * vv;
-                for (int a = 0; a <= b; ++a)
-                    n(n_D + a, n_D + b)(i, j) += shape.p[a] * p + shape.p1[a] * v;
+                for (int a = 0; a <= b; ++a) n(a, b)(i, j) += shape.p[a] * p + shape.p1[a] * v;
             }
         }
     }
@@ -185,35 +220,40 @@ ANCF_NOINLINE void add_to_nodes(const StationShape<T>& shape, const LocalHessian
     if constexpr (NodalShear) add_couplings(shape, local, n);
 }
 
-/// Writes the nodal vectors of coordinates in the order [r r_x r_y r_z] per node.
-template <class S>
-inline void nodal_vectors(const Vector<S, 24>& e, NodalVectors<S>& n) noexcept {
+/// Returns where the coordinates of nodal vector x start in [r r_x r_y r_z (r_xx)] per node. Those
+/// of D are those of r_j; r_i has their negatives.
+template <int Dofs>
+constexpr int coordinate_start(int x) noexcept {
+    constexpr int second = Dofs / 2;
+    constexpr int start[] = {second, 3, second + 3, 6, second + 6, 9, second + 9, 12, second + 12};
+    return start[x];
+}
+
+/// Writes the nodal vectors of coordinates.
+template <class S, int Dofs, int Vectors>
+inline void nodal_vectors(const Vector<S, Dofs>& e, Vec3<S> (&n)[Vectors]) noexcept {
     for (int k = 0; k < 3; ++k) {
-        n[n_D][k] = e[12 + k] - e[k];
-        n[n_g1][k] = e[3 + k], n[n_g2][k] = e[15 + k];
-        n[n_a1][k] = e[6 + k], n[n_a2][k] = e[18 + k];
-        n[n_b1][k] = e[9 + k], n[n_b2][k] = e[21 + k];
+        n[n_D][k] = e[Dofs / 2 + k] - e[k];
+        for (int x = n_g1; x < Vectors; ++x) n[x][k] = e[coordinate_start<Dofs>(x) + k];
     }
 }
 
-/// Where the coordinates of each nodal vector start. Those of D are those of r_j; r_i has their
-/// negatives.
-inline constexpr int coordinate_start[nodal_count] = {12, 3, 15, 6, 18, 9, 21};
-
 /// Writes the gradient with respect to the coordinates.
-template <class S, int Scalars>
-inline void expand(const NodalGradient<S, Scalars>& n, Vector<S, 24>& force) noexcept {
+template <class S, int Scalars, int Line>
+inline void expand(const NodalGradient<S, Scalars, Line>& n,
+                   Vector<S, dofs_with<Line>>& force) noexcept {
     for (int k = 0; k < 3; ++k) {
         force[k] = -n.vector[n_D][k];
-        for (int x = 0; x < nodal_count; ++x) force[coordinate_start[x] + k] = n.vector[x][k];
+        for (int x = 0; x < vectors_with<Line>; ++x)
+            force[coordinate_start<dofs_with<Line>>(x) + k] = n.vector[x][k];
     }
 }
 
 /// Writes the sums over the lanes.
-template <class P, class S, int Scalars>
-inline void sum_lanes(const NodalGradient<P, Scalars>& from,
-                      NodalGradient<S, Scalars>& to) noexcept {
-    for (int x = 0; x < nodal_count; ++x) {
+template <class P, class S, int Scalars, int Line>
+inline void sum_lanes(const NodalGradient<P, Scalars, Line>& from,
+                      NodalGradient<S, Scalars, Line>& to) noexcept {
+    for (int x = 0; x < vectors_with<Line>; ++x) {
         for (int k = 0; k < 3; ++k) to.vector[x][k] = collapsed<S>(from.vector[x][k]);
     }
     for (int m = 0; m < Scalars; ++m) to.scalar[m] = collapsed<S>(from.scalar[m]);

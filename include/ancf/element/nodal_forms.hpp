@@ -27,9 +27,9 @@ constexpr int slope_of(int m) noexcept { return n_a1 + m % 4; }
 constexpr int tangent_of(int m) noexcept { return n_g1 + m % 2; }
 
 /// Adds what the gradient with respect to the scalars means for the vectors.
-template <class S, int Scalars>
+template <class S, int Scalars, int Line>
 inline void add_forms(const NodalForm<S>* const (&forms)[Scalars],
-                      NodalGradient<S, Scalars>& n) noexcept {
+                      NodalGradient<S, Scalars, Line>& n) noexcept {
     for (int m = 0; m < Scalars; ++m) {
         add(n.vector[slope_of(m)], n.scalar[m], forms[m]->da);
         add(n.vector[tangent_of(m)], n.scalar[m], forms[m]->dg);
@@ -38,27 +38,26 @@ inline void add_forms(const NodalForm<S>* const (&forms)[Scalars],
 
 /// Writes the columns Z = coupling + L^T scalar/2, L the gradients of the scalars: their part of
 /// the tangent is Z L + (Z L)^T.
-template <class P, class S, int Vectors, int Scalars>
+template <class P, class S, int Vectors, int Scalars, int Dofs>
 inline void form_columns(const NodalForm<S>* const (&forms)[Scalars],
                          const NodalHessian<P, Vectors, Scalars>& h,
-                         Vector<S, 24> (&Z)[Scalars]) noexcept {
+                         Vector<S, Dofs> (&Z)[Scalars]) noexcept {
     for (int m = 0; m < Scalars; ++m) {
         S* const z = Z[m].data();
         for (int i = 0; i < 3; ++i) z[i] = S(0.0);  // r_i has no part in a scalar
-        for (int x = 0; x < nodal_count; ++x) {
-            for (int i = 0; i < 3; ++i) {
-                if constexpr (Vectors == nodal_count) {
-                    z[coordinate_start[x] + i] = collapsed<S>(h.coupling[x][m][i]);
-                } else {
-                    z[coordinate_start[x] + i] =
-                        x < Vectors ? collapsed<S>(h.coupling[x < Vectors ? x : 0][m][i]) : S(0.0);
-                }
+        if constexpr (Vectors != nodal_count) {     // nor have slopes but by forms
+            for (int x = n_a1; x <= n_b2; ++x) {
+                for (int i = 0; i < 3; ++i) z[coordinate_start<Dofs>(x) + i] = S(0.0);
             }
+        }
+        for (int x = 0; x < Vectors; ++x) {
+            const int place = coordinate_start<Dofs>(Vectors == nodal_count ? x : line_vector(x));
+            for (int i = 0; i < 3; ++i) z[place + i] = collapsed<S>(h.coupling[x][m][i]);
         }
         for (int k = 0; k < Scalars; ++k) {
             const S share = 0.5 * collapsed<S>(h.scalar[k][m]);
-            S* const a = z + coordinate_start[slope_of(k)];
-            S* const g = z + coordinate_start[tangent_of(k)];
+            S* const a = z + coordinate_start<Dofs>(slope_of(k));
+            S* const g = z + coordinate_start<Dofs>(tangent_of(k));
             for (int i = 0; i < 3; ++i) {
                 a[i] += share * forms[k]->da[i];
                 g[i] += share * forms[k]->dg[i];
@@ -68,10 +67,12 @@ inline void form_columns(const NodalForm<S>* const (&forms)[Scalars],
 }
 
 /// Sets F to Z L.
-template <class S, int Scalars>
+template <class S, int Scalars, int Dofs>
 inline void assign_columns(const NodalForm<S>* const (&forms)[Scalars],
-                           const Vector<S, 24> (&Z)[Scalars], const HalfTangent<S>& half) noexcept {
+                           const Vector<S, Dofs> (&Z)[Scalars],
+                           const HalfTangent<S, Dofs>& half) noexcept {
     half.clear(n_D, n_g1);
+    if constexpr (Dofs != dofs_with<3>) half.clear(n_k1, n_k2 + 1);
     for (int j = 0; j < 3; ++j) {
         for (int node = 0; node < 2; ++node) {
             auto column = half.column(n_g1 + node, j);

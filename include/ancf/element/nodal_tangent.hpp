@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The last step to a tangent: from blocks of nodal vectors to 24 x 24 coordinates.
+/// The last step to a tangent: from blocks of nodal vectors to 24 x 24 coordinates, or 30 x 30.
 ///
 /// What the nodes themselves contribute is written to a matrix F, half of its part of the tangent:
 /// the block of two vectors stands on one side, the block of a vector with itself counts half. So
@@ -19,21 +19,21 @@
 namespace ancf::detail {
 
 /// The half F, addressed by nodal vectors, in the storage of the tangent.
-template <class S>
+template <class S, int Dofs = dofs_with<3>>
 class HalfTangent {
 public:
-    static constexpr int stride = 24;  ///< from a column to the next
+    static constexpr int stride = Dofs;  ///< from a column to the next
 
-    explicit HalfTangent(Matrix<S, 24>& storage) noexcept : f_(storage.data()) {}
+    explicit HalfTangent(Matrix<S, Dofs>& storage) noexcept : f_(storage.data()) {}
 
     /// Returns the first entry of the block of vectors x and y; columns are `stride` apart.
     [[nodiscard]] S* block(int x, int y) const noexcept {
-        return f_ + coordinate_start[x] + stride * coordinate_start[y];
+        return f_ + start(x) + stride * start(y);
     }
 
-    /// Returns the 24 rows of column j of vector y.
-    [[nodiscard]] Eigen::Map<Vector<S, 24>> column(int y, int j) const noexcept {
-        return Eigen::Map<Vector<S, 24>>(f_ + stride * (coordinate_start[y] + j));
+    /// Returns the rows of column j of vector y.
+    [[nodiscard]] Eigen::Map<Vector<S, Dofs>> column(int y, int j) const noexcept {
+        return Eigen::Map<Vector<S, Dofs>>(f_ + stride * (start(y) + j));
     }
 
     /// Clears the columns of the vectors in [first, last).
@@ -46,26 +46,43 @@ public:
     /// Turns F and the blocks of the stations into the tangent.
     template <class P, int Vectors, int Scalars>
     void finish(const NodalHessian<P, Vectors, Scalars>& stations) const noexcept {
-        for (int y = 0; y < Vectors; ++y) {
-            for (int x = 0; x < y; ++x) add_block(stations(x, y), block(x, y), block(y, x));
-            add_diagonal(stations(y, y), block(y, y));
+        for (int b = 0; b < Vectors; ++b) {
+            const int y = place<Vectors>(b);
+            for (int a = 0; a < b; ++a) {
+                const int x = place<Vectors>(a);
+                add_block(stations(a, b), block(x, y), block(y, x));
+            }
+            add_diagonal(stations(b, b), block(y, y));
         }
-        for (int y = Vectors; y < nodal_count; ++y) {
-            for (int x = 0; x <= y; ++x) mirror(block(x, y), block(y, x));
+        if constexpr (Vectors != nodal_count) {
+            for (int y = n_a1; y <= n_b2; ++y) {
+                for (int x = 0; x <= y; ++x) mirror(block(x, y), block(y, x));
+                for (int x = n_k1; x < vectors; ++x) mirror(block(x, y), block(y, x));
+            }
         }
         // r_i stands for -D
         for (int j = 0; j < 3; ++j) {
             S* const out = f_ + stride * j;
-            const S* const end = f_ + stride * (12 + j);
-            for (int i = 0; i < 24; ++i) out[i] = -end[i];
+            const S* const end = f_ + stride * (Dofs / 2 + j);
+            for (int i = 0; i < Dofs; ++i) out[i] = -end[i];
         }
-        for (int j = 0; j < 24; ++j) {
+        for (int j = 0; j < Dofs; ++j) {
             S* const out = f_ + stride * j;
-            for (int i = 0; i < 3; ++i) out[i] = -out[12 + i];
+            for (int i = 0; i < 3; ++i) out[i] = -out[Dofs / 2 + i];
         }
     }
 
 private:
+    static constexpr int vectors = Dofs / 3 - 1;
+
+    static constexpr int start(int x) noexcept { return coordinate_start<Dofs>(x); }
+
+    /// The nodal vector that stands at a place of the stations' blocks.
+    template <int Vectors>
+    static constexpr int place(int x) noexcept {
+        return Vectors == nodal_count ? x : line_vector(x);
+    }
+
     static void mirror(S* xy, S* yx) noexcept {
         for (int j = 0; j < 3; ++j) {
             for (int i = xy == yx ? j : 0; i < 3; ++i) {

@@ -114,6 +114,10 @@ public:
     /// than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
+    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length at a station: there
+    /// the stress of Green's measure falls as it shortens, and equilibria are no longer unique.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
+
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
     /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
@@ -222,9 +226,7 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
                                                                        const Coordinates& reference,
                                                                        double length,
                                                                        const Options& options)
-    : line_((detail::require_positive("length", length), length),
-            reference.template segment<2>(6) - reference.template segment<2>(0),
-            reference.template segment<2>(2), reference.template segment<2>(8)),
+    : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
     detail::require(reference.allFinite(),
@@ -256,6 +258,7 @@ void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material
     kernel_.transverse_reference[0] = kernel_.transverse_reference[1] = 0.0;
     kernel_.transverse_measure = options_.transverse;
     mass_weights_ = line_.template mass<3>(material.density, section.mass_moments());
+    if (options_.rotary_inertia == RotaryInertia::lumped) lump_rotary_inertia<3>(mass_weights_);
 }
 
 template <class Directors, class Measure>
@@ -292,6 +295,23 @@ bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
         if (!(p.norm() > smallest)) return false;
     }
     return true;
+}
+
+template <class Directors, class Measure>
+bool CrossSectionBeam<2, Directors, LinearShear, Measure>::softened(
+    const Coordinates& e) const noexcept {
+    if (PlanarMeasure::engineering) return false;
+    const auto is_short = [&](const double(&weights)[3]) {
+        const Vector<double, 2> p =
+            weights[0] * (e.template segment<2>(6) - e.template segment<2>(0)) +
+            weights[1] * e.template segment<2>(2) + weights[2] * e.template segment<2>(8);
+        return 3.0 * p.squaredNorm() < 1.0;
+    };
+    for (const auto& station : kernel_.stations)
+        if (is_short(station.shape.p)) return true;
+    for (const auto& station : kernel_.axial)
+        if (is_short(station.p)) return true;
+    return false;
 }
 
 template <class Directors, class Measure>

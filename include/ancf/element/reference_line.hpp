@@ -20,13 +20,18 @@
 #include <ancf/section/moments.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace ancf {
 
 /// The line through two nodes with given positions and slopes r_x; straight unless they say
 /// otherwise.
-template <int Dimension>
+/// @tparam Line  CubicLine or QuinticLine
+template <int Dimension, class Line = CubicLine>
 class ReferenceLine {
 public:
     using Point = Vector<double, Dimension>;  ///< a vector of space
@@ -37,10 +42,20 @@ public:
     explicit ReferenceLine(double length) : parameter_length_(length), length_(length) {}
 
     /// A curve over the parameter range [0, length].
-    /// @param span   r_j - r_i, m
-    /// @param first,second  slopes r_x at the nodes
-    ReferenceLine(double length, const Point& span, const Point& first, const Point& second)
-        : parameter_length_(length), curved_(true), span_(span), first_(first), second_(second) {
+    /// @param reference  coordinates of both nodes; r and r_x are the first of a node's vectors,
+    ///                   r_xx of a quintic is the last
+    template <int Dofs>
+    ReferenceLine(double length, const Vector<double, Dofs>& reference)
+        : parameter_length_(length), curved_(true) {
+        constexpr int node = Dofs / 2;
+        vectors_[0] =
+            reference.template segment<Dimension>(node) - reference.template segment<Dimension>(0);
+        vectors_[1] = reference.template segment<Dimension>(Dimension);
+        vectors_[2] = reference.template segment<Dimension>(node + Dimension);
+        if constexpr (Line::vectors == 5) {
+            vectors_[3] = reference.template segment<Dimension>(node - Dimension);
+            vectors_[4] = reference.template segment<Dimension>(Dofs - Dimension);
+        }
         length_ = 0.0;
         for (const QuadraturePoint& point : gauss_quadrature(integration_points))
             length_ += point.weight * parameter_length_ * metric(point.xi);
@@ -57,18 +72,18 @@ public:
 
     /// Returns J = ds/dx.
     [[nodiscard]] double metric(double xi) const noexcept {
-        return curved_ ? derivative(straight_shape(xi, parameter_length_).p).norm() : 1.0;
+        return curved_ ? derivative(straight_shape<Line>(xi, parameter_length_).p).norm() : 1.0;
     }
 
     /// Returns the weights of a station for derivatives by the arc length.
-    [[nodiscard]] StationShape<double> shape(double xi) const noexcept {
-        StationShape<double> shape = straight_shape(xi, parameter_length_);
+    [[nodiscard]] StationShape<double, Line::vectors> shape(double xi) const noexcept {
+        auto shape = straight_shape<Line>(xi, parameter_length_);
         if (!curved_) return shape;
         const Point p = derivative(shape.p);
         const Point p1 = derivative(shape.p1);
         const double J = p.norm();
         const double growth = p.dot(p1) / (J * J);  // J'/J
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < Line::vectors; ++k) {
             shape.p1[k] = (shape.p1[k] - growth * shape.p[k]) / (J * J);
             shape.p[k] /= J;
         }
@@ -83,14 +98,15 @@ public:
     /// couples with curvature. On a curve whose parameter runs unevenly it may be less; there the
     /// strain of the centroid takes the place of eps.
     /// @param own_axial  stations of the axial term alone are kept apart: its strain is Green's
-    [[nodiscard]] StationTable<double> stations(const Rule& rule, const SectionStiffness& section,
-                                                bool own_axial = true) const {
-        StationTable<double> table;
+    [[nodiscard]] StationTable<double, Line::vectors> stations(const Rule& rule,
+                                                               const SectionStiffness& section,
+                                                               bool own_axial = true) const {
+        StationTable<double, Line::vectors> table;
         const auto& C = section.axial;
         const bool by_centroid =
             curved_ && C.block<1, 2>(0, 1).squaredNorm() > 1e-24 * C(0, 0) * (C(1, 1) + C(2, 2));
         for (const RuleStation& station : rule.stations()) {
-            const StationShape<double> at = shape(station.xi);
+            const auto at = shape(station.xi);
             const double length = parameter_length_ * metric(station.xi);
             SectionMatrix<double> stiffness = station_stiffness(section, station, length);
             const double excess =
@@ -101,7 +117,11 @@ public:
                         stiffness.axial[i][j] += excess * length * C(0, i) * C(0, j) / C(0, 0);
             }
             if (own_axial && station.axial_only() && !by_centroid) {
-                table.axial.push_back({{at.p[0], at.p[1], at.p[2]}, 0.0, stiffness.axial[0][0]});
+                AxialStationData<double, Line::vectors> axial;
+                std::copy(std::begin(at.p), std::end(at.p), std::begin(axial.p));
+                axial.reference = 0.0;
+                axial.stiffness = stiffness.axial[0][0];
+                table.axial.push_back(axial);
             } else {
                 table.full.push_back({at, {}, stiffness});
             }
@@ -111,17 +131,16 @@ public:
 
     /// Returns the mass weights of an element on this line, see mass_weights().
     template <int FieldsPerNode>
-    [[nodiscard]] Matrix<double, 2 * FieldsPerNode> mass(double density,
-                                                         const Moments& moments) const {
-        if (!curved_) return mass_weights<FieldsPerNode>(density, moments, parameter_length_);
-        return mass_weights<FieldsPerNode>(density, moments, parameter_length_, integration_points,
-                                           [this](double xi) { return metric(xi); });
+    [[nodiscard]] auto mass(double density, const Moments& moments) const {
+        if (!curved_) return mass_weights<FieldsPerNode, Line>(density, moments, parameter_length_);
+        return mass_weights<FieldsPerNode, Line>(density, moments, parameter_length_,
+                                                 integration_points,
+                                                 [this](double xi) { return metric(xi); });
     }
 
     /// Returns the nodal force of a dead force per arc length, N/m.
     template <int FieldsPerNode>
-    [[nodiscard]] Vector<double, 2 * Dimension * FieldsPerNode> line_load(
-        const Point& force) const {
+    [[nodiscard]] auto line_load(const Point& force) const {
         Moments line;  // a section of unit area on the axis alone
         line.area = 1.0;
         return gravity_force<Dimension>(mass<FieldsPerNode>(1.0, line), force);
@@ -130,14 +149,17 @@ public:
 private:
     static constexpr int integration_points = 10;  // round-off for arcs of a radian
 
-    [[nodiscard]] Point derivative(const double (&weights)[3]) const {
-        return weights[0] * span_ + weights[1] * first_ + weights[2] * second_;
+    [[nodiscard]] Point derivative(const double (&weights)[Line::vectors]) const {
+        Point sum = Point::Zero();
+        for (std::size_t k = 0; k < vectors_.size(); ++k) sum += weights[k] * vectors_[k];
+        return sum;
     }
 
     double parameter_length_ = 0.0;
     double length_ = 0.0;
     bool curved_ = false;
-    Point span_ = Point::Zero(), first_ = Point::Zero(), second_ = Point::Zero();
+    std::array<Point, Line::vectors>
+        vectors_;  // of a curve: (D, g_i, g_j), of a quintic (k_i, k_j)
 };
 
 }  // namespace ancf

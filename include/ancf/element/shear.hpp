@@ -52,8 +52,8 @@ inline NodalSine<S> nodal_sine(const Vec3<S>& a, const Vec3<S>& g) noexcept {
 template <class S>
 using NodalSines = NodalSine<S>[shear_count];
 
-template <class S>
-inline void nodal_sines(const NodalVectors<S>& vectors, NodalSines<S>& sines) noexcept {
+template <class S, int Vectors>
+inline void nodal_sines(const Vec3<S> (&vectors)[Vectors], NodalSines<S>& sines) noexcept {
     for (int m = 0; m < shear_count; ++m)
         sines[m] = nodal_sine(vectors[slope_of(m)], vectors[tangent_of(m)]);
 }
@@ -61,10 +61,10 @@ inline void nodal_sines(const NodalVectors<S>& vectors, NodalSines<S>& sines) no
 /// Adds half of what is left of f d2s once -f (u/|a|, t/|g|) has joined Z: f (I - s t u^T)/(|a|
 /// |g|) between the tangent and the slope, and f s (u u^T - I)/|a|^2 of the slope with itself,
 /// likewise of the tangent.
-template <class S>
+template <class S, int Dofs>
 inline void add_second(const NodalSine<S>& sine, const S& f, int g, int a,
-                       const HalfTangent<S>& half) noexcept {
-    constexpr int stride = HalfTangent<S>::stride;
+                       const HalfTangent<S, Dofs>& half) noexcept {
+    constexpr int stride = Dofs;
     const S fs = f * sine.value, f_ga = f * sine.inv_a * sine.inv_g;
     const S aa = 0.5 * fs * sine.inv_a * sine.inv_a, gg = 0.5 * fs * sine.inv_g * sine.inv_g;
     const S ga = f_ga * sine.value;
@@ -86,12 +86,12 @@ inline void add_second(const NodalSine<S>& sine, const S& f, int g, int a,
 
 /// Adds f times the second derivatives of the sines: a share to the columns Z of their forms
 /// (before these are multiplied out), the rest to F (after).
-template <class S>
+template <class S, int Dofs>
 inline void add_sine_shares(const NodalSine<S>& sine, const S& f, int m,
-                            Vector<S, 24>& Z) noexcept {
+                            Vector<S, Dofs>& Z) noexcept {
     const S f_a = f * sine.inv_a, f_g = f * sine.inv_g;
-    S* const a = Z.data() + coordinate_start[slope_of(m)];
-    S* const g = Z.data() + coordinate_start[tangent_of(m)];
+    S* const a = Z.data() + coordinate_start<Dofs>(slope_of(m));
+    S* const g = Z.data() + coordinate_start<Dofs>(tangent_of(m));
     for (int i = 0; i < 3; ++i) {
         a[i] -= f_a * sine.u[i];
         g[i] -= f_g * sine.t[i];
@@ -124,8 +124,8 @@ inline void add_sines(const NodalSines<S>& sines, NodalGradient<S>& n) noexcept 
 namespace detail {
 
 /// Writes s, s', q, q' of a station from the nodal sines (s_i, s_j, q_i, q_j).
-template <class T, class S>
-inline void interpolate_shears(const StationShape<T>& shape, const S (&sines)[shear_count],
+template <class Shape, class S>
+inline void interpolate_shears(const Shape& shape, const S (&sines)[shear_count],
                                Invariants<S>& w) noexcept {
     const S ds = sines[1] - sines[0], dq = sines[3] - sines[2];
     w.s = sines[0] + shape.n2 * ds;
@@ -135,8 +135,8 @@ inline void interpolate_shears(const StationShape<T>& shape, const S (&sines)[sh
 }
 
 /// Turns derivatives with respect to (s, s', q, q') into those with respect to the nodal sines.
-template <class T, class S>
-inline void shears_to_nodes(const StationShape<T>& shape, S& s, S& s1, S& q, S& q1) noexcept {
+template <class Shape, class S>
+inline void shears_to_nodes(const Shape& shape, S& s, S& s1, S& q, S& q1) noexcept {
     s1 = shape.n2 * s + shape.n2_x * s1;
     s = s - s1;
     q1 = shape.n2 * q + shape.n2_x * q1;

@@ -35,9 +35,9 @@ struct StationState {
 };
 
 /// Writes strains and stresses of the section; returns the energy.
-template <class Measure, class T, class S>
-inline S section_energy(const StationData<T>& data, const Invariants<S>& w,
-                        S (&strain)[strain_count], S (&stresses)[strain_count]) noexcept {
+template <class Measure, class Data, class S>
+inline S section_energy(const Data& data, const Invariants<S>& w, S (&strain)[strain_count],
+                        S (&stresses)[strain_count]) noexcept {
     Measure::strains(w, typename Measure::template Rates<S>(w), strain);
     for (int k = 0; k < strain_count; ++k) strain[k] = deformation(strain[k], data.reference[k]);
     stress<(1U << strain_count) - 1U>(data.stiffness, strain, stresses);
@@ -73,8 +73,8 @@ ANCF_NOINLINE void station_gradient(const StationData<T>& data,
 }
 
 /// Writes the Hessian with respect to the invariants: symmetric, filled.
-template <class Measure, class T, class S>
-ANCF_NOINLINE void invariant_hessian(const StationData<T>& data, const Invariants<S>& w,
+template <class Measure, class Data, class S>
+ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
                                      const StrainJacobian<S>& J, const S (&stresses)[strain_count],
                                      S (&D)[invariant_count][invariant_count]) noexcept {
     material_hessian<Measure>(J, data.stiffness, D);
@@ -101,6 +101,8 @@ void station_hessian(const StationData<T>& data,
 /// vectors.
 template <class Directors, class Shear, class Measure>
 struct LocalFormulation {
+    static constexpr int line = 3;  ///< nodal vectors in the centre line
+
     template <class S>
     using Gradient = NodalGradient<S>;
     template <class S>
@@ -170,34 +172,32 @@ struct AxialState {
     S stress;  ///< times weight and length
 };
 
-template <class T, class S>
-inline S axial_state(const AxialStationData<T>& data, const NodalVectors<S>& nodes,
+template <class T, int Line, class S>
+inline S axial_state(const AxialStationData<T, Line>& data, const NodalVectors<S, Line>& nodes,
                      AxialState<S>& at) noexcept {
-    for (int k = 0; k < 3; ++k) {
-        at.p[k] =
-            data.p[0] * nodes[n_D][k] + data.p[1] * nodes[n_g1][k] + data.p[2] * nodes[n_g2][k];
-    }
+    at.p = line_derivative(data.p, nodes);
     const S strain = deformation(S(0.5 * (dot(at.p, at.p) - 1.0)), data.reference);
     at.stress = data.stiffness * strain;
     return 0.5 * at.stress * strain;
 }
 
-template <class T, class S, int Scalars>
-inline void axial_gradient(const AxialStationData<T>& data, const AxialState<S>& at,
-                           NodalGradient<S, Scalars>& nodal) noexcept {
-    for (int i = 0; i < 3; ++i) add(nodal.vector[n_D + i], S(data.p[i] * at.stress), at.p);
+template <class T, int Line, class S, int Scalars>
+inline void axial_gradient(const AxialStationData<T, Line>& data, const AxialState<S>& at,
+                           NodalGradient<S, Scalars, Line>& nodal) noexcept {
+    for (int i = 0; i < Line; ++i)
+        add(nodal.vector[line_vector(i)], S(data.p[i] * at.stress), at.p);
 }
 
-template <class T, class S, int Vectors, int Scalars>
-inline void axial_hessian(const AxialStationData<T>& data, const AxialState<S>& at,
+template <class T, int Line, class S, int Vectors, int Scalars>
+inline void axial_hessian(const AxialStationData<T, Line>& data, const AxialState<S>& at,
                           NodalHessian<S, Vectors, Scalars>& nodal) noexcept {
     for (int j = 0; j < 3; ++j) {
         for (int i = 0; i < 3; ++i) {
             S entry = data.stiffness * at.p[i] * at.p[j];
             if (i == j) entry += at.stress;
-            for (int b = 0; b < 3; ++b) {
+            for (int b = 0; b < Line; ++b) {
                 const S weighted = data.p[b] * entry;
-                for (int a = 0; a <= b; ++a) nodal(n_D + a, n_D + b)(i, j) += data.p[a] * weighted;
+                for (int a = 0; a <= b; ++a) nodal(a, b)(i, j) += data.p[a] * weighted;
             }
         }
     }

@@ -28,43 +28,53 @@ struct SectionMatrix {
     T shear_z[3][3];  ///< of (g_z, h_yz, h_zz)
 };
 
-/// Weights of the seven nodal vectors and four nodal shears in the local vectors of a station.
-template <class T>
+/// Weights of the nodal vectors and four nodal shears in the local vectors of a station.
+/// @tparam Line  number of nodal vectors in the centre line: 3, or 5 of a quintic
+template <class T, int Line = 3>
 struct StationShape {
-    T p[3];   ///< of (D, g1, g2) in p = r0', D = r_j - r_i; that of D is 1/m
-    T p1[3];  ///< of (D, g1, g2) in p1 = r0''; 1/m^2, 1/m, 1/m
-    T n2;     ///< of a2 in a = r_y; a1 has 1 - n2. Also of b2, and of the second node's shears
-    T n2_x;   ///< of a2 in a1 = r_y'; a1 has -n2_x, 1/m
+    T p[Line];   ///< of (D, g1, g2, k1, k2) in p = r0', D = r_j - r_i; 1/m, 1, 1, m, m
+    T p1[Line];  ///< of the same in p1 = r0''; 1/m^2, 1/m, 1/m, 1, 1
+    T n2;        ///< of a2 in a = r_y; a1 has 1 - n2. Also of b2, and of the second node's shears
+    T n2_x;      ///< of a2 in a1 = r_y'; a1 has -n2_x, 1/m
 };
 
 /// A station that integrates any terms of the energy.
-template <class T>
+template <class T, int Line = 3>
 struct StationData {
-    StationShape<T> shape;              ///< weights of the nodal vectors
+    StationShape<T, Line> shape;        ///< weights of the nodal vectors
     T reference[detail::strain_count];  ///< strains of the stress-free state, subtracted
     SectionMatrix<T> stiffness;         ///< times weight and length
 };
 
 /// A station that integrates only EA eps^2/2.
-template <class T>
+template <class T, int Line = 3>
 struct AxialStationData {
-    T p[3];       ///< of (D, g1, g2) in p = r0'
+    T p[Line];    ///< of (D, g1, g2, k1, k2) in p = r0'
     T reference;  ///< axial strain of the stress-free state, subtracted
     T stiffness;  ///< EA times weight and length
 };
 
 /// The stations of a rule.
-template <class T>
+template <class T, int Line = 3>
 struct StationTable {
-    std::vector<StationData<T>> full;        ///< stations of all strains
-    std::vector<AxialStationData<T>> axial;  ///< stations of the axial strain alone
+    std::vector<StationData<T, Line>> full;        ///< stations of all strains
+    std::vector<AxialStationData<T, Line>> axial;  ///< stations of the axial strain alone
 };
 
 /// Returns the shape weights at xi of a straight element of the given length.
-[[nodiscard]] inline StationShape<double> straight_shape(double xi, double length) noexcept {
-    const auto first = hermite_first(xi, length);
-    const auto second = hermite_second(xi, length);
-    return {{first[2], first[1], first[3]}, {second[2], second[1], second[3]}, xi, 1.0 / length};
+template <class Line = CubicLine>
+[[nodiscard]] StationShape<double, Line::vectors> straight_shape(double xi,
+                                                                 double length) noexcept {
+    const auto first = Line::first(xi, length);
+    const auto second = Line::second(xi, length);
+    StationShape<double, Line::vectors> shape;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        shape.p[k] = first[k];
+        shape.p1[k] = second[k];
+    }
+    shape.n2 = xi;
+    shape.n2_x = 1.0 / length;
+    return shape;
 }
 
 namespace detail {
@@ -111,9 +121,9 @@ template <class Packed, class Plain, std::size_t Count>
 inline void put_lane(Packed (&to)[Count], int lane, const Plain (&from)[Count]) noexcept {
     for (std::size_t k = 0; k < Count; ++k) put_lane(to[k], lane, from[k]);
 }
-template <int Lanes>
-inline void put_lane(StationData<Pack<Lanes>>& to, int lane,
-                     const StationData<double>& from) noexcept {
+template <int Lanes, int Line>
+inline void put_lane(StationData<Pack<Lanes>, Line>& to, int lane,
+                     const StationData<double, Line>& from) noexcept {
     put_lane(to.shape.p, lane, from.shape.p);
     put_lane(to.shape.p1, lane, from.shape.p1);
     put_lane(to.shape.n2, lane, from.shape.n2);
@@ -124,34 +134,37 @@ inline void put_lane(StationData<Pack<Lanes>>& to, int lane,
     put_lane(to.stiffness.shear_z, lane, from.stiffness.shear_z);
 }
 
-template <int Lanes>
-inline void put_lane(AxialStationData<Pack<Lanes>>& to, int lane,
-                     const AxialStationData<double>& from) noexcept {
+template <int Lanes, int Line>
+inline void put_lane(AxialStationData<Pack<Lanes>, Line>& to, int lane,
+                     const AxialStationData<double, Line>& from) noexcept {
     put_lane(to.p, lane, from.p);
     put_lane(to.reference, lane, from.reference);
     put_lane(to.stiffness, lane, from.stiffness);
 }
 
-template <int Lanes>
-inline void put_lane(StationTable<Pack<Lanes>>& to, int lane,
-                     const StationTable<double>& from) noexcept {
+template <int Lanes, int Line>
+inline void put_lane(StationTable<Pack<Lanes>, Line>& to, int lane,
+                     const StationTable<double, Line>& from) noexcept {
     for (std::size_t k = 0; k < from.full.size(); ++k) put_lane(to.full[k], lane, from.full[k]);
     for (std::size_t k = 0; k < from.axial.size(); ++k) put_lane(to.axial[k], lane, from.axial[k]);
 }
 
 /// A station like the given one that adds nothing: fills lanes left over.
-inline StationData<double> without_stiffness(StationData<double> station) noexcept {
+template <int Line>
+StationData<double, Line> without_stiffness(StationData<double, Line> station) noexcept {
     station.stiffness = {};
     return station;
 }
-inline AxialStationData<double> without_stiffness(AxialStationData<double> station) noexcept {
+template <int Line>
+AxialStationData<double, Line> without_stiffness(AxialStationData<double, Line> station) noexcept {
     station.stiffness = 0.0;
     return station;
 }
 
-template <int Lanes, template <class> class Data>
-[[nodiscard]] std::vector<Data<Pack<Lanes>>> packed(const std::vector<Data<double>>& stations) {
-    std::vector<Data<Pack<Lanes>>> packs((stations.size() + Lanes - 1) / Lanes);
+template <int Lanes, int Line, template <class, int> class Data>
+[[nodiscard]] std::vector<Data<Pack<Lanes>, Line>> packed(
+    const std::vector<Data<double, Line>>& stations) {
+    std::vector<Data<Pack<Lanes>, Line>> packs((stations.size() + Lanes - 1) / Lanes);
     for (std::size_t k = 0; k < packs.size() * Lanes; ++k) {
         put_lane(packs[k / Lanes], static_cast<int>(k % Lanes),
                  k < stations.size() ? stations[k] : without_stiffness(stations.back()));
@@ -162,8 +175,8 @@ template <int Lanes, template <class> class Data>
 }  // namespace detail
 
 /// Returns the stations side by side, Lanes to a pack.
-template <int Lanes>
-[[nodiscard]] StationTable<Pack<Lanes>> packed(const StationTable<double>& table) {
+template <int Lanes, int Line>
+[[nodiscard]] StationTable<Pack<Lanes>, Line> packed(const StationTable<double, Line>& table) {
     return {detail::packed<Lanes>(table.full), detail::packed<Lanes>(table.axial)};
 }
 

@@ -161,7 +161,7 @@ private:
     void set_up(const Material& material, const Section& section);
     template <class S>
     [[nodiscard]] detail::CarriedFrame<S> frame(const Vector<S, dofs>& e, double xi,
-                                                 detail::Invariants<S>& w) const noexcept;
+                                                detail::Invariants<S>& w) const noexcept;
     [[nodiscard]] Vector<double, 4> raw_strains(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] static Coordinates straight(double length);
 
@@ -192,9 +192,7 @@ inline TorsionBeam::TorsionBeam(const Material& material, const Section& section
 
 inline TorsionBeam::TorsionBeam(const Material& material, const Section& section,
                                 const Coordinates& reference, double length, const Options& options)
-    : line_((detail::require_positive("length", length), length),
-            reference.segment<3>(9) - reference.segment<3>(0), reference.segment<3>(3),
-            reference.segment<3>(12)),
+    : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
     detail::require(reference.allFinite(),
@@ -276,7 +274,7 @@ inline bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
 
 template <class S>
 detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
-                                            detail::Invariants<S>& w) const noexcept {
+                                           detail::Invariants<S>& w) const noexcept {
     detail::TorsionNodes<S> nodes;
     detail::torsion_nodes(e, nodes);
     detail::CarriedFrame<S> f;

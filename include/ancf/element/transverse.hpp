@@ -65,9 +65,9 @@ struct TransverseState {
 };
 
 /// Writes strains, stresses and energy.
-template <class T, class S>
+template <class T, class S, int Vectors>
 inline void transverse_state(const TransverseData<T>& data, TransverseStrain measure,
-                             const NodalVectors<S>& n, TransverseState<S>& state) noexcept {
+                             const Vec3<S> (&n)[Vectors], TransverseState<S>& state) noexcept {
     S e[3][2];
     for (int node = 0; node < 2; ++node) {
         state.yy[node] = stretch_strain(measure, n[n_a1 + node]);
@@ -95,9 +95,9 @@ inline void predict(const TransverseState<Dual<S>>& before, TransverseState<S>& 
 }
 
 /// Adds the gradient.
-template <class S, int Scalars>
-inline void add_transverse(const TransverseState<S>& state, const NodalVectors<S>& n,
-                           NodalGradient<S, Scalars>& g) noexcept {
+template <class S, int Vectors, int Scalars, int Line>
+inline void add_transverse(const TransverseState<S>& state, const Vec3<S> (&n)[Vectors],
+                           NodalGradient<S, Scalars, Line>& g) noexcept {
     for (int node = 0; node < 2; ++node) {
         add(g.vector[n_a1 + node], state.stress[0][node], state.yy[node].gradient);
         add(g.vector[n_a1 + node], state.stress[2][node], n[n_b1 + node]);
@@ -107,10 +107,9 @@ inline void add_transverse(const TransverseState<S>& state, const NodalVectors<S
 }
 
 /// Adds half of f times the second derivatives of a nodal stretch strain to a diagonal block.
-template <class S>
+template <int stride, class S>
 inline void add_stretch_second(TransverseStrain measure, const StretchStrain<S>& strain, const S& f,
                                S* block) noexcept {
-    constexpr int stride = HalfTangent<S>::stride;
     const S share = 0.5 * f * strain.inverse;
     for (int j = 0; j < 3; ++j) block[j + stride * j] += share;
     if (measure == TransverseStrain::green) return;
@@ -121,16 +120,16 @@ inline void add_stretch_second(TransverseStrain measure, const StretchStrain<S>&
 }
 
 /// Adds half of the second derivatives.
-template <class T, class S>
+template <class T, class S, int Vectors, int Dofs>
 ANCF_NOINLINE void add_transverse(const TransverseData<T>& data, TransverseStrain measure,
-                                  const TransverseState<S>& state, const NodalVectors<S>& n,
-                                  const HalfTangent<S>& half) noexcept {
-    constexpr int stride = HalfTangent<S>::stride;
+                                  const TransverseState<S>& state, const Vec3<S> (&n)[Vectors],
+                                  const HalfTangent<S, Dofs>& half) noexcept {
+    constexpr int stride = Dofs;
     for (int node = 0; node < 2; ++node) {
-        add_stretch_second(measure, state.yy[node], state.stress[0][node],
-                           half.block(n_a1 + node, n_a1 + node));
-        add_stretch_second(measure, state.zz[node], state.stress[1][node],
-                           half.block(n_b1 + node, n_b1 + node));
+        add_stretch_second<stride>(measure, state.yy[node], state.stress[0][node],
+                                   half.block(n_a1 + node, n_a1 + node));
+        add_stretch_second<stride>(measure, state.zz[node], state.stress[1][node],
+                                   half.block(n_b1 + node, n_b1 + node));
         S* const block = half.block(n_a1 + node, n_b1 + node);
         for (int k = 0; k < 3; ++k) block[k + stride * k] += state.stress[2][node];
     }

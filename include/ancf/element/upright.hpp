@@ -30,15 +30,17 @@ template <int Dimension>
 /// than 90 degrees from seventh to seventh of the element, and there tangent and slopes are longer
 /// than 1e-6 and right-handed, det > 1e-6 of the product of their lengths.
 ///
-/// @param e       finite; [r, r_x, r_y] of both nodes in the plane, with r_z in space
+/// @tparam Line   CubicLine or QuinticLine
+/// @param e       finite; [r, r_x, r_y] of both nodes in the plane, with r_z in space; then r_xx of
+///                a quintic line
 /// @param length  m, that the parameter of the slopes r_x runs through
-template <int Dimension>
-[[nodiscard]] bool upright(const Vector<double, 2 * Dimension*(Dimension + 1)>& e,
+template <int Dimension, class Line = CubicLine>
+[[nodiscard]] bool upright(const Vector<double, 2 * Dimension*(Dimension - 1 + Line::fields)>& e,
                            double length) noexcept {
     using Point = Vector<double, Dimension>;
     constexpr double least = 1e-6;
     constexpr int parts = 7;  // an odd number: the middle of a fold lies inside a part
-    constexpr int node = Dimension * (Dimension + 1);
+    constexpr int node = Dimension * (Dimension - 1 + Line::fields);
     const auto at = [&](int first) -> Point { return e.template segment<Dimension>(first); };
     for (int slope = 2; slope <= Dimension; ++slope) {
         const Point first = at(Dimension * slope), last = at(node + Dimension * slope);
@@ -47,9 +49,11 @@ template <int Dimension>
     Point before = Point::Zero();
     for (int k = 0; k <= parts; ++k) {
         const double xi = static_cast<double>(k) / parts;
-        const auto weights = hermite_first(xi, length);
-        const Point p = weights[0] * at(0) + weights[1] * at(Dimension) + weights[2] * at(node) +
-                        weights[3] * at(node + Dimension);
+        const auto weights = Line::first(xi, length);
+        Point p = weights[0] * (at(node) - at(0)) + weights[1] * at(Dimension) +
+                  weights[2] * at(node + Dimension);
+        if constexpr (Line::fields > CubicLine::fields)
+            p += weights[3] * at(node - Dimension) + weights[4] * at(2 * node - Dimension);
         Matrix<double, Dimension> triad;
         triad.col(0) = p;
         for (int slope = 2; slope <= Dimension; ++slope)

@@ -29,6 +29,8 @@ template <int Dimension>
 struct CurvePoint {
     Vector<double, Dimension> position;  ///< m
     Matrix<double, Dimension> slopes;    ///< columns r_x, r_y (and r_z) of the stress-free state
+    /// r_xx of the stress-free state, 1/m: what a quintic centre line takes, and no other.
+    Vector<double, Dimension> curvature = Vector<double, Dimension>::Zero();
 };
 
 namespace detail {
@@ -43,8 +45,10 @@ template <class Element>
     for (const auto* point : {&first, &second})
         for (int k = 0; k < field_count; ++k) {
             if (!Element::fields.contains(static_cast<Field>(k))) continue;
-            e.template segment<dimension>(at) =
-                k == 0 ? point->position : Vector<double, dimension>(point->slopes.col(k - 1));
+            const auto field = static_cast<Field>(k);
+            e.template segment<dimension>(at) = field == Field::r      ? point->position
+                                                : field == Field::r_xx ? point->curvature
+                                                                       : point->slopes.col(k - 1);
             at += dimension;
         }
     return e;
@@ -71,7 +75,7 @@ auto beam_through(Model<Elements...>& model, const Material& material, const Sec
                     lengths.size());
     Beam<Chosen> beam;
     for (const auto& point : points)
-        beam.nodes.push_back(model.add_node(point.position, point.slopes));
+        beam.nodes.push_back(model.add_node(point.position, point.slopes, point.curvature));
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         if (k < lengths.size())
             beam.prototypes.push_back(model.add_prototype(Chosen(
@@ -106,7 +110,7 @@ auto arc(Model<Elements...>& model, const Material& material, const Section& sec
             0.0, 1.0;
         points.push_back({from + start * Vector<double, 3>(radius * std::sin(turn),
                                                            radius * (1.0 - std::cos(turn)), 0.0),
-                          start * rotation});
+                          start * rotation, start * rotation.col(1) / radius});
     }
     return beam_through<Element>(model, material, section, points, {radius * angle / elements},
                                  std::forward<Options>(options)...);
@@ -131,7 +135,7 @@ auto arc(Model<Elements...>& model, const Material& material, const Section& sec
         rotation << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
         points.push_back({from + start * Vector<double, 2>(side * radius * std::sin(turn),
                                                            side * radius * (1.0 - std::cos(turn))),
-                          start * rotation});
+                          start * rotation, side / radius * (start * rotation.col(1))});
     }
     return beam_through<Element>(model, material, section, points,
                                  {radius * std::abs(angle) / elements},
@@ -164,7 +168,8 @@ auto helix(Model<Elements...>& model, const Material& material, const Section& s
             std::cos(turn) * frame.col(2) - std::sin(turn) * frame.col(1);
         const Vector<double, 3> tangent = (rise * frame.col(0) + radius * around) / per_radian;
         points.push_back({centre + radius * radial + rise * turn * frame.col(0),
-                          reference_slopes(tangent, Vector<double, 3>(-radial))});
+                          reference_slopes(tangent, Vector<double, 3>(-radial)),
+                          -radius / (per_radian * per_radian) * radial});
     }
     return beam_through<Element>(model, material, section, points,
                                  {2.0 * pi * turns * per_radian / elements},
@@ -194,19 +199,21 @@ auto spline(Model<Elements...>& model, const Material& material, const Section& 
     };
     std::vector<CurvePoint<3>> points;
     for (std::size_t k = 0; k < count; ++k) {
-        Vector<double, 3> tangent;
+        Vector<double, 3> tangent, bend = Vector<double, 3>::Zero();
         if (count == 2) {
             tangent = secant(0);
         } else {
             const std::size_t middle = k == 0 ? 1 : k + 1 == count ? count - 2 : k;
             const double a = chords[middle - 1], b = chords[middle];
             tangent = (b * secant(middle - 1) + a * secant(middle)) / (a + b);
+            bend = 2.0 / (a + b) * (secant(middle) - secant(middle - 1));
             if (k == 0) tangent = 2.0 * secant(0) - tangent;
             if (k + 1 == count) tangent = 2.0 * secant(count - 2) - tangent;
         }
         const double size = tangent.norm();
         detail::require(size > 1e-9, "spline: the line folds back on itself at point ", k);
         tangent /= size;
+        bend = (bend - bend.dot(tangent) * tangent) / (size * size);
         Vector<double, 3> across = y_axis;
         if (k > 0) {
             const Vector<double, 3> before = points.back().slopes.col(0);
@@ -214,7 +221,7 @@ auto spline(Model<Elements...>& model, const Material& material, const Section& 
             across =
                 carried - carried.dot(tangent) / (1.0 + before.dot(tangent)) * (before + tangent);
         }
-        points.push_back({through[k], reference_slopes(tangent, across)});
+        points.push_back({through[k], reference_slopes(tangent, across), bend});
     }
     return beam_through<Element>(model, material, section, points, chords,
                                  std::forward<Options>(options)...);

@@ -104,17 +104,21 @@ void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
     detail::require(std::isfinite(c) && c >= 0.0,
                     "add_drag: the drag must be finite and not negative, got ", c);
     detail::add_damping(model, beam, amplitude, [&](const Element& element, const auto&) {
-        // the mass of the centre line is that of (r, r_x), rho A times int s^T s ds
-        constexpr int dimension = Element::dimension, node = dimension * Element::fields.count();
+        // the mass of the centre line is that of (r, r_x, r_xx), rho A times int s^T s ds
+        constexpr int dimension = Element::dimension, fields = Element::fields.count();
+        const auto in_line = [](int vector) {
+            const Field field = Element::fields.at(vector % fields);
+            return field != Field::r_y && field != Field::r_z;
+        };
         const MatrixX mass = element.mass();
         MatrixX line = MatrixX::Zero(mass.rows(), mass.cols());
-        double total = 0.0;  // rho A l
-        for (const int row : {0, node})
-            for (const int column : {0, node}) {
-                line.block(row, column, 2 * dimension, 2 * dimension) =
-                    mass.block(row, column, 2 * dimension, 2 * dimension);
-                total += mass(row, column);
-            }
+        for (int row = 0; row < 2 * fields; ++row)
+            for (int column = 0; column < 2 * fields; ++column)
+                if (in_line(row) && in_line(column))
+                    line.block(dimension * row, dimension * column, dimension, dimension) =
+                        mass.block(dimension * row, dimension * column, dimension, dimension);
+        constexpr int node = dimension * fields;
+        const double total = mass(0, 0) + 2.0 * mass(0, node) + mass(node, node);  // rho A l
         return MatrixX(c * element.length() / total * line);
     });
 }

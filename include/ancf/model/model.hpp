@@ -102,9 +102,11 @@ public:
     using Slopes = Matrix<double, dimension>;  ///< columns r_x, r_y (and r_z)
 
     /// Adds a node; it carries the vectors that the elements connected to it need.
-    /// @param position  m.  @param slopes  columns r_x, r_y (and r_z) of the reference.
+    /// @param position   m.  @param slopes  columns r_x, r_y (and r_z) of the reference.
+    /// @param curvature  r_xx of the reference, 1/m; elements of a quintic centre line have it.
     /// @throws InvalidArgument unless every value is finite.
-    NodeId add_node(const Point& position, const Slopes& slopes = Slopes::Identity());
+    NodeId add_node(const Point& position, const Slopes& slopes = Slopes::Identity(),
+                    const Point& curvature = Point::Zero());
 
     /// Adds an element type's constant data for several equal elements to share.
     /// @return its index for `connect`.
@@ -132,7 +134,7 @@ public:
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
 
-    /// Holds all vectors of a node, or all but r_x.
+    /// Holds position and slopes of a node, or all of them but r_x; never r_xx.
     /// @throws InvalidArgument for a node that does not exist.
     void clamp(NodeId node, Clamp clamp = Clamp::full);
 
@@ -342,15 +344,19 @@ private:
 };
 
 template <class... Elements>
-NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes) {
+NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes,
+                                    const Point& curvature) {
     detail::require(position.allFinite(), "Model::add_node: the position must be finite, got ",
                     detail::components(position));
     detail::require(slopes.allFinite(), "Model::add_node: slopes must be finite, got (by columns) ",
                     detail::components(slopes));
+    detail::require(curvature.allFinite(), "Model::add_node: the curvature must be finite, got ",
+                    detail::components(curvature));
     InitialNode node;
     node.vectors.setZero();
     node.vectors.col(0) = position;
     node.vectors.template middleCols<dimension>(1) = slopes;
+    node.vectors.col(static_cast<int>(Field::r_xx)) = curvature;
     initial_.push_back(node);
     stale_ = true;
     ++revision_.scene;

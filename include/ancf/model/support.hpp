@@ -23,8 +23,8 @@ struct Support {
 
 /// What a clamp holds of a node.
 enum class Clamp {
-    full,       ///< every vector
-    free_slope  ///< every vector but r_x: the clamp of the paper's cantilevers
+    full,       ///< position and slopes; a clamp says nothing of the curvature r_xx
+    free_slope  ///< the same but r_x: the clamp of the paper's cantilevers
 };
 
 /// Returns the word for a field that messages use.
@@ -34,6 +34,7 @@ enum class Clamp {
         case Field::r_x: return "r_x";
         case Field::r_y: return "r_y";
         case Field::r_z: return "r_z";
+        case Field::r_xx: return "r_xx";
     }
     return "unknown";
 }

@@ -40,14 +40,15 @@ public:
     template <class Assembly>
     [[nodiscard]] bool at_round_off(const Assembly& assembly, const VectorX& q) const;
 
-    /// Returns the largest change of a position relative to the scene's size, or of a slope.
+    /// Returns the largest change of a position relative to the scene's size, of a slope, or of
+    /// r_xx times the elements' length.
     [[nodiscard]] double correction(const VectorX& unknowns) const;
 
     /// Returns the diagonal of the scene, m.
     [[nodiscard]] double size() const noexcept { return size_; }
 
 private:
-    // Euclidean norms over positions and over slopes
+    // Euclidean norms over positions, over slopes and what works on r_xx by the elements' length
     struct Norms {
         double force = 0.0;
         double moment = 0.0;
@@ -57,9 +58,9 @@ private:
     [[nodiscard]] Norms norms(Entry&& entry) const;
 
     const Numbering& numbering_;
-    std::vector<char> is_position_;  // per coordinate
-    double size_ = 1.0;              // diagonal of the scene, m
-    double element_size_ = 1.0;      // mean reference length, m
+    std::vector<signed char> power_;  // of a length in the unit, per coordinate
+    double size_ = 1.0;               // diagonal of the scene, m
+    double element_size_ = 1.0;       // mean reference length, m
 };
 
 template <class Scene>
@@ -67,10 +68,12 @@ ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numb
     : numbering_(numbering) {
     constexpr int dimension = Scene::dimension;
     const Layout& layout = model.layout();
-    is_position_.assign(static_cast<std::size_t>(layout.size()), 0);
+    power_.assign(static_cast<std::size_t>(layout.size()), 0);
     for (int node = 0; node < layout.nodes(); ++node)
-        if (layout.fields(node).contains(Field::r))
-            std::fill_n(is_position_.begin() + layout.first(node), dimension, char{1});
+        for (const Field field : {Field::r, Field::r_xx})
+            if (const int first = layout.index({{node}, field}); first >= 0)
+                std::fill_n(power_.begin() + first, dimension,
+                            static_cast<signed char>(length_power(field)));
     double length = 0.0;
     int count = 0;
     model.for_each_group([&](const auto& group) {
@@ -96,9 +99,10 @@ ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numb
 template <class Entry>
 ConvergenceMonitor::Norms ConvergenceMonitor::norms(Entry&& entry) const {
     Norms sums;
-    for (std::size_t k = 0; k < is_position_.size(); ++k) {
-        const double value = entry(static_cast<int>(k));
-        (is_position_[k] != 0 ? sums.force : sums.moment) += value * value;
+    for (std::size_t k = 0; k < power_.size(); ++k) {
+        double value = entry(static_cast<int>(k));
+        if (power_[k] < 0) value /= element_size_;
+        (power_[k] > 0 ? sums.force : sums.moment) += value * value;
     }
     return {std::sqrt(sums.force), std::sqrt(sums.moment)};
 }
@@ -162,11 +166,13 @@ bool ConvergenceMonitor::at_round_off(const Assembly& assembly, const VectorX& q
 
 inline double ConvergenceMonitor::correction(const VectorX& unknowns) const {
     double largest = 0.0;
-    for (std::size_t k = 0; k < is_position_.size(); ++k) {
+    for (std::size_t k = 0; k < power_.size(); ++k) {
         const int equation = numbering_.equation(static_cast<int>(k));
         if (equation < 0) continue;
         const double value = std::abs(unknowns[equation]);
-        largest = std::max(largest, is_position_[k] != 0 ? value / size_ : value);
+        largest = std::max(largest, power_[k] > 0   ? value / size_
+                                    : power_[k] < 0 ? value * element_size_
+                                                    : value);
     }
     return largest;
 }

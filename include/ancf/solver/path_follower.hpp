@@ -141,11 +141,12 @@ private:
         const double size = std::max(monitor_.size(), std::numeric_limits<double>::min());
         const double nodes = std::max(1, layout.nodes());
         for (int node = 0; node < layout.nodes(); ++node)
-            for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
-                const bool position = layout.fields(node).contains(Field::r) &&
-                                      k < layout.first(node) + Scene::dimension;
-                if (const int equation = numbering_.equation(k); equation >= 0)
-                    weights_[equation] = (position ? 1.0 / (size * size) : 1.0) / nodes;
+            for (int k = 0; k < field_count; ++k) {
+                const auto field = static_cast<Field>(k);
+                const int first = layout.index({{node}, field});
+                for (int at = first; first >= 0 && at < first + Scene::dimension; ++at)
+                    if (const int equation = numbering_.equation(at); equation >= 0)
+                        weights_[equation] = std::pow(size, -2 * length_power(field)) / nodes;
             }
     }
 

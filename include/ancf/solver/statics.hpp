@@ -72,6 +72,9 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
+    /// In the state that the model is left in, an element so short that its law softens: an
+    /// equilibrium with it need not be the one that smaller load steps lead to.
+    std::optional<Fault> softened;
     /// Of the state that the model is left in, an equilibrium where a step converged. Costs one
     /// factorisation L D L^T after the last step where the solver counts no pivots.
     Stability stability = Stability::unknown;

@@ -172,9 +172,10 @@ void Turning<Scene>::for_each_node(Visitor&& visit) const {
     for (int node = 0; node < layout_.nodes(); ++node) {
         const int first =
             layout_.first(node) + (layout_.fields(node).contains(Field::r) ? dimension : 0);
-        const int slopes = (layout_.first(node + 1) - first) / dimension;
+        const int last = layout_.index({{node}, Field::r_xx});  // which is no slope
+        const int slopes = ((last < 0 ? layout_.first(node + 1) : last) - first) / dimension;
         bool whole = slopes == dimension;
-        for (int k = first; k < layout_.first(node + 1); ++k)
+        for (int k = first; k < first + slopes * dimension; ++k)
             whole = whole && numbering_.equation(k) >= 0;
         visit(first, slopes, whole);
     }
