@@ -127,7 +127,7 @@ void add_sections(Table& table) {
 void add_rules(Table& table) {
     using ancf::Rule;
     table.counts("[1, 16]", {-1, 0, 17, 1000}, [](int n) { return ancf::gauss_quadrature(n); });
-    table.counts("[2, 4]", {-1, 0, 1, 5, 100}, [](int n) { return ancf::lobatto_quadrature(n); });
+    table.counts("[2, 5]", {-1, 0, 1, 6, 100}, [](int n) { return ancf::lobatto_quadrature(n); });
     table.counts("[1, 16]", {-1, 0, 17}, [](int n) { return Rule::gauss(n); });
     for (const char* name : {"", "Paper", "gauss", "gauss2 ", "lobatto", "mixed\n", "paper,mixed"})
         table.add([name] { static_cast<void>(Rule::named(name)); }, {name, "paper", "mixed"});

@@ -12,7 +12,8 @@
 namespace cross_section_fuzz_test {
 
 TEMPLATE_TEST_CASE("fuzz: no coordinates crash an element, and admissible ones give finite results",
-                   "[fuzz]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>) {
+                   "[fuzz]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>,
+                   ancf::QuinticBeam<>) {
     ancf::test::try_out<TestType>();
 }
 

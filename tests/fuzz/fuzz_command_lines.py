@@ -1,12 +1,13 @@
-# SPDX-FileCopyrightText: 2026 The ancf authors
-# SPDX-License-Identifier: BSD-3-Clause
+#SPDX - FileCopyrightText : 2026 The ancf authors
+#SPDX - License - Identifier : BSD - 3 - Clause
 """Gives the example programs random command lines for a while.
 
     fuzz_command_lines.py FOLDER [SECONDS] [SEED]    exits 1 with one line per command that crashed, hung, ran out
                                                      of memory, or gave a number that is none as a result
 
 The options and the names they allow are read from what each program prints for --help. The work a command asks for
-is bounded: a few elements and iterations, at most 1e4 steps of a motion or so many that they must be refused.
+is bounded: a few elements and iterations, at most some 3000 steps of a motion, 100 where a sanitizer slows programs
+down, or so many that they must be refused.
 """
 
 import os
@@ -66,8 +67,9 @@ class Fuzzer:
     MOTION = ["--duration", "--step", "--output-interval"]  # drawn together
     FILES = ["--save", "--restart", "--vtk", "--shape", "--shapes"]
 
-    def __init__(self, folder, seed):
+    def __init__(self, folder, seed, powers=(2.0, 3.5)):
         self.random = random.Random(seed)
+        self.powers = powers  # of ten: usual and most steps of a motion
         self.programs = {program: options_of(folder, program) for program in PROGRAMS}
         self.count = 0
 
@@ -120,14 +122,15 @@ class Fuzzer:
         return f"{value if self.random.random() < 0.95 else -value:.6g}"
 
     def motion(self, wild):
-        """Duration, step and output interval: short, with at most 1e4 steps, or with one of them odd."""
+        """Duration, step and output interval: short, with few enough steps, or with one of them odd."""
         duration = 10.0 ** self.random.uniform(-4.0, -2.0)
-        steps = 10.0 ** self.random.choice([self.random.uniform(0.0, 2.0), self.random.uniform(2.0, 3.5)])
+        usual, most = self.powers
+        steps = 10.0 ** self.random.choice([self.random.uniform(0.0, usual), self.random.uniform(usual, most)])
         values = {"--duration": duration, "--step": duration / steps,
                   "--output-interval": duration / self.random.choice([0.5, 1.0, 3.0, 10.0])}
         values = {name: f"{value:.6g}" for name, value in values.items()}
         if self.random.random() < wild:
-            # what is long by request must be long enough to be refused
+#what is long by request must be long enough to be refused
             odd = ["0", "-1", "nan", "inf", "", "x", "1e999", "1e-300", "1e300"]
             values[self.random.choice(self.MOTION)] = self.random.choice(odd)
         return values
@@ -163,13 +166,14 @@ def prepare(folder):
 
 
 def limit_memory(folder):
-    """Limits the memory of what is started from here, as far as the programs run under a limit."""
+    """Limits the memory of what is started from here; returns whether the programs are free of sanitizers."""
     os.environ["ASAN_OPTIONS"] = f"{os.environ.get('ASAN_OPTIONS', '')}:hard_rss_limit_mb={MEMORY >> 20}".lstrip(":")
     usual, most = resource.getrlimit(resource.RLIMIT_AS)
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, most))
     run = subprocess.run([folder / PROGRAMS[0], "--help"], capture_output=True, check=False)
     if run.returncode != 0:  # a sanitizer keeps account in a far larger space of addresses
         resource.setrlimit(resource.RLIMIT_AS, (usual, most))
+    return run.returncode == 0
 
 
 def written():
@@ -207,9 +211,10 @@ def main(folder, seconds="5", seed="1"):
     findings, count = [], 0
     with tempfile.TemporaryDirectory() as name:
         os.chdir(name)
-        limit_memory(folder)
+        fast = limit_memory(folder)
         prepare(folder)
-        fuzzer, end = Fuzzer(folder, int(seed)), time.monotonic() + float(seconds)
+        fuzzer = Fuzzer(folder, int(seed), (2.0, 3.5) if fast else (1.0, 2.0))
+        end = time.monotonic() + float(seconds)
         while time.monotonic() < end:
             runs = run_all(folder, [fuzzer.command() for _ in range(BATCH)])
             files = list(written())

@@ -179,8 +179,8 @@ public:
     /// than 1e-6, the sine of the angle between them larger than 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length at a station: there
-    /// the stress of Green's measure falls as it shortens, and equilibria are no longer unique.
+    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length somewhere: there the
+    /// stress of Green's measure falls as it shortens, and equilibria are no longer unique.
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
@@ -417,10 +417,8 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::softened(
         const Vec3<double> p = line_derivative(weights, nodes);
         return 3.0 * dot(p, p) < 1.0;
     };
-    for (const auto& station : kernel_.stations.full)
-        if (is_short(station.shape.p)) return true;
-    for (const auto& station : kernel_.stations.axial)
-        if (is_short(station.p)) return true;
+    for (int k = 0; k <= detail::line_parts; ++k)
+        if (is_short(line_.shape(static_cast<double>(k) / detail::line_parts).p)) return true;
     return false;
 }
 

@@ -11,6 +11,8 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/section/section.hpp>
 
+#include <utility>
+
 namespace ancf {
 
 struct Projected;
@@ -58,8 +60,10 @@ struct CrossSectionOptions {
 
 /// The choices of a beam with a quintic centre line.
 struct QuinticOptions : CrossSectionOptions {
-    /// The rule "quintic" and the rest of CrossSectionOptions::best().
-    QuinticOptions() : CrossSectionOptions(best()) { rule = Rule::quintic(); }
+    /// A rule, and the rest of CrossSectionOptions::best().
+    QuinticOptions(Rule chosen = Rule::quintic()) : CrossSectionOptions(best()) {  // NOLINT: a rule
+        rule = std::move(chosen);
+    }
 };
 
 }  // namespace ancf

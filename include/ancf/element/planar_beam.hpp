@@ -114,8 +114,8 @@ public:
     /// than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length at a station: there
-    /// the stress of Green's measure falls as it shortens, and equilibria are no longer unique.
+    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length somewhere: there the
+    /// stress of Green's measure falls as it shortens, and equilibria are no longer unique.
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
@@ -307,10 +307,8 @@ bool CrossSectionBeam<2, Directors, LinearShear, Measure>::softened(
             weights[1] * e.template segment<2>(2) + weights[2] * e.template segment<2>(8);
         return 3.0 * p.squaredNorm() < 1.0;
     };
-    for (const auto& station : kernel_.stations)
-        if (is_short(station.shape.p)) return true;
-    for (const auto& station : kernel_.axial)
-        if (is_short(station.p)) return true;
+    for (int k = 0; k <= detail::line_parts; ++k)
+        if (is_short(line_.shape(static_cast<double>(k) / detail::line_parts).p)) return true;
     return false;
 }
 

@@ -15,6 +15,10 @@
 
 namespace ancf::detail {
 
+/// Into how many parts an element is cut where its line is looked at between stations; an odd
+/// number: the middle of a fold lies inside a part.
+inline constexpr int line_parts = 7;
+
 /// Returns the determinant of [p, r_y] or [p, r_y, r_z].
 template <int Dimension>
 [[nodiscard]] double orientation(const Matrix<double, Dimension>& triad) noexcept {
@@ -39,7 +43,6 @@ template <int Dimension, class Line = CubicLine>
                            double length) noexcept {
     using Point = Vector<double, Dimension>;
     constexpr double least = 1e-6;
-    constexpr int parts = 7;  // an odd number: the middle of a fold lies inside a part
     constexpr int node = Dimension * (Dimension - 1 + Line::fields);
     const auto at = [&](int first) -> Point { return e.template segment<Dimension>(first); };
     for (int slope = 2; slope <= Dimension; ++slope) {
@@ -47,8 +50,8 @@ template <int Dimension, class Line = CubicLine>
         if (!(first.dot(last) > -0.5 * first.norm() * last.norm())) return false;
     }
     Point before = Point::Zero();
-    for (int k = 0; k <= parts; ++k) {
-        const double xi = static_cast<double>(k) / parts;
+    for (int k = 0; k <= line_parts; ++k) {
+        const double xi = static_cast<double>(k) / line_parts;
         const auto weights = Line::first(xi, length);
         Point p = weights[0] * (at(node) - at(0)) + weights[1] * at(Dimension) +
                   weights[2] * at(node + Dimension);
