@@ -37,7 +37,8 @@ TEMPLATE_TEST_CASE("mass: rotary inertia at the nodes is the whole of it and cou
                    "[element][mass]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>) {
     const auto material = ancf::Material::from_moduli(2e9, 8e8, 1200.0);
     const ancf::Section section =
-        ancf::polygon({{-0.06, -0.09}, {0.11, -0.07}, {0.09, 0.05}, {-0.04, 0.12}});
+        ancf::polygon({{-0.06, -0.09}, {0.11, -0.07}, {0.09, 0.05}, {-0.04, 0.12}})
+            .with_shear_correction(0.8, 0.9);
     ancf::CrossSectionOptions options;
     options.rotary_inertia = ancf::RotaryInertia::lumped;
     const TestType element(material, section, 0.7, options);
