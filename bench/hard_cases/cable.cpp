@@ -101,7 +101,7 @@ void rolled(Rows& rows, const std::string& name, int elements, int steps, double
 }  // namespace
 
 std::vector<Case> cable_cases() {
-    return {
+    const std::vector<Case> all = {
         {"slender_cantilever", slender},
         {"slenderness", slenderness},
         {"semicircle", [](Rows& rows, bool) { rolled(rows, "semicircle", 8, 1, 0.5); }},
@@ -111,6 +111,7 @@ std::vector<Case> cable_cases() {
              if (!quick) rolled(rows, "four_circles", 40, 10, 4.0);
          }},
     };
+    return of_element("cable", all);
 }
 
 }  // namespace hard_cases

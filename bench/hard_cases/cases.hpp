@@ -8,6 +8,7 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <chrono>
@@ -53,12 +54,21 @@ using Rows = std::vector<Row>;
 struct Case {
     std::string name;
     std::function<void(Rows&, bool quick)> run;
+    std::string element = {};  ///< of its rows
 };
+
+/// Returns cases with the name of their element.
+[[nodiscard]] inline std::vector<Case> of_element(const std::string& element,
+                                                  std::vector<Case> cases) {
+    for (Case& one : cases) one.element = element;
+    return cases;
+}
 
 /// The cases of each element type; one source each, as instantiations are what compiles slowly.
 [[nodiscard]] std::vector<Case> projected_cases();
 [[nodiscard]] std::vector<Case> transported_cases();
 [[nodiscard]] std::vector<Case> geodesic_cases();
+[[nodiscard]] std::vector<Case> quintic_cases();
 [[nodiscard]] std::vector<Case> engineering_cases();
 [[nodiscard]] std::vector<Case> continuum_cases();
 [[nodiscard]] std::vector<Case> cable_cases();
@@ -82,6 +92,14 @@ inline void worsen(double& error, double other) {
 inline void set(Row& row, const ancf::StaticsReport& report) {
     row.iterations = report.iterations();
     row.steps = static_cast<int>(report.steps.size());
+    row.status = std::string(to_string(report.status));
+}
+
+/// Fills in what the report of a path tells.
+inline void set(Row& row, const ancf::PathReport& report) {
+    row.iterations = 0;
+    for (const ancf::PathPoint& point : report.points) row.iterations += point.iterations;
+    row.steps = static_cast<int>(report.points.size());
     row.status = std::string(to_string(report.status));
 }
 

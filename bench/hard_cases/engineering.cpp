@@ -11,6 +11,7 @@ std::vector<hard_cases::Case> hard_cases::engineering_cases() {
     std::vector<Case> all = spatial.cases();
     const Spatial<Element> fine("geodesic-engineering", with_rule(ancf::Rule::gauss(3)),
                                 engineering_tip);
-    all.push_back({"helix", [fine](Rows& rows, bool quick) { fine.helix(rows, quick); }});
+    all.push_back({"helix", [fine](Rows& rows, bool quick) { fine.helix(rows, quick); },
+                   "geodesic-engineering"});
     return all;
 }

@@ -105,9 +105,7 @@ void frame(Rows& rows, int refinement) {
     };
     ancf::EigenLu solver;
     const auto report = ancf::follow_path(scene, solver, how);
-    row.status = std::string(to_string(report.status));
-    row.steps = static_cast<int>(report.points.size());
-    for (const ancf::PathPoint& point : report.points) row.iterations += point.iterations;
+    set(row, report);
     row.error = report.critical.size() < 2
                     ? 1.0
                     : std::max(std::abs(report.critical[0].factor - 1.0),
@@ -119,7 +117,7 @@ void frame(Rows& rows, int refinement) {
 }  // namespace
 
 std::vector<Case> planar_cases() {
-    return {
+    const std::vector<Case> all = {
         {"slender_cantilever",
          [](Rows& rows, bool quick) {
              for (const int elements : {2, 4, 8, 16})
@@ -133,6 +131,7 @@ std::vector<Case> planar_cases() {
              if (!quick) frame(rows, 2);
          }},
     };
+    return of_element("planar-engineering", all);
 }
 
 }  // namespace hard_cases

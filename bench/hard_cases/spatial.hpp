@@ -18,6 +18,7 @@
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/modal.hpp>
+#include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <hard_cases/cases.hpp>
@@ -38,9 +39,9 @@ using Point = ancf::Vector<double, 3>;
 /// Whether bending off the section's axes is of the same order as about them.
 template <class Element>
 inline constexpr bool keeps_order = false;
-template <class Directors, class Measure>
+template <class Directors, class Measure, class Line>
 inline constexpr bool
-    keeps_order<ancf::CrossSectionBeam<3, Directors, ancf::LinearShear, Measure>> =
+    keeps_order<ancf::CrossSectionBeam<3, Directors, ancf::LinearShear, Measure, Line>> =
         !std::is_same_v<Directors, ancf::Projected>;
 
 /// Whether an element converges to Reissner's beam.
@@ -58,7 +59,7 @@ public:
     using Scene = ancf::Model<Element>;
     using Options = typename Element::Options;
     /// Whether torsion follows the section's torsion constant on request.
-    static constexpr bool warps = std::is_same_v<Options, ancf::CrossSectionOptions>;
+    static constexpr bool warps = std::is_base_of_v<ancf::CrossSectionOptions, Options>;
 
     /// @param tip  limit of the slender cantilever: that of the element's measure of strain
     Spatial(std::string element, Options options, ancf::Vector<double, 2> tip)
@@ -67,7 +68,7 @@ public:
     /// Returns the cases of bending alone.
     [[nodiscard]] std::vector<Case> bending_cases() const {
         const Spatial self = *this;
-        return {
+        const std::vector<Case> all = {
             {"slender_cantilever",
              [self](Rows& rows, bool quick) { self.cantilever(rows, quick, 0.0); }},
             {"slender_cantilever_45",
@@ -82,6 +83,7 @@ public:
             {"four_circles", [self](Rows& rows, bool quick) { self.rolled(rows, quick, 4.0); }},
             {"poisson", [self](Rows& rows, bool quick) { self.poisson(rows, quick); }},
         };
+        return of_element(element_, all);
     }
 
     /// Returns the cases of straight beams.
@@ -93,19 +95,24 @@ public:
             {"twist_720", [self](Rows& rows, bool quick) { self.twisted(rows, quick, 2.0); }},
             {"lateral_buckling", [self](Rows& rows, bool quick) { self.lateral(rows, quick); }},
             {"frequencies", [self](Rows& rows, bool quick) { self.frequencies(rows, quick); }},
+            {"end_thrust", [self](Rows& rows, bool quick) { self.end_thrust(rows, quick); }},
         };
         all.insert(all.end(), others.begin(), others.end());
-        return all;
+        return of_element(element_, all);
     }
 
     /// Returns the cases of curved, twisted and narrow beams.
     [[nodiscard]] std::vector<Case> curved_cases() const {
         const Spatial self = *this;
-        return {
+        const std::vector<Case> all = {
             {"bend_45", [self](Rows& rows, bool quick) { self.bend(rows, quick); }},
             {"princeton", [self](Rows& rows, bool quick) { self.princeton(rows, quick); }},
             {"pretwisted", [self](Rows& rows, bool quick) { self.pretwisted(rows, quick); }},
+            {"twist_180_torques", [self](Rows& rows, bool quick) { self.half_turn(rows, quick); }},
+            {"lateral_buckling_path",
+             [self](Rows& rows, bool quick) { self.lateral_path(rows, quick); }},
         };
+        return of_element(element_, all);
     }
 
     /// Returns all of these.
@@ -198,6 +205,30 @@ private:
         ancf::EigenLu full;
         set(row, symmetric ? ancf::solve_statics(scene, lower, how)
                            : ancf::solve_statics(scene, full, how));
+    }
+
+    /// Follows the path to its first critical point, which theory has at the full load.
+    static ancf::PathReport follow(Scene& scene, Row& row) {
+        ancf::PathOptions how;
+        how.first_step = 0.5;
+        how.max_points = 50;
+        how.progress = [](const ancf::PathPoint& point, const ancf::State&) {
+            return point.negative_pivots == 0;
+        };
+        ancf::EigenLdlt solver;
+        auto report = ancf::follow_path(scene, solver, how);
+        set(row, report);
+        row.error = report.critical.empty() ? 1.0 : std::abs(report.critical.front().factor - 1.0);
+        return report;
+    }
+
+    /// Returns a section without fourth moments, to which Wagner's term is proportional.
+    static ancf::Section to_second_order(const ancf::Section& section) {
+        ancf::Moments moments = section.moments();
+        moments.yyyy = moments.yyzz = moments.zzzz = 0.0;
+        return ancf::Section::from_moments(moments)
+            .with_shear_correction(section.shear_correction_y(), section.shear_correction_z())
+            .with_torsion_constant(section.torsion_constant());
     }
 
     /// Returns the turns of a slope from node to node, summed along the beam.
@@ -439,49 +470,133 @@ private:
         finish(rows, row, start);
     }
 
-    /// Bathe and Bolourchi's bend of 45 degrees.
-    void bend(Rows& rows, bool quick) const {
-        for (const int elements : {8, 16}) {
-            if (quick && elements > 8) break;
-            Row row = make("bend_45", elements, 0.12 / (elements * elements));
+    /// The paper's bar under the torque of half a turn: k G Ip with Wagner's term, the end free to
+    /// move along the axis or held, and Saint-Venant's G J.
+    ///
+    /// The section at the end keeps its shape, as the torque's shares of r_y and r_z would else turn
+    /// them apart. Engineering strains have no Wagner term.
+    void half_turn(Rows& rows, bool) const {
+        struct Torque {
+            const char* name;
+            double value;
+            bool wagner, held;
+        };
+        const std::array<Torque, 3> torques{{
+            {"twist_180_wagner", 20.5631985582, true, false},
+            {"twist_180_wagner_held", 20.5823797062, true, true},
+            {"twist_180_saint_venant", 10.1789668163, false, false},
+        }};
+        for (const Torque& torque : torques) {
+            if (torque.wagner && is_reissner<Element>) continue;
+            Row row = make(torque.name, 20, 5e-5);
             const double start = now();
             Scene scene;
-            const auto beam =
-                ancf::arc(scene, ancf::Material::from_moduli(1e7, 5e6, 1.0),
-                          ancf::rectangle(1.0, 1.0).with_shear_correction(1.0, 1.0), {0, 0, 0},
-                          {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options());
+            const double length = 0.254;
+            const auto section = ancf::rectangle(0.00254, 0.00635);
+            const auto beam = ancf::straight_beam(
+                scene, ancf::Material::from_moduli(8.27371e10, 3.17159e10, 2700.0),
+                torque.wagner ? section : to_second_order(section), {0, 0, 0}, {length, 0, 0},
+                row.elements,
+                options(torque.wagner ? ancf::SectionModel::paper
+                                      : ancf::SectionModel::saint_venant));
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
-            scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
-            solve(scene, row, ancf::NewtonKind::mixed);
-            const Point theory(47.150438573629, 15.684800534039, 53.474858791825);
-            row.error = (scene.position(beam.last()) - theory).norm() / 100.0;
+            if (torque.held) scene.fix(beam.last(), ancf::Field::r, 0);
+            scene.add(ancf::RigidSection(beam.last()));
+            scene.add(ancf::Moment(beam.last(), {torque.value, 0, 0}));
+            solve(scene, row, ancf::NewtonKind::mixed, 1, false);
+            row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / 0.5 - 1.0);
             finish(rows, row, start);
         }
     }
 
-    /// The Princeton beam at 45 degrees, torsion by Saint-Venant.
-    void princeton(Rows& rows, bool quick) const {
-        const int elements = quick ? 8 : 16;
-        Row row = make("princeton", elements, quick ? 2e-3 : 1e-3);
-        const double start = now();
-        Scene scene;
-        const double length = 0.508, thin = 3.2024e-3, high = 12.377e-3, load = 8.896;
-        const auto beam = ancf::straight_beam(
-            scene, ancf::Material::isotropic(71.7e9, 0.31, 2700.0), ancf::rectangle(thin, high),
-            {0, 0, 0}, {length, 0, 0}, elements, options(ancf::SectionModel::saint_venant));
-        scene.clamp(beam.first(), ancf::Clamp::free_slope);
-        const double part = load * std::sqrt(0.5);
-        scene.add(ancf::Force<3>(beam.last(), {0, part, part}));
-        solve(scene, row, ancf::NewtonKind::mixed);
-        const Point tip = scene.position(beam.last());
-        row.error = std::hypot(tip[1] - 0.00888886, tip[2] - 0.10904157) / 0.10904157;
-        finish(rows, row, start);
+    /// Bathe and Bolourchi's bend of 45 degrees, with G J of 2 G I, of Saint-Venant's torsion and of
+    /// k G Ip; the last two differ by 2.5e-4.
+    void bend(Rows& rows, bool quick) const {
+        struct Torsion {
+            const char* name;
+            double correction;
+            ancf::SectionModel model;
+            Point tip;
+        };
+        const std::array<Torsion, 3> torsions{{
+            {"bend_45",
+             1.0,
+             ancf::SectionModel::paper,
+             {47.150438573629, 15.684800534039, 53.474858791825}},
+            {"bend_45_saint_venant",
+             1.0,
+             ancf::SectionModel::saint_venant,
+             {46.89192495, 15.55778591, 53.60736918}},
+            {"bend_45_polar",
+             5.0 / 6.0,
+             ancf::SectionModel::paper,
+             {46.87200246, 15.54734743, 53.61814655}},
+        }};
+        for (const Torsion& torsion : torsions)
+            for (const int elements : {8, 16, 32}) {
+                if (quick && elements > 8) break;
+                // the mesh, and Green's strain
+                Row row = make(torsion.name, elements, 0.12 / (elements * elements) + 3e-5);
+                const double start = now();
+                Scene scene;
+                const auto section = ancf::rectangle(1.0, 1.0).with_shear_correction(
+                    torsion.correction, torsion.correction);
+                const auto beam = ancf::arc(scene, ancf::Material::from_moduli(1e7, 5e6, 1.0),
+                                            section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 100.0,
+                                            0.25 * pi, elements, options(torsion.model));
+                scene.clamp(beam.first(), ancf::Clamp::free_slope);
+                scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
+                solve(scene, row, ancf::NewtonKind::mixed);
+                row.error = (scene.position(beam.last()) - torsion.tip).norm() / 100.0;
+                finish(rows, row, start);
+            }
     }
 
-    /// MacNeal and Harder's beam with 90 degrees of twist, load along the root's width.
+    /// The Princeton beam, load and degrees from the chord in the name; torsion by Saint-Venant.
+    void princeton(Rows& rows, bool quick) const {
+        struct Load {
+            const char* name;
+            double force, degrees, chordwise, flapwise;
+        };
+        const std::array<Load, 5> loads{{
+            {"princeton_4.448_30", 4.448, 30.0, 0.00475107, 0.03994940},
+            {"princeton_8.896_0", 8.896, 0.0, 0.01071541, 0.0},
+            {"princeton_8.896_45", 8.896, 45.0, 0.00888886, 0.10904157},
+            {"princeton_8.896_90", 8.896, 90.0, 0.0, 0.14625998},
+            {"princeton_13.345_60", 13.345, 60.0, 0.01171642, 0.18192119},
+        }};
+        for (const Load& load : loads) {
+            const int elements = quick ? 8 : 16;
+            Row row = make(load.name, elements, quick ? 2e-3 : 5e-4);
+            const double start = now();
+            Scene scene;
+            const double length = 0.508, thin = 3.2024e-3, high = 12.377e-3;
+            const auto beam = ancf::straight_beam(
+                scene, ancf::Material::isotropic(71.7e9, 0.31, 2700.0), ancf::rectangle(thin, high),
+                {0, 0, 0}, {length, 0, 0}, elements, options(ancf::SectionModel::saint_venant));
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            const double angle = load.degrees * pi / 180.0;
+            scene.add(ancf::Force<3>(beam.last(),
+                                     load.force * Point(0.0, std::cos(angle), std::sin(angle))));
+            solve(scene, row, ancf::NewtonKind::mixed);
+            const Point tip = scene.position(beam.last());
+            row.error = std::hypot(tip[1] - load.chordwise, tip[2] - load.flapwise) /
+                        std::hypot(load.chordwise, load.flapwise);
+            finish(rows, row, start);
+        }
+    }
+
+    /// MacNeal and Harder's beam with 90 degrees of twist, loads along the root's width and
+    /// thickness.
     void pretwisted(Rows& rows, bool quick) const {
+        pretwisted(rows, quick, 1, 1.74962334e-3);
+        pretwisted(rows, quick, 2, 5.42932148e-3);
+    }
+
+    void pretwisted(Rows& rows, bool quick, int along, double deflection) const {
         const int elements = quick ? 12 : 24;
-        Row row = make("pretwisted", elements, quick ? 0.01 : 3e-3);
+        Row row =
+            make(along == 1 ? "pretwisted" : "pretwisted_thickness", elements, quick ? 0.01 : 3e-3);
         const double start = now();
         Scene scene;
         std::vector<ancf::CurvePoint<3>> points;
@@ -496,9 +611,9 @@ private:
                                              ancf::rectangle(0.32, 1.1), points,
                                              std::vector<double>{12.0 / elements}, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
-        scene.add(ancf::Force<3>(beam.last(), {0, 1, 0}));
+        scene.add(ancf::Force<3>(beam.last(), Point::Unit(along)));
         solve(scene, row, ancf::NewtonKind::plain);
-        row.error = std::abs(scene.position(beam.last())[1] / 1.74962334e-3 - 1.0);
+        row.error = std::abs(scene.position(beam.last())[along] / deflection - 1.0);
         finish(rows, row, start);
     }
 
@@ -537,6 +652,55 @@ private:
                             : std::abs(std::abs(report.modes[0].value) / theory - 1.0);
             finish(rows, row, start);
         }
+    }
+
+    /// The same cantilever on its path: the load at which it really buckles, deflected by then, with
+    /// every stiffness and Saint-Venant's torsion.
+    void lateral_path(Rows& rows, bool quick) const {
+        Row row = make("lateral_buckling_path", quick ? 32 : 64, quick ? 4e-4 : 1e-4);
+        const double start = now();
+        Scene scene;
+        const auto beam = ancf::straight_beam(
+            scene, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.002, 0.1),
+            {0, 0, 0}, {1, 0, 0}, row.elements, options(ancf::SectionModel::saint_venant));
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::Force<3>(beam.last(), {0, -68.28893, 0}));
+        follow(scene, row);
+        finish(rows, row, start);
+    }
+
+    /// A bar under end thrust, guided so that it stays straight: the larger error of load and
+    /// stretch where it gives way.
+    ///
+    /// Green's strain has the force E A s (s^2 - 1)/2 at the stretch s, least at 1/sqrt(3). Every
+    /// part of the bar gives way at once there, on any mesh. Engineering strains never do.
+    void end_thrust(Rows& rows, bool) const {
+        if (is_reissner<Element>) return;
+        Row row = make("end_thrust", 4, 1e-6);
+        const double start = now();
+        Scene scene;
+        const auto section = ancf::rectangle(0.1, 0.1);
+        const auto material = ancf::Material::isotropic(1e9, 0.3, 1000.0);
+        const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0},
+                                              row.elements, options());
+        const std::array<std::pair<ancf::Field, int>, 4> free{{{ancf::Field::r, 0},
+                                                               {ancf::Field::r_x, 0},
+                                                               {ancf::Field::r_y, 1},
+                                                               {ancf::Field::r_z, 2}}};
+        for (const ancf::NodeId node : beam.nodes)
+            for (const auto& [field, own] : free)
+                for (int k = 0; k < 3; ++k)
+                    if (k != own) scene.fix(node, field, k);
+        scene.fix(beam.first(), ancf::Field::r, 0);
+        const double load = material.young * section.moments().area / std::sqrt(27.0);
+        scene.add(ancf::Force<3>(beam.last(), {-load, 0, 0}));
+        const auto report = follow(scene, row);
+        if (!report.critical.empty()) {
+            const int end = scene.coordinate(beam.last(), ancf::Field::r);
+            const double stretch = report.critical.front().state.q[end];
+            worsen(row.error, std::abs(std::sqrt(3.0) * stretch - 1.0));
+        }
+        finish(rows, row, start);
     }
 
     /// The first three pairs of bending frequencies of a slender cantilever.
