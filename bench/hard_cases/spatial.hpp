@@ -687,10 +687,13 @@ private:
                                                                {ancf::Field::r_x, 0},
                                                                {ancf::Field::r_y, 1},
                                                                {ancf::Field::r_z, 2}}};
-        for (const ancf::NodeId node : beam.nodes)
+        for (const ancf::NodeId node : beam.nodes) {
             for (const auto& [field, own] : free)
                 for (int k = 0; k < 3; ++k)
                     if (k != own) scene.fix(node, field, k);
+            if constexpr (Element::fields.contains(ancf::Field::r_xx))
+                for (const int across : {1, 2}) scene.fix(node, ancf::Field::r_xx, across);
+        }
         scene.fix(beam.first(), ancf::Field::r, 0);
         const double load = material.young * section.moments().area / std::sqrt(27.0);
         scene.add(ancf::Force<3>(beam.last(), {-load, 0, 0}));
