@@ -473,8 +473,8 @@ private:
     /// The paper's bar under the torque of half a turn: k G Ip with Wagner's term, the end free to
     /// move along the axis or held, and Saint-Venant's G J.
     ///
-    /// The section at the end keeps its shape, as the torque's shares of r_y and r_z would else turn
-    /// them apart. Engineering strains have no Wagner term.
+    /// The section at the end keeps its shape, as the torque's shares of r_y and r_z would else
+    /// turn them apart. Engineering strains have no Wagner term.
     void half_turn(Rows& rows, bool) const {
         struct Torque {
             const char* name;
@@ -509,8 +509,8 @@ private:
         }
     }
 
-    /// Bathe and Bolourchi's bend of 45 degrees, with G J of 2 G I, of Saint-Venant's torsion and of
-    /// k G Ip; the last two differ by 2.5e-4.
+    /// Bathe and Bolourchi's bend of 45 degrees, with G J of 2 G I, of Saint-Venant's torsion and
+    /// of k G Ip; the last two differ by 2.5e-4.
     void bend(Rows& rows, bool quick) const {
         struct Torsion {
             const char* name;
@@ -654,8 +654,8 @@ private:
         }
     }
 
-    /// The same cantilever on its path: the load at which it really buckles, deflected by then, with
-    /// every stiffness and Saint-Venant's torsion.
+    /// The same cantilever on its path: the load at which it really buckles, deflected by then,
+    /// with every stiffness and Saint-Venant's torsion.
     void lateral_path(Rows& rows, bool quick) const {
         Row row = make("lateral_buckling_path", quick ? 32 : 64, quick ? 4e-4 : 1e-4);
         const double start = now();

@@ -193,18 +193,18 @@ private:
             for (int i = 0; i < 3; ++i) {
                 for (int m = 0; m < 2; ++m) {
                     const P pg = local(v_p, v_g1 + m)(i, j), vg = local(v_p1, v_g1 + m)(i, j);
-                    P line[Line];  // block of (D, g1, g2, k1, k2) with this tangent
-                    for (int a = 0; a < Line; ++a) line[a] = shape.p[a] * pg + shape.p1[a] * vg;
-                    for (int a = 3; a < Line; ++a) n(n_g1 + m, a)(j, i) += line[a];
-                    n(n_D, n_g1 + m)(i, j) += line[0];
+                    P with[Line];  // block of (D, g1, g2, k1, k2) with this tangent
+                    for (int a = 0; a < Line; ++a) with[a] = shape.p[a] * pg + shape.p1[a] * vg;
+                    for (int a = 3; a < Line; ++a) n(n_g1 + m, a)(j, i) += with[a];
+                    n(n_D, n_g1 + m)(i, j) += with[0];
                     if (m == 0) {
-                        n(n_g1, n_g1)(i, j) += line[1];
-                        n(n_g1, n_g1)(j, i) += line[1];
-                        n(n_g1, n_g2)(j, i) += line[2];
+                        n(n_g1, n_g1)(i, j) += with[1];
+                        n(n_g1, n_g1)(j, i) += with[1];
+                        n(n_g1, n_g2)(j, i) += with[2];
                     } else {
-                        n(n_g1, n_g2)(i, j) += line[1];
-                        n(n_g2, n_g2)(i, j) += line[2];
-                        n(n_g2, n_g2)(j, i) += line[2];
+                        n(n_g1, n_g2)(i, j) += with[1];
+                        n(n_g2, n_g2)(i, j) += with[2];
+                        n(n_g2, n_g2)(j, i) += with[2];
                     }
                     n(n_g1 + m, n_g1 + m)(i, j) += local(v_g1 + m, v_g1 + m)(i, j);
                 }
