@@ -49,7 +49,7 @@ void BeamOptions::add_clamp_to(CommandLine& line) {
     clampable = true;
     line.set_group("Beam");
     line.add_choice("--clamp", clamp, {"free-slope", "full"},
-                    "hold all vectors but r_x, or all vectors; cables: all");
+                    "hold position and slopes but r_x, or all slopes; cables: all");
 }
 
 void BeamOptions::settle(const CommandLine& line) {

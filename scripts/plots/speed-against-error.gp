@@ -8,7 +8,7 @@
 cases = "model2 semicircle bend45 twist pendulum link"
 titles = "'Model II' semicircle '45-degree bend' twist pendulum 'link pendulum'"
 errors = "'relative error of the tip' 'relative error of the tip' 'relative error of the tip' 'error of the angle (rad)' 'error of the tip (m)' 'error of the tip (m)'"
-elements = "cross-section cross-section-geodesic cross-section-pointwise continuum torsion cable planar planar-continuum planar-cable"
+elements = "cross-section cross-section-geodesic cross-section-pointwise continuum torsion cable cross-section-quintic planar planar-continuum planar-cable"
 rows(scene, element) = sprintf("< awk -F, 'NR == 1 || ($1 == \"%s\" && $2 == \"%s\")' '%s/speed_runs.csv'", scene, element, data)
 front(scene) = sprintf("< awk -F, 'NR == 1 || $1 == \"%s\"' '%s/speed_front.csv'", scene, data)
 
@@ -19,8 +19,8 @@ set format y "10^{%L}"
 set xtics 100
 set grid
 set key top right Left reverse spacing 1.0 samplen 0.6 font ",9"
-point(j) = j < 7 ? 6 : 4
-colour(j) = (j - 1) % 6 + 1
+point(j) = j < 8 ? 6 : 4
+colour(j) = (j - 1) % 7 + 1
 do for [k = 1:words(cases)] {
     scene = word(cases, k)
     if (int(system(sprintf("grep -c '^%s,' '%s/speed_runs.csv' || true", scene, data))) == 0) { continue }

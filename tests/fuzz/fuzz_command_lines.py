@@ -1,5 +1,5 @@
-#SPDX - FileCopyrightText : 2026 The ancf authors
-#SPDX - License - Identifier : BSD - 3 - Clause
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Gives the example programs random command lines for a while.
 
     fuzz_command_lines.py FOLDER [SECONDS] [SEED]    exits 1 with one line per command that crashed, hung, ran out
@@ -130,7 +130,7 @@ class Fuzzer:
                   "--output-interval": duration / self.random.choice([0.5, 1.0, 3.0, 10.0])}
         values = {name: f"{value:.6g}" for name, value in values.items()}
         if self.random.random() < wild:
-#what is long by request must be long enough to be refused
+            # what is long by request must be long enough to be refused
             odd = ["0", "-1", "nan", "inf", "", "x", "1e999", "1e-300", "1e300"]
             values[self.random.choice(self.MOTION)] = self.random.choice(odd)
         return values

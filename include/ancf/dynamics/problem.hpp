@@ -239,8 +239,12 @@ public:
     /// @throws InvalidArgument unless it is positive.
     void set_length_scale(double length);
 
-    /// Returns the typical size of each free coordinate: the scene's size or, for slopes, 1.
+    /// Returns the typical size of each free coordinate: the scene's size; of slopes 1, of r_xx one
+    /// over that size.
     [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
+
+    /// Returns the same of every coordinate for a scene of another size, m.
+    [[nodiscard]] VectorX scales_of(double length) const;
 
     /// Returns a typical force of the start, N: the largest of the loads, of the inertia forces and
     /// of the elastic force; 0 where all of it is round-off.

@@ -97,16 +97,22 @@ void DynamicProblem<Scene>::measure() {
 template <class Scene>
 void DynamicProblem<Scene>::set_length_scale(double length) {
     detail::require_positive("DynamicProblem: length scale", length);
+    length_ = length;
+    full_scales_ = scales_of(length);
+    numbering().gather_free(full_scales_, scales_);
+}
+
+template <class Scene>
+VectorX DynamicProblem<Scene>::scales_of(double length) const {
     constexpr int dimension = Scene::dimension;
     const Layout& layout = model_.layout();
-    length_ = length;
-    full_scales_.setOnes(layout.size());
+    VectorX scales = VectorX::Ones(layout.size());
     for (int node = 0; node < layout.nodes(); ++node)
         for (const Field field : {Field::r, Field::r_xx})
             if (const int first = layout.index({{node}, field}); first >= 0)
-                full_scales_.template segment<dimension>(first).setConstant(
+                scales.template segment<dimension>(first).setConstant(
                     field == Field::r ? length : 1.0 / length);
-    numbering().gather_free(full_scales_, scales_);
+    return scales;
 }
 
 template <class Scene>
@@ -549,8 +555,7 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     const auto largest = [&](const VectorX& forces) {
         double value = 0.0;
         for (Eigen::Index k = 0; k < forces.size(); ++k)
-            value =
-                std::max(value, std::abs(forces[k]) / (full_scales_[k] == length_ ? 1.0 : length_));
+            value = std::max(value, std::abs(forces[k]) * full_scales_[k] / length_);
         return value;
     };
     VectorX inertia = VectorX::Zero(full_q_.size());

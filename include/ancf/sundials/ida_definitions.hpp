@@ -167,9 +167,8 @@ typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
 template <class Scene>
 void IdaRun<Scene>::set_tolerances() {
     const Scales s = scales();
-    const VectorX sizes =
-        (problem_.scales().array() == problem_.length_scale())
-            .select(VectorX::Constant(problem_.size(), s.length), problem_.scales());
+    VectorX sizes;
+    problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
     auto absolute = view(tolerances_.get());
     system_.q(absolute) = options_.tolerance * sizes;
     system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
