@@ -86,7 +86,7 @@ void right_angle(Rows& rows, bool quick) {
     std::size_t seen = 0;
     schedule.observe = [&](const ancf::Snapshot& at) {
         const double height = at.state.q[scene.coordinate(second.last(), ancf::Field::r) + 2];
-        worsen(row.error, std::abs(height / theory[seen++].second - 1.0));
+        worsen(row.error, std::abs(height / theory.at(seen++).second - 1.0));
     };
     ancf::DynamicProblem<Scene> problem(scene);
     ancf::GeneralizedAlphaOptions how;

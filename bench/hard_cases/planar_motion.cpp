@@ -141,7 +141,7 @@ void pendulum(Rows& rows, bool quick) {
     std::size_t seen = 0;
     schedule.observe = [&](const ancf::Snapshot& at) {
         const Plane tip = at.state.q.segment<2>(scene.coordinate(beam.last(), Field::r));
-        worsen(row.error, (tip - theory[seen++].second).norm() / 1.2);
+        worsen(row.error, (tip - theory.at(seen++).second).norm() / 1.2);
     };
     integrate(scene, row, 5e-4, schedule);
     if (seen < schedule.times.size()) row.error = 1.0;
@@ -174,7 +174,7 @@ void green_pendulum(Rows& rows, bool quick) {
     schedule.end = schedule.times.back();
     std::size_t seen = 0;
     schedule.observe = [&](const ancf::Snapshot& at) {
-        const Instant& expected = theory[seen++];
+        const Instant& expected = theory.at(seen++);
         const Plane place = at.state.q.segment<2>(scene.coordinate(beam.last(), Field::r));
         worsen(tip, (place - expected.tip).norm() / 1.2);
         worsen(kinetic, std::abs(at.energies.kinetic / expected.kinetic - 1.0));

@@ -47,10 +47,9 @@ inline constexpr bool
 /// Whether an element converges to Reissner's beam.
 template <class Element>
 inline constexpr bool is_reissner = false;
-template <class Directors>
-inline constexpr bool
-    is_reissner<ancf::CrossSectionBeam<3, Directors, ancf::LinearShear, ancf::EngineeringMeasure>> =
-        true;
+template <class Directors, class Line>
+inline constexpr bool is_reissner<
+    ancf::CrossSectionBeam<3, Directors, ancf::LinearShear, ancf::EngineeringMeasure, Line>> = true;
 
 /// What the cases of one element type and rule share.
 template <class Element>

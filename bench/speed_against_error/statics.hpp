@@ -81,6 +81,16 @@ constexpr bool takes_part(const std::string_view name) {
 template <class Element>
 inline constexpr bool has_mixed_newton = ancf::detail::EvaluatesMixed<Element>::value;
 
+/// What the tables add to a solver's name.
+inline const char* newton_suffix(ancf::NewtonKind newton) {
+    switch (newton) {
+        case ancf::NewtonKind::mixed: return "+mixed-newton";
+        case ancf::NewtonKind::turned: return "+turned-newton";
+        case ancf::NewtonKind::plain: break;
+    }
+    return "";
+}
+
 /// Loads the end of a beam as the case has it.
 template <class Element>
 void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId end) {
@@ -255,16 +265,17 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
             const double ms =
                 least_cpu_ms([&] { tip = solve<Element>(scene, rule, solver, mesh, options); },
                              plan.quick ? 0.0 : 20.0, 30);
-            const bool mixed = options.newton == ancf::NewtonKind::mixed;
-            report({scene.name, name, rule.name(), mixed ? solver + "+mixed-newton" : solver, mesh,
+            report({scene.name, name, rule.name(), solver + newton_suffix(options.newton), mesh,
                     options.residual_tolerance, tip_error(scene, tip, limit), ms, tip.iterations});
         };
         for (const ancf::Rule& rule : rules)
             for (const int mesh : meshes) {
                 options.newton = ancf::NewtonKind::plain;
                 for (const std::string& solver : solvers) run(rule, solver, mesh);
-                options.newton = ancf::NewtonKind::mixed;
-                if (has_mixed_newton<Element>) run(rule, usual, mesh);
+                for (const auto newton : {ancf::NewtonKind::mixed, ancf::NewtonKind::turned}) {
+                    options.newton = newton;
+                    if (has_mixed_newton<Element>) run(rule, usual, mesh);
+                }
             }
     }
 }

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/solver/statics.hpp>
 
@@ -135,6 +136,9 @@ private:
     bool good_ = true;
 };
 
+/// The turn of an element from end to end, rad, that is told: of a coarse mesh.
+inline constexpr double coarse_turn = 0.5 * ancf::pi;
+
 inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     good_ = good_ && report.status == ancf::Status::converged;
     std::ostringstream text;
@@ -160,6 +164,9 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     if (report.softened)
         text << "; element " << report.softened->element
              << " is so short that its law softens: smaller steps may end elsewhere";
+    if (report.largest_turn > coarse_turn)
+        text << "; an element turns by " << std::lround(report.largest_turn * 180.0 / ancf::pi)
+             << " degrees from end to end: a finer mesh may end elsewhere";
     std::cerr << text.str() << '\n';
 }
 

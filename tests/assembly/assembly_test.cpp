@@ -206,6 +206,25 @@ TEST_CASE("Assembly: the first element that fails is named", "[assembly][bad-inp
     }
 }
 
+TEST_CASE("Assembly: the largest turn of an element is the angle between its slopes",
+          "[assembly]") {
+    const Scene scene = make_scene();
+    const ancf::Assembly<Scene> assembly(scene, Storage::full);
+    VectorX q = scene.state().q;
+    for (const double angle : {0.3, 2.0}) {
+        for (int node = 0; node < 3; ++node)  // the fourth has no slope
+            q.segment<3>(scene.coordinate({node}, Field::r_x)) << 1.0, 0.0, 0.0;
+        CHECK(assembly.largest_turn(q) <= 1e-8);
+        q.segment<3>(scene.coordinate({0}, Field::r_x)) << 3.0 * std::cos(angle),
+            3.0 * std::sin(angle), 0.0;
+        CHECK(assembly.largest_turn(q) == Approx(angle));
+    }
+    q.segment<3>(scene.coordinate({0}, Field::r_x)).setZero();
+    CHECK(assembly.largest_turn(q) <= 1e-8);  // of no length, no angle
+    CHECK_THROWS_AS(assembly.largest_turn(VectorX::Zero(3)), ancf::InvalidArgument);
+    CHECK_THROWS_AS(assembly.softened(VectorX::Zero(3)), ancf::InvalidArgument);
+}
+
 TEST_CASE("Assembly: scenes that cannot be assembled are refused", "[assembly][bad-input]") {
     Scene scene = make_scene();
     const VectorX q = scene.state().q;

@@ -12,6 +12,7 @@
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
+#include <support/element_properties.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -310,6 +311,38 @@ TEMPLATE_TEST_CASE("curved references: mass and weight are those of the arc", "[
         if (field == Field::r) total += line.template segment<dimension>(first);
     });
     CHECK((total - element.length() * g).norm() <= 1e-13 * g.norm());
+}
+
+TEMPLATE_TEST_CASE("curved references: an arc softens where it is short, not where it is bent",
+                   "[element][curved]", Paper, Carried, Planar) {
+    const auto reference = coordinates<TestType>(start(), arc_end(1.0));
+    const TestType element(test::sample_material(), test::sample_rectangle(), reference, range);
+    test::check_softened(element, reference, true);
+    CHECK_FALSE(element.softened(coordinates<TestType>(start(), arc_end(1e-3))));
+}
+
+TEMPLATE_TEST_CASE("curved references: rotary inertia at the nodes is the whole of it",
+                   "[element][curved]", Paper, Planar) {
+    constexpr int dimension = TestType::dimension;
+    const auto reference = coordinates<TestType>(start(), arc_end(1.0));
+    const auto mass_of = [&](RotaryInertia inertia) {
+        CrossSectionOptions options;
+        options.rotary_inertia = inertia;
+        return TestType(test::sample_material(), test::sample_rectangle(), reference, range,
+                        options)
+            .mass();
+    };
+    // sections that all turn alike
+    typename TestType::Coordinates rate = TestType::Coordinates::Zero();
+    test::for_each_vector<TestType>([&](int, Field field, int first) {
+        if (field == Field::r_y) rate.template segment<dimension>(first).setOnes();
+    });
+    const auto lumped = mass_of(RotaryInertia::lumped),
+               consistent = mass_of(RotaryInertia::consistent);
+    const double energy = rate.dot(consistent * rate);
+    CHECK(energy > 0.0);
+    CHECK(rate.dot(lumped * rate) == Approx(energy).epsilon(1e-14));
+    CHECK((lumped - consistent).norm() > 1e-3 * energy);
 }
 
 TEST_CASE("curved references: untwisting a twisted bar costs its torsional energy",

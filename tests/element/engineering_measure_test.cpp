@@ -45,6 +45,7 @@ TEMPLATE_TEST_CASE("engineering measure: the element has the properties of every
         test::check_derivatives(element);
         test::check_zero_modes(element);
         test::check_turning(element);
+        test::check_softened(element, test::reference_coordinates(element), false);
     }
 }
 

@@ -5,6 +5,7 @@
 /// The cross-section beam in the plane: the properties of every element, and equality with the
 /// spatial element whose z slopes stand on the plane's normal.
 
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 
 #include <support/catch.hpp>
@@ -60,6 +61,7 @@ TEST_CASE("planar cross-section beam: it has the properties of every element",
         test::check_turning(element);
         test::check_mass(element, density, odd_section().moments());
         test::check_gravity(element, density, odd_section().moments());
+        test::check_softened(element, test::reference_coordinates(element), true);
     }
 }
 

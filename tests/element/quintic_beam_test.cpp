@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <type_traits>
 
 namespace quintic_beam_test {
 
@@ -74,6 +75,8 @@ TEMPLATE_TEST_CASE("QuinticBeam: energy and force vanish at rest, and no motion 
     test::check_rigid_invariance(element);
     test::check_rigid_invariance(element, 1e-3);
     test::check_turning(element);
+    const bool softens = !std::is_same_v<TestType, Engineering>;
+    test::check_softened(element, test::reference_coordinates(element), softens);
 }
 
 TEMPLATE_TEST_CASE("QuinticBeam: force and tangent equal the complex-step derivatives",

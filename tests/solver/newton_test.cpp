@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace newton_test {
 
@@ -259,6 +260,35 @@ TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][new
             CHECK_FALSE(report.softened);
         }
     }
+}
+
+TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
+          "[statics][newton]") {
+    const auto solve = [](int elements, int steps, double& tip) {
+        ancf::Model<ancf::CrossSectionBeam<2>> scene;
+        const double height = 0.003055, bending = 2.07e11 * std::pow(height, 4) / 12.0;
+        const auto beam = ancf::straight_beam(
+            scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0),
+            ancf::rectangle(height, height).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0, 0},
+            {1, 0}, elements);
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::Force<2>(beam.last(), {0.0, 92.1 * bending}));
+        ancf::EigenLu solver;
+        ancf::StaticsOptions options;
+        options.steps = steps;
+        const auto report = ancf::solve_statics(scene, solver, options);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK_FALSE(report.softened);
+        tip = scene.position(beam.last())[0];
+        return report.largest_turn;
+    };
+    double once = 0.0, slowly = 0.0, fine = 0.0;
+    CHECK(solve(2, 1, once) > 0.5 * pi);
+    CHECK(solve(2, 3, slowly) > 0.5 * pi);
+    CHECK(std::abs(slowly - once) > 0.02);  // measured 0.239 and 0.270
+    CHECK(solve(16, 1, fine) < 1.0);
+    CHECK(fine == Approx(0.1484).margin(1e-4));
 }
 
 TEST_CASE("statics: a small correction that turns is the correction itself", "[statics][newton]") {

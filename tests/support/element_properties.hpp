@@ -72,6 +72,21 @@ template <class Element>
     return moved<Element>(reference_coordinates(element), turn, shift);
 }
 
+/// Checks that an element tells when its line is shorter than 1/sqrt(3) of its length, and that one
+/// whose law does not soften never does.
+template <class Element>
+void check_softened(const Element& element, const Coordinates<Element>& reference, bool softens) {
+    for (const double stretch : {0.1, 0.57, 0.58, 1.0}) {
+        Coordinates<Element> e = reference;
+        for_each_vector<Element>([&](int, Field field, int first) {
+            if (field != Field::r_y && field != Field::r_z)
+                e.template segment<Element::dimension>(first) *= stretch;
+        });
+        INFO("stretch " << stretch);
+        CHECK(element.softened(e) == (softens && stretch < 0.5774));
+    }
+}
+
 /// A scale for energies of an element: that of its tangent at rest moved by one in a slope.
 template <class Element>
 [[nodiscard]] double stiffness_scale(const Element& element) {

@@ -54,6 +54,12 @@ struct Correction {
     VectorX change;  ///< what the linear system gave
 };
 
+/// Where an element stands in a model.
+struct ElementPlace {
+    int group;    ///< place of its type in the model's list
+    int element;  ///< index in that group
+};
+
 /// An element whose energy, force or tangent is not a number.
 struct Fault {
     Status status;  ///< degenerate or not_finite
@@ -156,10 +162,14 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
-    /// Returns the first element so short that its law softens, of those that tell, such as
-    /// CrossSectionBeam: its status is degenerate.
+    /// Returns the first element so short that its law softens, of the elements that tell: every
+    /// CrossSectionBeam and QuinticBeam.
     /// @throws InvalidArgument for a q of another size.
-    [[nodiscard]] std::optional<Fault> softened(const VectorX& q) const;
+    [[nodiscard]] std::optional<ElementPlace> softened(const VectorX& q) const;
+
+    /// Returns the largest angle between the slopes r_x at the two ends of an element, rad.
+    /// @throws InvalidArgument for a q of another size.
+    [[nodiscard]] double largest_turn(const VectorX& q) const;
 
     /// Writes the residual of the unknowns.
     void residual(VectorX& out) const;

@@ -12,6 +12,8 @@
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -171,13 +173,35 @@ std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
 }
 
 template <class Scene>
-std::optional<Fault> Assembly<Scene>::softened(const VectorX& q) const {
+std::optional<ElementPlace> Assembly<Scene>::softened(const VectorX& q) const {
     check_size("softened", "coordinates", q);
-    return find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
-        if constexpr (detail::TellsSoftened<std::decay_t<decltype(element)>>::value)
-            if (element.softened(e)) return Status::degenerate;
-        return std::nullopt;
+    const auto found =
+        find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
+            if constexpr (detail::TellsSoftened<std::decay_t<decltype(element)>>::value)
+                if (element.softened(e)) return Status::degenerate;
+            return std::nullopt;
+        });
+    if (!found) return std::nullopt;
+    return ElementPlace{found->group, found->element};
+}
+
+template <class Scene>
+double Assembly<Scene>::largest_turn(const VectorX& q) const {
+    check_size("largest_turn", "coordinates", q);
+    const auto slope = [&](NodeId node) -> Vector<double, Scene::dimension> {
+        const int at = model_.layout().index({node, Field::r_x});
+        if (at < 0) return Vector<double, Scene::dimension>::Zero();  // no slope, no turn
+        return q.template segment<Scene::dimension>(at);
+    };
+    double least = 1.0;  // cosine
+    model_.for_each_group([&](const auto& group) {
+        for (const Connection& connection : group.connections) {
+            const auto first = slope(connection.first), second = slope(connection.second);
+            const double lengths = first.norm() * second.norm();
+            if (lengths > 0.0) least = std::min(least, first.dot(second) / lengths);
+        }
     });
+    return std::acos(std::max(least, -1.0));
 }
 
 template <class Scene>

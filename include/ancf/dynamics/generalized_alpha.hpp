@@ -36,8 +36,8 @@ namespace ancf {
 struct GeneralizedAlphaOptions {
     double rho = 0.8;    ///< spectral radius at infinity, from 0 to 1
     double step = 1e-3;  ///< s: the step, or the first one of an adaptive run
-    /// 0: fixed steps; else the local error of a step in q, relative to the scene's size (slopes
-    /// absolutely).
+    /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
+    /// size, of slopes absolutely, of r_xx relative to the size's inverse.
     double tolerance = 0.0;
     double min_step = 1e-12;                                    ///< s, of an adaptive run
     double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run

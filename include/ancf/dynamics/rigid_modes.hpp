@@ -4,8 +4,8 @@
 /// @file
 /// The rigid motions of a few nodal vectors, and what is left of a change without them.
 ///
-/// A rigid motion moves positions by c + y x (r - centroid) and slopes by y x s. Changes are
-/// measured by W: 1 for positions, a length squared for slopes.
+/// A rigid motion moves positions by c + y x (r - centroid), slopes and r_xx by y x s. Changes are
+/// measured by W: 1 for positions, a length squared for slopes, its square for r_xx.
 
 #pragma once
 

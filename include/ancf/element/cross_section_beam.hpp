@@ -157,7 +157,7 @@ public:
         const std::array<const CrossSectionBeam*, Lanes>& elements);
 
     /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
-    /// r_xx. [Dufva2006, Eq. 34]
+    /// r_xx. [Dufva2006, Eq. 34]; RotaryInertia::lumped keeps its sums over the nodes.
     [[nodiscard]] Matrix<double, dofs> mass() const {
         return mass_matrix<Dimension>(mass_weights_);
     }
@@ -179,9 +179,11 @@ public:
     /// than 1e-6, the sine of the angle between them larger than 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length somewhere: there the
-    /// stress of Green's measure falls as it shortens, and equilibria are no longer unique.
-    [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
+    /// Tells whether the centre line is so short somewhere that its stress falls as it shortens
+    /// further: equilibria are no longer unique there.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
+        return !Measure::engineering && line_.least_stretch(e) < softening_stretch;
+    }
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
@@ -404,22 +406,6 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
         }
     }
     return true;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::softened(
-    const Coordinates& e) const noexcept {
-    using namespace detail;
-    if (Measure::engineering) return false;
-    NodalVectors<double, Line::vectors> nodes;
-    nodal_vectors(e, nodes);
-    const auto is_short = [&](const double(&weights)[Line::vectors]) {
-        const Vec3<double> p = line_derivative(weights, nodes);
-        return 3.0 * dot(p, p) < 1.0;
-    };
-    for (int k = 0; k <= detail::line_parts; ++k)
-        if (is_short(line_.shape(static_cast<double>(k) / detail::line_parts).p)) return true;
-    return false;
 }
 
 }  // namespace ancf

@@ -58,12 +58,17 @@ struct CrossSectionOptions {
     }
 };
 
-/// The choices of a beam with a quintic centre line.
+/// The choices of a beam with a quintic centre line; by default the best there are.
 struct QuinticOptions : CrossSectionOptions {
     /// A rule, and the rest of CrossSectionOptions::best().
-    QuinticOptions(Rule chosen = Rule::quintic()) : CrossSectionOptions(best()) {  // NOLINT: a rule
+    QuinticOptions(Rule chosen = Rule::quintic())  // NOLINT: {rule}, as of every element's options
+        : CrossSectionOptions(CrossSectionOptions::best()) {
         rule = std::move(chosen);
     }
+
+    static QuinticOptions paper() = delete;  ///< the paper has no such element
+    /// What is most accurate for its cost: the default.
+    [[nodiscard]] static QuinticOptions best() { return QuinticOptions(); }
 };
 
 }  // namespace ancf

@@ -14,6 +14,14 @@
 
 namespace ancf {
 
+namespace detail {
+
+/// Into how many parts an element is cut where its line is looked at between stations; an odd
+/// number: the middle of a fold lies inside a part.
+inline constexpr int line_parts = 7;
+
+}  // namespace detail
+
 /// Weights of (r_i, r_x,i, r_j, r_x,j) in the centre line r0(x), or in one of its derivatives.
 template <class Scalar = double>
 using HermiteWeights = std::array<Scalar, 4>;

@@ -4,9 +4,9 @@
 /// @file
 /// Constant mass of a straight element whose position is r = r0(x) + y r_y(x) + z r_z(x).
 ///
-/// Source: [Dufva2006, Eqs. 33, 34] for a section of any moments. The centre line is Hermite's, the
-/// slopes are linear. Every vector pair (f, g) of the nodes contributes a scalar weight times
-/// the identity: M = W (x) I.
+/// Source: [Dufva2006, Eqs. 33, 34] for a section of any moments. The centre line is Hermite's, of
+/// third or fifth degree, the slopes across are linear. Every vector pair (f, g) of the nodes
+/// contributes a scalar weight times the identity: M = W (x) I.
 
 #pragma once
 
@@ -38,7 +38,7 @@ enum class RotaryInertia {
 /// @param length   l, m
 /// @param points   of the integration; 4, for a quintic 6, are exact for a straight element
 /// @param metric   ds/dx as a function of xi, 1 for a straight element
-/// @return kg between positions, kg m between a position and a slope, kg m^2 between slopes
+/// @return kg between positions, times m for each slope and m^2 for each r_xx of a pair
 template <int FieldsPerNode, class Line = CubicLine, class Metric>
 [[nodiscard]] auto mass_weights(double density, const Moments& moments, double length, int points,
                                 const Metric& metric) {

@@ -114,9 +114,11 @@ public:
     /// than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is shorter than 1/sqrt(3) of its length somewhere: there the
-    /// stress of Green's measure falls as it shortens, and equilibria are no longer unique.
-    [[nodiscard]] bool softened(const Coordinates& e) const noexcept;
+    /// Tells whether the centre line is so short somewhere that its stress falls as it shortens
+    /// further: equilibria are no longer unique there.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
+        return !PlanarMeasure::engineering && line_.least_stretch(e) < softening_stretch;
+    }
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
@@ -295,21 +297,6 @@ bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
         if (!(p.norm() > smallest)) return false;
     }
     return true;
-}
-
-template <class Directors, class Measure>
-bool CrossSectionBeam<2, Directors, LinearShear, Measure>::softened(
-    const Coordinates& e) const noexcept {
-    if (PlanarMeasure::engineering) return false;
-    const auto is_short = [&](const double(&weights)[3]) {
-        const Vector<double, 2> p =
-            weights[0] * (e.template segment<2>(6) - e.template segment<2>(0)) +
-            weights[1] * e.template segment<2>(2) + weights[2] * e.template segment<2>(8);
-        return 3.0 * p.squaredNorm() < 1.0;
-    };
-    for (int k = 0; k <= detail::line_parts; ++k)
-        if (is_short(line_.shape(static_cast<double>(k) / detail::line_parts).p)) return true;
-    return false;
 }
 
 template <class Directors, class Measure>

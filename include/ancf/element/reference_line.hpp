@@ -25,8 +25,13 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 
 namespace ancf {
+
+/// 1/sqrt(3), the stretch s below which the axial force of Green's measure, EA (s^2 - 1) s/2, falls
+/// as s does. Engineering strains have none.
+inline constexpr double softening_stretch = 0.57735026918962576;
 
 /// The line through two nodes with given positions and slopes r_x; straight unless they say
 /// otherwise.
@@ -46,17 +51,7 @@ public:
     ///                   r_xx of a quintic is the last
     template <int Dofs>
     ReferenceLine(double length, const Vector<double, Dofs>& reference)
-        : parameter_length_(length), curved_(true) {
-        constexpr int node = Dofs / 2;
-        vectors_[0] =
-            reference.template segment<Dimension>(node) - reference.template segment<Dimension>(0);
-        vectors_[1] = reference.template segment<Dimension>(Dimension);
-        vectors_[2] = reference.template segment<Dimension>(node + Dimension);
-        if constexpr (Line::vectors == 5) {
-            vectors_[3] = reference.template segment<Dimension>(node - Dimension);
-            vectors_[4] = reference.template segment<Dimension>(Dofs - Dimension);
-        }
-        length_ = 0.0;
+        : parameter_length_(length), curved_(true), vectors_(line_vectors(reference)) {
         for (const QuadraturePoint& point : gauss_quadrature(integration_points))
             length_ += point.weight * parameter_length_ * metric(point.xi);
     }
@@ -72,15 +67,30 @@ public:
 
     /// Returns J = ds/dx.
     [[nodiscard]] double metric(double xi) const noexcept {
-        return curved_ ? derivative(straight_shape<Line>(xi, parameter_length_).p).norm() : 1.0;
+        return curved_ ? derivative(straight_shape<Line>(xi, parameter_length_).p, vectors_).norm()
+                       : 1.0;
+    }
+
+    /// Returns the least stretch |dr/ds| of the line with the given coordinates, at its ends and at
+    /// six places between them.
+    /// @param e  as of the constructor
+    template <int Dofs>
+    [[nodiscard]] double least_stretch(const Vector<double, Dofs>& e) const noexcept {
+        const Vectors vectors = line_vectors(e);
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= detail::line_parts; ++k) {
+            const auto at = shape(static_cast<double>(k) / detail::line_parts);
+            least = std::min(least, derivative(at.p, vectors).norm());
+        }
+        return least;
     }
 
     /// Returns the weights of a station for derivatives by the arc length.
     [[nodiscard]] StationShape<double, Line::vectors> shape(double xi) const noexcept {
         auto shape = straight_shape<Line>(xi, parameter_length_);
         if (!curved_) return shape;
-        const Point p = derivative(shape.p);
-        const Point p1 = derivative(shape.p1);
+        const Point p = derivative(shape.p, vectors_);
+        const Point p1 = derivative(shape.p1, vectors_);
         const double J = p.norm();
         const double growth = p.dot(p1) / (J * J);  // J'/J
         for (int k = 0; k < Line::vectors; ++k) {
@@ -149,17 +159,34 @@ public:
 private:
     static constexpr int integration_points = 10;  // round-off for arcs of a radian
 
-    [[nodiscard]] Point derivative(const double (&weights)[Line::vectors]) const {
+    /// (D, g_i, g_j), of a quintic then (k_i, k_j).
+    using Vectors = std::array<Point, Line::vectors>;
+
+    template <int Dofs>
+    [[nodiscard]] static Vectors line_vectors(const Vector<double, Dofs>& e) noexcept {
+        constexpr int node = Dofs / 2;
+        Vectors vectors;
+        vectors[0] = e.template segment<Dimension>(node) - e.template segment<Dimension>(0);
+        vectors[1] = e.template segment<Dimension>(Dimension);
+        vectors[2] = e.template segment<Dimension>(node + Dimension);
+        if constexpr (Line::vectors == 5) {
+            vectors[3] = e.template segment<Dimension>(node - Dimension);
+            vectors[4] = e.template segment<Dimension>(Dofs - Dimension);
+        }
+        return vectors;
+    }
+
+    [[nodiscard]] static Point derivative(const double (&weights)[Line::vectors],
+                                          const Vectors& vectors) noexcept {
         Point sum = Point::Zero();
-        for (std::size_t k = 0; k < vectors_.size(); ++k) sum += weights[k] * vectors_[k];
+        for (std::size_t k = 0; k < vectors.size(); ++k) sum += weights[k] * vectors[k];
         return sum;
     }
 
     double parameter_length_ = 0.0;
     double length_ = 0.0;
     bool curved_ = false;
-    std::array<Point, Line::vectors>
-        vectors_;  // of a curve: (D, g_i, g_j), of a quintic (k_i, k_j)
+    Vectors vectors_;  // of a curve
 };
 
 }  // namespace ancf

@@ -15,10 +15,6 @@
 
 namespace ancf::detail {
 
-/// Into how many parts an element is cut where its line is looked at between stations; an odd
-/// number: the middle of a fold lies inside a part.
-inline constexpr int line_parts = 7;
-
 /// Returns the determinant of [p, r_y] or [p, r_y, r_z].
 template <int Dimension>
 [[nodiscard]] double orientation(const Matrix<double, Dimension>& triad) noexcept {

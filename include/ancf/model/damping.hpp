@@ -146,7 +146,8 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
 
-    /// Returns the force on the element's coordinates; N for positions, N m for slopes.
+    /// Returns the force on the element's coordinates; N for positions, N m for slopes, N m^2 for
+    /// r_xx.
     /// @param e,v  nodal coordinates and their rates
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,

@@ -223,7 +223,8 @@ VectorX TimeSeries<Scene>::constraint_force(int constraint, const State& state) 
     return force;
 }
 
-/// A node's part of a generalised force: that on the position; slopes times theirs as moment.
+/// A node's part of a generalised force: that on the position; the other vectors times theirs as
+/// moment.
 template <class Scene>
 void TimeSeries<Scene>::append_force(NodeId node, const State& state, const VectorX& force,
                                      Values& row) const {

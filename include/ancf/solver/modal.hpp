@@ -157,7 +157,7 @@ private:
     VectorX rest_;
     VectorX deflection_;  // all coordinates per unit of load
     VectorX forces_;      // multipliers per unit of load
-    double size_ = 0.0;   // of the deflection: of positions relative to the scene, of slopes
+    double size_ = 0.0;   // of the deflection, each coordinate relative to its scale
 };
 
 /// Factorises A; what a constraint does not account for must not be negative.

@@ -89,9 +89,10 @@ struct PathOptions {
     /// either way.
     VectorX direction;
     /// Length of the first step along `direction`, its sign the side; halved where it fails. Its
-    /// square is the mean over nodes of the squared displacement, relative to the scene's size, and
-    /// squared changes of slopes. A first step along the load is no longer either: at a limit point
-    /// the response to a change of the load has no bound.
+    /// square is the mean over nodes of the squared displacement, relative to the scene's size,
+    /// squared changes of slopes, and of r_xx relative to the size's inverse. A first step along
+    /// the load is no longer either: at a limit point the response to a change of the load has no
+    /// bound.
     double branch_step = 0.05;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.

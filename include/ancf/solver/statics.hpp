@@ -38,8 +38,9 @@ struct StaticsOptions {
     int max_iterations = 100;               ///< linear solves per step
     int mixed_iterations = 25;              ///< the same before a step is repeated as plain
     double residual_tolerance = 1e-9;       ///< relative to loads and reactions
-    double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely;
-                                            ///< 1e-3 where the residual is at its round-off
+    double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely,
+                                            ///< r_xx relative to the size's inverse; 1e-3 where
+                                            ///< the residual is at its round-off
     bool line_search = false;               ///< halve corrections that double the residual
     bool adaptive = false;                  ///< halve a step that fails, widen one that does well
     double min_step = 1e-4;                 ///< smallest load step of an adaptive run
@@ -73,8 +74,12 @@ struct StaticsReport {
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
     /// In the state that the model is left in, an element so short that its law softens: an
-    /// equilibrium with it need not be the one that smaller load steps lead to.
-    std::optional<Fault> softened;
+    /// equilibrium with it need not be the one that smaller load steps lead to. Told by
+    /// CrossSectionBeam and QuinticBeam.
+    std::optional<ElementPlace> softened;
+    /// In that state, the largest angle between the slopes r_x at the two ends of an element, rad:
+    /// how coarse the mesh is. Beyond about one a mesh may have stable equilibria of its own.
+    double largest_turn = 0.0;
     /// Of the state that the model is left in, an equilibrium where a step converged. Costs one
     /// factorisation L D L^T after the last step where the solver counts no pivots.
     Stability stability = Stability::unknown;

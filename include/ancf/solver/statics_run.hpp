@@ -232,6 +232,7 @@ private:
         if (!evaluate(state, nullptr)) return;
         report_.fault = fault;
         report_.softened = assembly_.softened(state.q);
+        report_.largest_turn = assembly_.largest_turn(state.q);
         report_.strain_energy = assembly_.strain_energy();
         // the last tangent of a run that failed is not of the state that it keeps
         const bool counted = report_.status == Status::converged && !report_.steps.empty() &&

@@ -40,8 +40,8 @@ struct IdaOptions {
     double tolerance = 1e-8;
 
     // Absolute tolerances are `tolerance` times these; 0 takes a scale from the scene.
-    double length_scale = 0.0;    ///< m; slopes have the scale 1
-    double velocity_scale = 0.0;  ///< m/s; rates of slopes have velocity_scale/length_scale
+    double length_scale = 0.0;    ///< m; slopes have the scale 1, r_xx 1/length_scale
+    double velocity_scale = 0.0;  ///< m/s; other rates have velocity_scale/length_scale of these
     double force_scale = 0.0;     ///< N: multipliers
 
     Order order = Order::automatic;  ///< largest order of the method
