@@ -137,7 +137,7 @@ private:
 };
 
 /// The turn of an element from end to end, rad, that is told: of a coarse mesh.
-inline constexpr double coarse_turn = 0.5 * ancf::pi;
+inline constexpr double coarse_turn = 1.0;
 
 inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     good_ = good_ && report.status == ancf::Status::converged;
