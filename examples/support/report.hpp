@@ -108,6 +108,9 @@ const Published* find(const Entries& entries, const std::string& element, int el
     return at == std::end(entries) ? nullptr : &*at;
 }
 
+/// Beyond this turn of an element from end to end, rad, a mesh is told to be coarse.
+inline constexpr double coarse_turn = 1.0;
+
 /// Keeps account of what a program found, for its exit code.
 class Verdict {
 public:
@@ -136,9 +139,6 @@ private:
     bool good_ = true;
 };
 
-/// The turn of an element from end to end, rad, that is told: of a coarse mesh.
-inline constexpr double coarse_turn = 1.0;
-
 inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     good_ = good_ && report.status == ancf::Status::converged;
     std::ostringstream text;
@@ -166,7 +166,7 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
              << " is so short that its law softens: smaller steps may end elsewhere";
     if (report.largest_turn > coarse_turn)
         text << "; an element turns by " << std::lround(report.largest_turn * 180.0 / ancf::pi)
-             << " degrees from end to end: a finer mesh may end elsewhere";
+             << " degrees from end to end: so coarse a mesh may have several equilibria";
     std::cerr << text.str() << '\n';
 }
 

@@ -221,6 +221,14 @@ TEST_CASE("Assembly: the largest turn of an element is the angle between its slo
     }
     q.segment<3>(scene.coordinate({0}, Field::r_x)).setZero();
     CHECK(assembly.largest_turn(q) <= 1e-8);  // of no length, no angle
+
+    Scene braced = make_scene();  // a bar has no slopes, whatever its nodes carry
+    braced.connect<Bar>(0, {0}, {2});
+    const ancf::Assembly<Scene> of_braced(braced, Storage::full);
+    for (int node = 0; node < 3; ++node)
+        q.segment<3>(braced.coordinate({node}, Field::r_x)) << std::cos(0.7 * node),
+            std::sin(0.7 * node), 0.0;
+    CHECK(of_braced.largest_turn(q) == Approx(0.7));
     CHECK_THROWS_AS(assembly.largest_turn(VectorX::Zero(3)), ancf::InvalidArgument);
     CHECK_THROWS_AS(assembly.softened(VectorX::Zero(3)), ancf::InvalidArgument);
 }

@@ -162,12 +162,13 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
-    /// Returns the first element so short that its law softens, of the elements that tell: every
-    /// CrossSectionBeam and QuinticBeam.
+    /// Returns the first element so short that its law softens; CrossSectionBeam tells, with any
+    /// centre line.
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<ElementPlace> softened(const VectorX& q) const;
 
-    /// Returns the largest angle between the slopes r_x at the two ends of an element, rad.
+    /// Returns the largest angle between the slopes r_x at the two ends of an element, from 0 to pi
+    /// rad, that of a curved stress-free shape included; 0 without elements that have slopes.
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] double largest_turn(const VectorX& q) const;
 
@@ -215,7 +216,8 @@ public:
 private:
     // Returns the first element that judge(element, coordinates) has a status for.
     template <class Judge>
-    [[nodiscard]] std::optional<Fault> find_element(const VectorX& q, const Judge& judge) const;
+    [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
+                                                           const Judge& judge) const;
 
     void check_size(const char* call, const char* what, const VectorX& given) const;
 

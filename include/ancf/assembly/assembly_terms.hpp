@@ -165,40 +165,44 @@ void Assembly<Scene>::check_size(const char* call, const char* what, const Vecto
 template <class Scene>
 std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
     check_size("inspect", "coordinates", q);
-    return find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
-        if (!e.allFinite()) return Status::not_finite;
-        if (!element.admissible(e)) return Status::degenerate;
-        return std::nullopt;
+    Status status = Status::converged;
+    const auto found = find_element(q, [&](const auto& element, const auto& e) {
+        status = !e.allFinite()          ? Status::not_finite
+                 : element.admissible(e) ? Status::converged
+                                         : Status::degenerate;
+        return status != Status::converged;
     });
+    if (!found) return std::nullopt;
+    return Fault{status, found->group, found->element};
 }
 
 template <class Scene>
 std::optional<ElementPlace> Assembly<Scene>::softened(const VectorX& q) const {
     check_size("softened", "coordinates", q);
-    const auto found =
-        find_element(q, [](const auto& element, const auto& e) -> std::optional<Status> {
-            if constexpr (detail::TellsSoftened<std::decay_t<decltype(element)>>::value)
-                if (element.softened(e)) return Status::degenerate;
-            return std::nullopt;
-        });
-    if (!found) return std::nullopt;
-    return ElementPlace{found->group, found->element};
+    return find_element(q, [](const auto& element, const auto& e) {
+        if constexpr (detail::TellsSoftened<std::decay_t<decltype(element)>>::value)
+            return element.softened(e);
+        else
+            return false;
+    });
 }
 
 template <class Scene>
 double Assembly<Scene>::largest_turn(const VectorX& q) const {
     check_size("largest_turn", "coordinates", q);
-    const auto slope = [&](NodeId node) -> Vector<double, Scene::dimension> {
-        const int at = model_.layout().index({node, Field::r_x});
-        if (at < 0) return Vector<double, Scene::dimension>::Zero();  // no slope, no turn
-        return q.template segment<Scene::dimension>(at);
-    };
     double least = 1.0;  // cosine
     model_.for_each_group([&](const auto& group) {
-        for (const Connection& connection : group.connections) {
-            const auto first = slope(connection.first), second = slope(connection.second);
-            const double lengths = first.norm() * second.norm();
-            if (lengths > 0.0) least = std::min(least, first.dot(second) / lengths);
+        using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
+        if constexpr (Element::fields.contains(Field::r_x)) {
+            const auto slope = [&](NodeId node) -> Vector<double, Scene::dimension> {
+                return q.template segment<Scene::dimension>(
+                    model_.layout().index({node, Field::r_x}));
+            };
+            for (const Connection& connection : group.connections) {
+                const auto first = slope(connection.first), second = slope(connection.second);
+                const double lengths = first.norm() * second.norm();
+                if (lengths > 0.0) least = std::min(least, first.dot(second) / lengths);
+            }
         }
     });
     return std::acos(std::max(least, -1.0));
@@ -206,23 +210,23 @@ double Assembly<Scene>::largest_turn(const VectorX& q) const {
 
 template <class Scene>
 template <class Judge>
-std::optional<Fault> Assembly<Scene>::find_element(const VectorX& q, const Judge& judge) const {
+std::optional<ElementPlace> Assembly<Scene>::find_element(const VectorX& q,
+                                                          const Judge& judge) const {
     int group_index = 0;
-    std::optional<Fault> fault;
+    std::optional<ElementPlace> place;
     for_each_group([&](const auto& group, const auto& slots) {
         using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
         int coordinate[Element::dofs];
         typename Element::Coordinates e;
-        for (std::size_t k = 0; k < slots.size() && !fault; ++k) {
+        for (std::size_t k = 0; k < slots.size() && !place; ++k) {
             element_coordinates<Element>(slots[k], coordinate);
             for (int i = 0; i < Element::dofs; ++i) e[i] = q[coordinate[i]];
             const int index = static_cast<int>(k);
-            if (const std::optional<Status> status = judge(group.element(index), e))
-                fault = Fault{*status, group_index, index};
+            if (judge(group.element(index), e)) place = ElementPlace{group_index, index};
         }
         ++group_index;
     });
-    return fault;
+    return place;
 }
 
 template <class Scene>

@@ -243,7 +243,9 @@ public:
     /// over that size.
     [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
 
-    /// Returns the same of every coordinate for a scene of another size, m.
+    /// Returns the typical size of every coordinate, held ones too, for a scene of the given size:
+    /// that of positions, 1 of slopes, one over it of r_xx.
+    /// @param length  m, positive
     [[nodiscard]] VectorX scales_of(double length) const;
 
     /// Returns a typical force of the start, N: the largest of the loads, of the inertia forces and

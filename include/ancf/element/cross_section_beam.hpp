@@ -179,8 +179,9 @@ public:
     /// than 1e-6, the sine of the angle between them larger than 1e-6.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is so short somewhere that its stress falls as it shortens
-    /// further: equilibria are no longer unique there.
+    /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or
+    /// at one of six places between them: its stress falls as it shortens further, and equilibria
+    /// are no longer unique. Never so with engineering strains.
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
         return !Measure::engineering && line_.least_stretch(e) < softening_stretch;
     }

@@ -114,8 +114,9 @@ public:
     /// than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Tells whether the centre line is so short somewhere that its stress falls as it shortens
-    /// further: equilibria are no longer unique there.
+    /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or
+    /// at one of six places between them: its stress falls as it shortens further, and equilibria
+    /// are no longer unique. Never so with engineering strains.
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
         return !PlanarMeasure::engineering && line_.least_stretch(e) < softening_stretch;
     }

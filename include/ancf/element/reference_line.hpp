@@ -29,8 +29,8 @@
 
 namespace ancf {
 
-/// 1/sqrt(3), the stretch s below which the axial force of Green's measure, EA (s^2 - 1) s/2, falls
-/// as s does. Engineering strains have none.
+/// 1/sqrt(3), the stretch lam below which the axial force EA (lam^2 - 1) lam/2 of Green's measure
+/// falls as lam does; that of engineering strains never does.
 inline constexpr double softening_stretch = 0.57735026918962576;
 
 /// The line through two nodes with given positions and slopes r_x; straight unless they say

@@ -74,11 +74,12 @@ struct StaticsReport {
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
     /// In the state that the model is left in, an element so short that its law softens: an
-    /// equilibrium with it need not be the one that smaller load steps lead to. Told by
-    /// CrossSectionBeam and QuinticBeam.
+    /// equilibrium with it need not be the one that smaller load steps lead to. CrossSectionBeam
+    /// tells, with any centre line.
     std::optional<ElementPlace> softened;
     /// In that state, the largest angle between the slopes r_x at the two ends of an element, rad:
-    /// how coarse the mesh is. Beyond about one a mesh may have stable equilibria of its own.
+    /// how coarse the mesh is. Beyond about one a mesh may have stable equilibria of its own. Like
+    /// `softened` it is left as it is here where that state cannot be evaluated.
     double largest_turn = 0.0;
     /// Of the state that the model is left in, an equilibrium where a step converged. Costs one
     /// factorisation L D L^T after the last step where the solver counts no pivots.
