@@ -214,7 +214,7 @@ public:
     }
 
 private:
-    // Returns the first element that judge(element, coordinates) has a status for.
+    // Returns the first element that judge(element, coordinates) is true of.
     template <class Judge>
     [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
                                                            const Judge& judge) const;
