@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Products and parts of vectors and sparse matrices as plain loops.
+/// Sums, products and parts of vectors and sparse matrices as plain loops.
 ///
 /// Each says what one expression of Eigen would, and costs a program far less to compile: for what
 /// runs once, or costs little beside the elements and the factorisation.
@@ -14,9 +14,35 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace ancf::detail {
+
+/// A term of combination(), for use within one expression.
+struct Term {
+    double factor;
+    const VectorX& vector;
+};
+
+/// Returns the sum of the terms, one or more vectors of one size.
+[[nodiscard]] inline VectorX combination(std::initializer_list<Term> terms) {
+    VectorX sum = terms.begin()->vector;
+    double* out = sum.data();
+    const Eigen::Index size = sum.size();
+    for (Eigen::Index i = 0; i < size; ++i) out[i] *= terms.begin()->factor;
+    for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
+        eigen_assert(term->vector.size() == size);
+        const double* x = term->vector.data();
+        for (Eigen::Index i = 0; i < size; ++i) out[i] += term->factor * x[i];
+    }
+    return sum;
+}
+
+/// Returns a - b.
+[[nodiscard]] inline VectorX difference(const VectorX& a, const VectorX& b) {
+    return combination({{1.0, a}, {-1.0, b}});
+}
 
 /// Writes the entries of x at these places.
 inline void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
@@ -129,6 +155,13 @@ inline void add_product(const SparseMatrix& A, Storage storage, double scale, co
         block.valuePtr()[slot] = value;
     });
     return block;
+}
+
+/// True unless a stored value of a compressed matrix is a NaN or an infinity.
+[[nodiscard]] inline bool all_finite(const SparseMatrix& matrix) noexcept {
+    for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
+        if (!std::isfinite(matrix.valuePtr()[k])) return false;
+    return true;
 }
 
 /// Returns the lower half of a compressed matrix, with its zeros.

@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace ancf {
 
@@ -75,41 +74,69 @@ template <class Vector>
     return {vector.data(), count};
 }
 
-/// One part of a message as text, numbers with 17 digits.
+/// One part of a message: text, a letter, a number or a row of numbers.
 ///
-/// Nothing here is a template: it compiles once in a program's unit, not once for each message.
+/// It refers to what it was made from: for use within one expression, not to be kept.
+///
+/// Nothing here is a template and nothing has a destructor: a message that is never needed costs a
+/// few stores, and every program's unit compiles one function that writes text.
 class MessagePart {
 public:
-    MessagePart(const char* text) : text_(text) {}
-    MessagePart(std::string_view text) : text_(text) {}
-    MessagePart(std::string text) : text_(std::move(text)) {}
-    MessagePart(char letter) : text_(1, letter) {}
-    MessagePart(double value) : MessagePart(Components{&value, 1}) {}
-    MessagePart(const Components& row) {
-        std::ostringstream stream;
-        stream.precision(17);
-        for (std::ptrdiff_t k = 0; k < row.count; ++k)
-            stream << (k > 0 ? " " : "") << row.values[k];
-        text_ = stream.str();
-    }
-    MessagePart(int value) : text_(std::to_string(value)) {}
-    MessagePart(long value) : text_(std::to_string(value)) {}
-    MessagePart(long long value) : text_(std::to_string(value)) {}
-    MessagePart(unsigned long value) : text_(std::to_string(value)) {}
-    MessagePart(unsigned long long value) : text_(std::to_string(value)) {}
+    constexpr MessagePart(const char* text) noexcept : kind_(Kind::text), text_(text) {}
+    constexpr MessagePart(std::string_view text) noexcept : kind_(Kind::text), text_(text) {}
+    MessagePart(const std::string& text) noexcept : kind_(Kind::text), text_(text) {}
+    constexpr MessagePart(char letter) noexcept : kind_(Kind::letter), letter_(letter) {}
+    constexpr MessagePart(double value) noexcept : kind_(Kind::real), real_(value) {}
+    constexpr MessagePart(const Components& row) noexcept : kind_(Kind::row), row_(row) {}
+    constexpr MessagePart(int value) noexcept : MessagePart(static_cast<long long>(value)) {}
+    constexpr MessagePart(long value) noexcept : MessagePart(static_cast<long long>(value)) {}
+    constexpr MessagePart(long long value) noexcept : kind_(Kind::integer), integer_(value) {}
+    constexpr MessagePart(unsigned long value) noexcept
+        : MessagePart(static_cast<unsigned long long>(value)) {}
+    constexpr MessagePart(unsigned long long value) noexcept
+        : kind_(Kind::natural), natural_(value) {}
 
-    /// Returns the text.
-    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+    /// Writes the part, numbers with the stream's digits.
+    void write(std::ostream& out) const {
+        switch (kind_) {
+            case Kind::text: out << text_; break;
+            case Kind::letter: out << letter_; break;
+            case Kind::real: out << real_; break;
+            case Kind::integer: out << std::to_string(integer_); break;
+            case Kind::natural: out << std::to_string(natural_); break;
+            case Kind::row:
+                for (std::ptrdiff_t k = 0; k < row_.count; ++k)
+                    out << (k > 0 ? " " : "") << row_.values[k];
+        }
+    }
 
 private:
-    std::string text_;
+    enum class Kind { text, letter, real, integer, natural, row };
+
+    Kind kind_;
+    union {
+        std::string_view text_;
+        char letter_;
+        double real_;
+        long long integer_;
+        unsigned long long natural_;
+        Components row_;
+    };
 };
+
+/// Returns all parts in one text.
+/// @param digits  of numbers that are not integers
+[[nodiscard, gnu::cold]] inline std::string joined(std::initializer_list<MessagePart> parts,
+                                                   int digits = 17) {
+    std::ostringstream stream;
+    stream.precision(digits);
+    for (const MessagePart& part : parts) part.write(stream);
+    return stream.str();
+}
 
 /// Throws InvalidArgument with all parts in one message.
 [[noreturn, gnu::cold]] inline void reject_parts(std::initializer_list<MessagePart> parts) {
-    std::string message;
-    for (const MessagePart& part : parts) message += part.text();
-    throw InvalidArgument(message);
+    throw InvalidArgument(joined(parts));
 }
 
 /// Throws InvalidArgument with all parts in one message.

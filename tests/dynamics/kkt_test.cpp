@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace kkt_test {
 
@@ -79,6 +80,83 @@ TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough"
     CHECK((x - y).norm() == 0.0);
     matrix.coeffRef(0, 0) = std::numeric_limits<double>::quiet_NaN();
     CHECK(of_all.factorize(matrix) == Status::not_finite);
+}
+
+TEST_CASE("KktSystem: a pattern without its diagonal is refused", "[dynamics][kkt]") {
+    SparseMatrix matrix = nearly_dependent(1.0);
+    matrix.prune([](int row, int column, double) { return row != 3 || column != 3; });
+    KktSystem system;
+    CHECK_THROWS_WITH(system.analyze(matrix, 2), ContainsSubstring("no diagonal entry in row 3"));
+}
+
+TEST_CASE("dependent_rows: those that follow from the rows before them, and no others",
+          "[dynamics][kkt]") {
+    test::Random random(11);
+    constexpr int coordinates = 60;
+    VectorX scales(coordinates);
+    for (double& scale : scales) scale = std::pow(10.0, random.vector<1>()[0]);
+    for (const double excess : {0.0, 1e-12, 1e-8}) {
+        // row 0 is zero; from row 5 every third one is made of two before it and that much more,
+        // in a coordinate of its own
+        MatrixX rows = MatrixX::Zero(24, coordinates);
+        std::vector<int> expected{0};
+        for (int i = 1; i < rows.rows(); ++i) {
+            if (i % 3 == 2 && i > 2) {
+                rows.row(i) = rows.row(i - 1) - 2.0 * rows.row(i / 2);
+                const double length = rows.row(i).cwiseProduct(scales.transpose()).norm();
+                const int own = 50 + i / 3;
+                rows(i, own) = excess * length / scales[own];
+                if (excess < 1e-10) expected.push_back(i);
+            } else {
+                for (int k = 0; k < 4; ++k) rows(i, (7 * i + 11 * k) % 50) = random.vector<1>()[0];
+            }
+        }
+        INFO("excess " << excess);
+        const MatrixX columns = rows.transpose();
+        CHECK(dependent_rows(columns.sparseView(), scales, 1e-10) == expected);
+        SparseMatrix with_zeros(coordinates, rows.rows());
+        for (int j = 0; j < columns.cols(); ++j)
+            for (int i = 0; i < coordinates; ++i) with_zeros.insert(i, j) = columns(i, j);
+        with_zeros.makeCompressed();
+        CHECK(dependent_rows(with_zeros, scales, 1e-10) == expected);
+    }
+    CHECK(dependent_rows(SparseMatrix(3, 0), VectorX::Ones(3), 1e-10).empty());
+}
+
+TEST_CASE("dependent_rows: the scales of the coordinates count", "[dynamics][kkt]") {
+    MatrixX columns(2, 2);  // rows (1, 0) and (1, 1)
+    columns << 1, 1, 0, 1;
+    const VectorX alike = VectorX::Ones(2), apart = (VectorX(2) << 1.0, 1e-12).finished();
+    CHECK(dependent_rows(columns.sparseView(), alike, 1e-10).empty());
+    CHECK(dependent_rows(columns.sparseView(), apart, 1e-10) == std::vector<int>{1});
+    // more rows than coordinates: the last follows from both, in any scales
+    MatrixX wide(2, 3);
+    wide << 1, 1, 3, 0, 1, -2;
+    CHECK(dependent_rows(wide.sparseView(), alike, 1e-10) == std::vector<int>{2});
+}
+
+TEST_CASE("dependent_rows: a long closed chain has one dependent row, at no great cost",
+          "[dynamics][kkt]") {
+    // x_k - x_{k+1} = 0 around a ring of points, in shuffled order of the coordinates
+    constexpr int links = 20000;
+    const auto place = [](int k) { return static_cast<int>(7919LL * (k % links) % links); };
+    SparseMatrix columns(links, links);
+    for (int k = 0; k < links; ++k) {
+        columns.insert(place(k), k) = 1.0;
+        columns.insert(place(k + 1), k) = -1.0;
+    }
+    columns.makeCompressed();
+    CHECK(dependent_rows(columns, VectorX::Ones(links), 1e-10) == std::vector<int>{links - 1});
+}
+
+TEST_CASE("algebra: combination and difference agree with Eigen", "[algebra]") {
+    test::Random random(7);
+    const VectorX a = random.vector<5>(), b = random.vector<5>(), c = random.vector<5>();
+    const VectorX expected = 2.0 * a - 0.5 * b + c;
+    // five entries of up to 3.5, each off by one rounding where one side fuses what the other adds
+    CHECK((detail::combination({{2.0, a}, {-0.5, b}, {1.0, c}}) - expected).norm() <= 4e-15);
+    CHECK((detail::difference(a, b) - (a - b)).norm() == 0.0);
+    CHECK(detail::difference(VectorX(), VectorX()).size() == 0);
 }
 
 TEST_CASE("algebra: products and blocks of symmetric matrices from either storage", "[algebra]") {

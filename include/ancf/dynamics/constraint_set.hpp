@@ -12,6 +12,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/block_pattern.hpp>
 #include <ancf/assembly/numbering.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
@@ -19,8 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -282,14 +283,22 @@ void ConstraintSet<Scene>::add_velocity_level(const BlockPattern& pattern, const
 template <class Scene>
 SparseMatrix ConstraintSet<Scene>::transposed_jacobian() const {
     SparseMatrix columns(numbering_.free_coordinates(), size());
+    std::vector<int> rows;  // of a constraint's columns: a vector listed twice is summed
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        rows.clear();
+        for (const int coordinate : at)
+            if (numbering_.equation(coordinate) >= 0)
+                rows.push_back(numbering_.equation(coordinate));
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
         for (int i = 0; i < result.jacobian.rows(); ++i) {
-            std::map<int, double> column;  // a vector listed twice in a coupling is summed
-            for (std::size_t j = 0; j < at.size(); ++j)
-                if (const int equation = numbering_.equation(at[j]); equation >= 0)
-                    column[equation] += result.jacobian(i, static_cast<Eigen::Index>(j));
             columns.startVec(first + i);
-            for (const auto& [row, value] : column) columns.insertBack(row, first + i) = value;
+            for (const int row : rows) columns.insertBack(row, first + i) = 0.0;
+            double* values = columns.valuePtr() + columns.outerIndexPtr()[first + i];
+            for (std::size_t j = 0; j < at.size(); ++j)
+                if (const int row = numbering_.equation(at[j]); row >= 0)
+                    values[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()] +=
+                        result.jacobian(i, static_cast<Eigen::Index>(j));
         }
     });
     columns.finalize();
@@ -306,9 +315,8 @@ int ConstraintSet<Scene>::constraint_of(int equation) const {
 template <class Scene>
 std::string ConstraintSet<Scene>::describe(int equation) const {
     const auto constraint = static_cast<std::size_t>(constraint_of(equation));
-    return "constraint " + std::to_string(constraint) + " (" +
-           model_.constraints()[constraint].name() + "), equation " +
-           std::to_string(equation - first_[constraint]);
+    return detail::joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
+                           "), equation ", equation - first_[constraint]});
 }
 
 }  // namespace ancf

@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -164,11 +163,10 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
             ++report_.convergence_failures;
             width *= 0.5;
             if (width > whole * 1e-3) continue;
-            std::ostringstream message;
-            message << "Newton's method failed in the step from " << now_.time
-                    << " s: " << to_string(status);
             report_.status = status;
-            report_.message = message.str();
+            report_.message = joined(
+                {"Newton's method failed in the step from ", now_.time, " s: ", to_string(status)},
+                6);
             return false;
         }
         acceleration_ = (next_.v - now_.v) / h;

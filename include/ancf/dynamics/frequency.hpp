@@ -12,19 +12,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <random>
 #include <vector>
 
 namespace ancf::detail {
 
 /// Returns a fixed start vector that no symmetry of a scene shares.
 [[nodiscard]] inline VectorX scattered(Eigen::Index size, int seed) {
-    std::minstd_rand random(static_cast<std::minstd_rand::result_type>(seed) + 1U);
-    constexpr double half = 0.5 * static_cast<double>(std::minstd_rand::max());
-    random.discard(8);  // small seeds start alike
+    // the congruence of Park, Miller and Stockmeyer (Communications of the ACM 36, 1993)
+    constexpr std::uint64_t modulus = 2147483647;
+    std::uint64_t random = static_cast<std::uint64_t>(seed) + 1;
+    const auto next = [&random] { return random = 48271 * random % modulus; };
+    for (int k = 0; k < 8; ++k) next();  // small seeds start alike
     VectorX x(size);
-    for (double& value : x) value = static_cast<double>(random()) / half - 1.0;
+    for (double& value : x) value = 2.0 * static_cast<double>(next()) / (modulus - 1) - 1.0;
     return x;
 }
 

@@ -26,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -244,7 +243,7 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         double error = 0.0;
         if (status == Status::converged && adaptive)
             error = error_constant_ * step.width * step.width *
-                    scaled(next_.acceleration - now_.acceleration) / options_.tolerance;
+                    scaled(difference(next_.acceleration, now_.acceleration)) / options_.tolerance;
         const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
         if (status == Status::converged && error <= 1.0) {
             width_ = step.width;
@@ -264,22 +263,20 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         if (!adaptive) {
             part_ = 0.5 * step.width;
             if (part_ > smallest_part * step_) continue;
-            std::ostringstream message;
-            message << "Newton's method failed in the step from " << now_.time
-                    << " s: " << to_string(status) << ", also in parts of " << step.width
-                    << " s; a shorter step or adaptive steps (tolerance > 0) may pass";
-            fail(status, message.str());
+            fail(status, joined({"Newton's method failed in the step from ", now_.time,
+                                 " s: ", to_string(status), ", also in parts of ", step.width,
+                                 " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
+                                6));
             return false;
         }
         step_ = step.width * (status == Status::converged ? std::max(0.2, factor) : 0.25);
         origin_ = now_.time;
         count_ = 0.0;
         if (step_ >= options_.min_step) continue;
-        std::ostringstream message;
-        message << "the step fell below " << options_.min_step << " s at " << now_.time
-                << " s, last of "
-                << (status == Status::converged ? "the local error" : to_string(status));
-        fail(Status::step_too_small, message.str());
+        fail(Status::step_too_small,
+             joined({"the step fell below ", options_.min_step, " s at ", now_.time, " s, last of ",
+                     status == Status::converged ? "the local error" : to_string(status)},
+                    6));
         return false;
     }
 }
@@ -291,7 +288,8 @@ template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
     if (width == width_) return;
     now_.algorithmic =
-        now_.acceleration + (width / width_) * (now_.algorithmic - now_.acceleration);
+        combination({{1.0, now_.acceleration},
+                     {width / width_, difference(now_.algorithmic, now_.acceleration)}});
     width_ = width;
 }
 
@@ -335,7 +333,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
         const double change = h * h * beta_hat_ * scaled(solution_.head(n));
         if (!std::isfinite(change)) return Status::not_finite;
         // far below the local error of the step, however short it is
-        const double local = h * h * beta_hat_ * scaled(next_.acceleration - now_.acceleration);
+        const double local =
+            h * h * beta_hat_ * scaled(difference(next_.acceleration, now_.acceleration));
         const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
         // what is left is known from two corrections by one matrix; one alone tells nothing
         const double ratio = k > 1 ? change / before : 1.0;
@@ -384,10 +383,14 @@ template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::predict(double h) {
     next_.lambda = now_.lambda;
     next_.acceleration = now_.acceleration;
-    next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
-    next_.q = now_.q + h * now_.v +
-              h * h * ((0.5 - beta_) * now_.algorithmic + beta_ * next_.algorithmic);
-    next_.v = now_.v + h * ((1.0 - gamma_) * now_.algorithmic + gamma_ * next_.algorithmic);
+    next_.algorithmic = combination(
+        {{1.0 / (1.0 - am_), now_.acceleration}, {-am_ / (1.0 - am_), now_.algorithmic}});
+    next_.q = combination({{1.0, now_.q},
+                           {h, now_.v},
+                           {h * h * (0.5 - beta_), now_.algorithmic},
+                           {h * h * beta_, next_.algorithmic}});
+    next_.v = combination(
+        {{1.0, now_.v}, {h * (1.0 - gamma_), now_.algorithmic}, {h * gamma_, next_.algorithmic}});
 }
 
 /// Adds the solution (dv', dlambda).

@@ -15,11 +15,12 @@
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseQR>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -35,27 +36,35 @@ namespace ancf {
 /// is singular. Where A is not positive definite the factorisation may break down or be inaccurate.
 class KktSystem {
 public:
-    /// Takes the pattern, of either storage; values that are zero now and later are welcome.
+    /// Takes the pattern, of either storage and with the whole diagonal; values that are zero now
+    /// and later are welcome.
     /// @param rows  number of rows of A; those of G follow.
+    /// @throws InvalidArgument where an entry of the diagonal is not stored.
     void analyze(const SparseMatrix& pattern, int rows) {
         rows_ = rows;
         share_ = largest_share;
-        factorised_.resize(0);
+        factorised_.clear();
         matrix_ = detail::lower_half(pattern);
+        for (int row = 0; row < matrix_.cols(); ++row) {
+            const SparseMatrix::InnerIterator first(matrix_, row);
+            detail::require(first && first.row() == row,
+                            "KktSystem: the pattern has no diagonal entry in row ", row);
+        }
         ldlt_.analyzePattern(matrix_);
     }
 
     /// Factorises, unless the values are those already factorised. Reads the lower half.
+    /// @pre the pattern is that of analyze.
     [[nodiscard]] Status factorize(const SparseMatrix& matrix) {
-        const Eigen::Map<const VectorX> values(matrix.valuePtr(), matrix.nonZeros());
-        if (factorised_.size() == values.size() &&
-            std::equal(values.data(), values.data() + values.size(), factorised_.data()))
+        const double* first = matrix.valuePtr();
+        const double* last = first + matrix.nonZeros();
+        if (std::equal(first, last, factorised_.begin(), factorised_.end()))
             return Status::converged;
-        factorised_.resize(0);
-        if (!values.allFinite()) return Status::not_finite;
+        factorised_.clear();
+        if (!detail::all_finite(matrix)) return Status::not_finite;
         matrix_ = detail::lower_half(matrix);
         if (!factorize_shifted()) return Status::singular;
-        factorised_ = values;
+        factorised_.assign(first, last);
         return Status::converged;
     }
 
@@ -80,7 +89,7 @@ private:
     [[nodiscard]] double refine(const VectorX& b, VectorX& x) const {
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
         x = ldlt_.solve(b);
-        VectorX residual, next = x;
+        VectorX residual, correction, next = x;
         double error = std::numeric_limits<double>::infinity();
         for (int step = 0; step < 30; ++step) {
             const double now = relative_residual(b, next, residual);
@@ -89,7 +98,8 @@ private:
             x = next;
             error = now;
             if (slow || error < 4.0 * epsilon) break;
-            next = x + ldlt_.solve(residual);
+            correction = ldlt_.solve(residual);
+            next = detail::combination({{1.0, x}, {1.0, correction}});
         }
         return error;
     }
@@ -101,7 +111,8 @@ private:
         const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
         for (Eigen::Index i = 0; i < x.size(); ++i)
             largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]));
-        VectorX terms = b.cwiseAbs();  // and |matrix| times the largest entries of x
+        VectorX terms = b;  // |b| + |matrix| times the largest entries of x
+        for (double& term : terms) term = std::abs(term);
         for (int j = 0; j < matrix_.cols(); ++j)
             for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
                 const auto i = entry.row();
@@ -123,18 +134,21 @@ private:
     }
 
     [[nodiscard]] bool factorize_shifted() {
-        const VectorX diagonal = matrix_.diagonal();
+        // the first entry of a column of the lower half is its diagonal
         VectorX shift = VectorX::Zero(matrix_.cols());
         for (int column = 0; column < rows_; ++column) {
-            if (diagonal[column] == 0.0) continue;
+            const SparseMatrix::InnerIterator diagonal(matrix_, column);
+            if (diagonal.value() == 0.0) continue;
             for (SparseMatrix::InnerIterator entry(matrix_, column); entry; ++entry)
                 if (entry.row() >= rows_)
                     shift[entry.row()] +=
-                        entry.value() * entry.value() / std::abs(diagonal[column]);
+                        entry.value() * entry.value() / std::abs(diagonal.value());
         }
         SparseMatrix shifted = matrix_;
-        for (int row = rows_; row < matrix_.cols(); ++row)
-            if (diagonal[row] == 0.0) shifted.coeffRef(row, row) -= share_ * shift[row];
+        for (int row = rows_; row < matrix_.cols(); ++row) {
+            SparseMatrix::InnerIterator diagonal(shifted, row);
+            if (diagonal.value() == 0.0) diagonal.valueRef() = -share_ * shift[row];
+        }
         ldlt_.factorize(shifted);
         return ldlt_.info() == Eigen::Success;
     }
@@ -142,39 +156,103 @@ private:
     int rows_ = 0;
     double share_ = largest_share;
     SparseMatrix matrix_;  // lower half
-    VectorX factorised_;
+    std::vector<double> factorised_;
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> ldlt_;
 };
+
+namespace detail {
+
+/// A row of a sparse triangular factor, columns ascending.
+struct SparseRow {
+    std::vector<int> columns;
+    std::vector<double> values;
+};
+
+/// Rotates two rows that begin in the same column so that the second one loses it.
+inline void rotate(SparseRow& upper, SparseRow& lower) {
+    const double length = std::hypot(upper.values[0], lower.values[0]);
+    const double c = upper.values[0] / length, s = lower.values[0] / length;
+    SparseRow turned, rest;
+    std::size_t i = 0, j = 0;
+    while (i < upper.columns.size() || j < lower.columns.size()) {
+        const bool from_upper = j == lower.columns.size() ||
+                                (i < upper.columns.size() && upper.columns[i] <= lower.columns[j]);
+        const bool from_lower = i == upper.columns.size() ||
+                                (j < lower.columns.size() && lower.columns[j] <= upper.columns[i]);
+        const int column = from_upper ? upper.columns[i] : lower.columns[j];
+        const double a = from_upper ? upper.values[i++] : 0.0;
+        const double b = from_lower ? lower.values[j++] : 0.0;
+        turned.columns.push_back(column);
+        turned.values.push_back(c * a + s * b);
+        if (turned.columns.size() == 1) continue;
+        rest.columns.push_back(column);
+        rest.values.push_back(c * b - s * a);
+    }
+    std::swap(upper, turned);
+    std::swap(lower, rest);
+}
+
+/// Turns a row into a triangular factor whose row j, where there is one, begins in column j.
+inline void insert(std::vector<SparseRow>& factor, SparseRow row) {
+    while (!row.columns.empty()) {
+        SparseRow& upper = factor[static_cast<std::size_t>(row.columns[0])];
+        if (upper.columns.empty()) {
+            std::swap(upper, row);
+        } else if (row.values[0] == 0.0) {
+            row.columns.erase(row.columns.begin());
+            row.values.erase(row.values.begin());
+        } else {
+            rotate(upper, row);
+        }
+    }
+}
+
+}  // namespace detail
 
 /// Returns the rows of G that depend on the rows before them, ascending.
 ///
 /// Each row is measured with the coordinates scaled and against its own length: a row is dependent
-/// when what remains of it off the span of the earlier ones is shorter than the tolerance,
-/// relative.
-/// @param columns  G^T, compressed.
-[[nodiscard]] inline std::vector<int> dependent_rows(SparseMatrix columns, const VectorX& scales,
-                                                     double tolerance) {
-    std::vector<int> dependent;
-    if (columns.cols() == 0) return dependent;
-    for (int j = 0; j < columns.cols(); ++j) {
+/// when what remains of it off the span of the earlier ones is not longer than the tolerance,
+/// relative. The triangle of G^T = Q R is built by rotations, without Q (George and Heath, Linear
+/// Algebra and its Applications 34, 1980); where its diagonal vanishes, the rest of that row goes
+/// back into it.
+/// @param columns    G^T, compressed.
+/// @param scales     sizes of the coordinates, one for each row of G^T, positive.
+/// @param tolerance  from 0 to 1.
+[[nodiscard]] inline std::vector<int> dependent_rows(const SparseMatrix& columns,
+                                                     const VectorX& scales, double tolerance) {
+    const auto equations = static_cast<int>(columns.cols());
+    std::vector<detail::SparseRow> coordinates(static_cast<std::size_t>(columns.rows()));
+    for (int j = 0; j < equations; ++j) {
         double square = 0.0;
-        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
-            entry.valueRef() *= scales[entry.row()];
-            square += entry.value() * entry.value();
-        }
-        if (square == 0.0) continue;
         for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry)
-            entry.valueRef() /= std::sqrt(square);
+            square += std::pow(entry.value() * scales[entry.row()], 2);
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
+            const double value = entry.value() * scales[entry.row()] / std::sqrt(square);
+            if (entry.value() == 0.0) continue;
+            coordinates[static_cast<std::size_t>(entry.row())].columns.push_back(j);
+            coordinates[static_cast<std::size_t>(entry.row())].values.push_back(value);
+        }
     }
-    // In the natural order the factorisation moves a column to the end when it depends on those
-    // before it.
-    Eigen::SparseQR<SparseMatrix, Eigen::NaturalOrdering<int>> qr;
-    qr.setPivotThreshold(tolerance);
-    qr.compute(columns);
-    const auto& order = qr.colsPermutation().indices();
-    for (Eigen::Index k = qr.rank(); k < columns.cols(); ++k)
-        dependent.push_back(static_cast<int>(order[k]));
-    std::sort(dependent.begin(), dependent.end());
+    // in the order of their first equations: a row then ends soon in an empty row of the factor
+    std::vector<detail::SparseRow> factor(static_cast<std::size_t>(equations));
+    for (int j = 0; j < equations; ++j)
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
+            detail::SparseRow& row = coordinates[static_cast<std::size_t>(entry.row())];
+            if (!row.columns.empty() && row.columns[0] == j)
+                detail::insert(factor, std::exchange(row, {}));
+        }
+    std::vector<int> dependent;
+    for (int j = 0; j < equations; ++j) {
+        detail::SparseRow& row = factor[static_cast<std::size_t>(j)];
+        if (!row.columns.empty() && std::abs(row.values[0]) > tolerance) continue;
+        dependent.push_back(j);
+        if (row.columns.empty()) continue;
+        detail::SparseRow rest = std::exchange(row, {});
+        rest.columns.erase(rest.columns.begin());
+        rest.values.erase(rest.values.begin());
+        detail::insert(factor, std::move(rest));
+    }
     return dependent;
 }
 

@@ -9,12 +9,13 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/error.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -139,8 +140,6 @@ void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v)
 template <class Scene>
 std::string DynamicProblem<Scene>::check_supports(double t) const {
     const State& state = model_.state();
-    std::ostringstream message;
-    message.precision(6);
     for (const Support& support : model_.supports()) {
         const int at = model_.coordinate(support.node, support.field) + support.component;
         const double value = support.value ? support.value(t) : state.q[at];
@@ -148,13 +147,13 @@ std::string DynamicProblem<Scene>::check_supports(double t) const {
         const double rate = support.value ? 0.0 : std::abs(state.v[at]);
         const double allowed = options_.consistency * full_scales_[at];
         if (gap <= allowed && rate <= allowed) continue;
-        message << "the support of " << to_string(support.field) << ", component "
-                << support.component << ", of node " << support.node.index;
+        const std::string which =
+            detail::joined({"the support of ", to_string(support.field), ", component ",
+                            support.component, ", of node ", support.node.index});
         if (gap > allowed)
-            message << " prescribes " << value << " at the start, the state has " << state.q[at];
-        else
-            message << " holds it, the state moves it at " << state.v[at];
-        return message.str();
+            return detail::joined(
+                {which, " prescribes ", value, " at the start, the state has ", state.q[at]}, 6);
+        return detail::joined({which, " holds it, the state moves it at ", state.v[at]}, 6);
     }
     return {};
 }
@@ -171,8 +170,6 @@ std::string DynamicProblem<Scene>::check_constraints() {
     const double fastest = detail::largest_ratio(full_v_, full_scales_);
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
-        std::ostringstream message;
-        message.precision(6);
         int at = -1;
         double ratio = 1.0;
         for (int i = 0; i < values.size(); ++i) {
@@ -182,10 +179,10 @@ std::string DynamicProblem<Scene>::check_constraints() {
             at = i;
             if (limit > 0.0) ratio = size / limit;
         }
-        if (at >= 0)
-            message << constraints_.describe(at) << ": |" << what << "| = " << std::abs(values[at])
-                    << ", allowed " << options_.consistency * allowed(at);
-        return message.str();
+        if (at < 0) return std::string();
+        return detail::joined({constraints_.describe(at), ": |", what, "| = ", std::abs(values[at]),
+                               ", allowed ", options_.consistency * allowed(at)},
+                              6);
     };
     std::string message = worst(
         constraints_.violation(), [&](int i) { return lengths[i]; }, "g");
@@ -249,9 +246,9 @@ Start DynamicProblem<Scene>::start() {
     if (!state.q.allFinite() || !state.v.allFinite())
         return refuse(Status::not_finite, "the initial state is not finite");
     if (const auto fault = assembly_.inspect(state.q))
-        return refuse(fault->status, "element " + std::to_string(fault->element) + " of group " +
-                                         std::to_string(fault->group) + " is " +
-                                         std::string(to_string(fault->status)) + " at the start");
+        return refuse(fault->status,
+                      detail::joined({"element ", fault->element, " of group ", fault->group,
+                                      " is ", to_string(fault->status), " at the start"}));
     std::string message = check_supports(state.time);
     if (!message.empty()) return refuse(Status::inconsistent, message);
     expand(state.time, start.q, start.v);
@@ -292,8 +289,9 @@ Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const Ve
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
     // held coordinates only: the free ones are unknown
     VectorX b(numbering().unknowns()), x;
-    b.head(size()) = -force_;
-    b.tail(this->multipliers()) = -constraints_.convection() - constraints_.product(full_a_);
+    const VectorX known = constraints_.product(full_a_);
+    for (int i = 0; i < size(); ++i) b[i] = -force_[i];
+    for (int i = 0; i < known.size(); ++i) b[size() + i] = -constraints_.convection()[i] - known[i];
     if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
     acceleration = x.head(size());
     multipliers = x.tail(this->multipliers());
@@ -309,7 +307,7 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
     VectorX sum = VectorX::Zero(size());
     detail::add_product(tangent(), options_.storage, -1.0, at.v, sum);
     detail::add_product(damping(), options_.storage, -1.0, at.acceleration, sum);
-    b.head(size()) = sum;
+    std::copy(sum.data(), sum.data() + size(), b.data());
     VectorX whole = VectorX::Zero(full_a_.size());
     // one-sided: a load may begin at the start, and no function of time is asked for earlier
     constexpr double weights[] = {-1.5, 2.0, -0.5};
@@ -318,16 +316,20 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
         const double t = at.time + later;
         if (const auto fault = evaluate(t, at.q, at.v, at.multipliers, Request::force))
             return fault->status;
-        b.head(size()) -= weights[place] / step * force_;
+        for (int i = 0; i < size(); ++i) b[i] -= weights[place] / step * force_[i];
         if (multipliers() == 0) continue;
-        const VectorX v = at.v + later * at.acceleration;
-        evaluate_constraints(t, at.q + later * (at.v + 0.5 * later * at.acceleration), v);
+        evaluate_constraints(
+            t,
+            detail::combination(
+                {{1.0, at.q}, {later, at.v}, {0.5 * later * later, at.acceleration}}),
+            detail::combination({{1.0, at.v}, {later, at.acceleration}}));
         whole = full_a_;  // of driven coordinates at that time
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)
                 whole[k] = at.acceleration[equation];
-        b.tail(multipliers()) -=
-            weights[place] / step * (constraints_.product(whole) + constraints_.convection());
+        const VectorX known = constraints_.product(whole);
+        for (int i = 0; i < multipliers(); ++i)
+            b[size() + i] -= weights[place] / step * (known[i] + constraints_.convection()[i]);
     }
     evaluate_constraints(at.time, at.q, at.v);
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
@@ -346,9 +348,10 @@ std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q,
     lambda_ = lambda;
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
-    const VectorX sum =
-        assembly_.internal_force() + assembly_.constraint_force() - assembly_.external_force();
-    numbering().gather_free(sum, force_);
+    numbering().gather_free(detail::combination({{1.0, assembly_.internal_force()},
+                                                 {1.0, assembly_.constraint_force()},
+                                                 {-1.0, assembly_.external_force()}}),
+                            force_);
     if (!driven_.empty()) {
         VectorX inertia;
         numbering().gather_free(assembly_.mass_product(full_a_), inertia);

@@ -12,6 +12,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -74,16 +75,24 @@ void note(DynamicProblem<Scene>& problem, const MotionPoint& point, bool follow_
     report.kinetic_largest = larger(report.kinetic_largest, energies.kinetic);
 }
 
+/// Returns the sum of |a_ii| over the first `count` rows.
+[[nodiscard]] inline double trace_of_magnitudes(const SparseMatrix& matrix, int count) {
+    double sum = 0.0;
+    for (int j = 0; j < count; ++j)
+        for (SparseMatrix::InnerIterator entry(matrix, j); entry; ++entry)
+            if (entry.row() == j) sum += std::abs(entry.value());
+    return sum;
+}
+
 /// Energies and power of a point, sizes of M and K there: what tells one scene from another.
 template <class Scene>
 [[nodiscard]] VectorX signature(DynamicProblem<Scene>& problem, const MotionPoint& point) {
     (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
     const Energies at = problem.energies();
-    const VectorX mass = problem.mass().diagonal();
-    const VectorX stiffness = problem.tangent().diagonal();
     VectorX values(6);
-    values << at.kinetic, at.strain, at.potential, at.load_power, mass.cwiseAbs().sum(),
-        stiffness.head(problem.size()).cwiseAbs().sum();
+    values << at.kinetic, at.strain, at.potential, at.load_power,
+        trace_of_magnitudes(problem.mass(), problem.size()),
+        trace_of_magnitudes(problem.tangent(), problem.size());
     return values;
 }
 
@@ -99,16 +108,21 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem<
     VectorX v = point.v;
     (void)problem.project(point.time, q, v);
     const double fastest = largest_ratio(v, problem.scales());
-    require(largest_ratio(q - start.q, problem.scales()) <= same &&
-                largest_ratio(v - start.v, problem.scales()) <= same * fastest,
+    const VectorX gap = difference(q, start.q);
+    const VectorX slip = difference(v, start.v);
+    require(largest_ratio(gap, problem.scales()) <= same &&
+                largest_ratio(slip, problem.scales()) <= same * fastest,
             who, ": the model's state is not the one that the memory belongs to");
     const VectorX then = memory.get("signature", 6);
     const VectorX here = signature(problem, point);
     const auto differ = [&](int k) {
         return !(std::abs(here[k] - then[k]) <= same * (std::abs(then[k]) + std::abs(here[k])));
     };
-    const double energy = then.head<3>().cwiseAbs().sum();
-    require((here - then).head<3>().cwiseAbs().maxCoeff() <= same * energy && !differ(3), who,
+    const double energy = std::abs(then[0]) + std::abs(then[1]) + std::abs(then[2]);
+    bool same_scene = !differ(3);
+    for (int k = 0; k < 3; ++k)
+        same_scene = same_scene && std::abs(here[k] - then[k]) <= same * energy;
+    require(same_scene, who,
             ": the memory is of another scene: kinetic, strain and potential energy and the "
             "loads' power are ",
             components(here, 4), " here, ", components(then, 4), " there");
@@ -183,11 +197,15 @@ private:
         const double s = (time - from.time) / h;
         const double later = s * s * (3.0 - 2.0 * s);
         const double slope = 6.0 * s * (1.0 - s) / h;
-        VectorX q = (1.0 - later) * from.q + later * to.q +
-                    h * s * (1.0 - s) * ((1.0 - s) * from.v - s * to.v);
-        VectorX v = slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v +
-                    s * (3.0 * s - 2.0) * to.v;
-        const VectorX lambda = (1.0 - s) * from.lambda + s * to.lambda;
+        const double bulge = h * s * (1.0 - s);
+        VectorX q = combination({{1.0 - later, from.q},
+                                 {later, to.q},
+                                 {bulge * (1.0 - s), from.v},
+                                 {-bulge * s, to.v}});
+        VectorX v = combination({{slope, difference(to.q, from.q)},
+                                 {(1.0 - s) * (1.0 - 3.0 * s), from.v},
+                                 {s * (3.0 * s - 2.0), to.v}});
+        const VectorX lambda = combination({{1.0 - s, from.lambda}, {s, to.lambda}});
         schedule_.observe(problem_.snapshot(time, std::move(q), std::move(v), lambda, state));
     }
 

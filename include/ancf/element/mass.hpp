@@ -121,8 +121,8 @@ template <int Dimension, int Vectors>
     const Matrix<double, Vectors>& weights, const Vector<double, Dimension>& g) {
     Vector<double, Dimension * Vectors> force;
     for (int a = 0; a < Vectors; ++a) {
-        force.template segment<Dimension>(Dimension * a) =
-            (weights(a, 0) + weights(a, Vectors / 2)) * g;
+        const double mass = weights(a, 0) + weights(a, Vectors / 2);
+        for (int i = 0; i < Dimension; ++i) force[Dimension * a + i] = mass * g[i];
     }
     return force;
 }

@@ -17,8 +17,10 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(__GNUC__) && defined(__SSE2__)
+#if defined(__GNUC__) && defined(__AVX__)
 #include <immintrin.h>
+#elif defined(__GNUC__) && defined(__SSE2__)
+#include <emmintrin.h>
 #endif
 
 namespace ancf {

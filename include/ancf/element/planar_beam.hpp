@@ -291,11 +291,11 @@ bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
     if (!e.allFinite() || !detail::upright<2>(e, line_.parameter_length())) return false;
     constexpr double smallest = 1e-6;
     for (const detail::PlanarStation<double>& station : kernel_.stations) {
-        Vector<double, 2> p = Vector<double, 2>::Zero();
-        p += station.shape.p[0] * (e.template segment<2>(6) - e.template segment<2>(0));
-        p += station.shape.p[1] * e.template segment<2>(2) +
-             station.shape.p[2] * e.template segment<2>(8);
-        if (!(p.norm() > smallest)) return false;
+        const auto& weight = station.shape.p;
+        Vector<double, 2> p;
+        for (int k = 0; k < 2; ++k)
+            p[k] = weight[0] * (e[6 + k] - e[k]) + weight[1] * e[2 + k] + weight[2] * e[8 + k];
+        if (!(detail::span(p) > smallest)) return false;
     }
     return true;
 }
@@ -321,10 +321,11 @@ double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_stra
     const Coordinates& e, double xi) const noexcept {
     double strain = 0.0;
     for (int node = 0; node < 2; ++node) {
-        const Vector<double, 2> a = e.template segment<2>(6 * node + 4);
+        const double y = e[6 * node + 4], z = e[6 * node + 5];
+        const double square = y * y + z * z;
         const bool green = options_.transverse == TransverseStrain::green;
         strain +=
-            (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (a.squaredNorm() - 1.0) : a.norm() - 1.0);
+            (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (square - 1.0) : std::sqrt(square) - 1.0);
     }
     return strain;
 }
@@ -376,10 +377,11 @@ template <class Directors, class Measure>
 Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const auto weights = hermite(xi, line_.parameter_length());
-    Vector<double, 2> r =
-        weights[0] * e.template segment<2>(0) + weights[1] * e.template segment<2>(2) +
-        weights[2] * e.template segment<2>(6) + weights[3] * e.template segment<2>(8);
-    if (y != 0.0) r += y * directors(e, xi);
+    Vector<double, 2> r, director{0.0, 0.0};
+    if (y != 0.0) director = directors(e, xi);
+    for (int k = 0; k < 2; ++k)
+        r[k] = weights[0] * e[k] + weights[1] * e[2 + k] + weights[2] * e[6 + k] +
+               weights[3] * e[8 + k] + y * director[k];
     return r;
 }
 
@@ -396,21 +398,24 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
     if (y == 0.0) return jacobian;
     const Place at = place(e, xi);
     const detail::PlanarFrame<double>& f = at.frame;
-    const Vector<double, 2> t(f.t[0], f.t[1]), n(f.n[0], f.n[1]);
     // d n = -u_n t, d t = u_n n with u_n = n.dp/lam
     const double cosine = director_cosine(f);
-    const Vector<double, 2> by_shear = PlanarMeasure::engineering ? t - f.w.s / cosine * n : t;
-    const Matrix<double, 2> by_p = y * f.inv_lam * (f.w.s * n - cosine * t) * n.transpose();
-    jacobian.template middleCols<2>(0) -= at.shape.p[0] * by_p;
-    jacobian.template middleCols<2>(6) += at.shape.p[0] * by_p;
-    jacobian.template middleCols<2>(2) += at.shape.p[1] * by_p;
-    jacobian.template middleCols<2>(8) += at.shape.p[2] * by_p;
-    for (int node = 0; node < 2; ++node) {
-        const double weight = y * (node == 0 ? 1.0 - at.shape.n2 : at.shape.n2);
-        const detail::PlanarSine<double>& sine = at.sine[node];
-        const Eigen::Map<const Vector<double, 2>> by_g(sine.g), by_a(sine.a);
-        jacobian.template middleCols<2>(6 * node + 2) += weight * by_shear * by_g.transpose();
-        jacobian.template middleCols<2>(6 * node + 4) += weight * by_shear * by_a.transpose();
+    const double normal_part = PlanarMeasure::engineering ? f.w.s / cosine : 0.0;
+    for (int i = 0; i < 2; ++i) {
+        const double by_turn = y * f.inv_lam * (f.w.s * f.n[i] - cosine * f.t[i]);
+        const double by_shear = y * (f.t[i] - normal_part * f.n[i]);
+        for (int k = 0; k < 2; ++k) {
+            const double by_p = by_turn * f.n[k];
+            jacobian(i, k) -= at.shape.p[0] * by_p;
+            jacobian(i, 6 + k) += at.shape.p[0] * by_p;
+            jacobian(i, 2 + k) += at.shape.p[1] * by_p;
+            jacobian(i, 8 + k) += at.shape.p[2] * by_p;
+            for (int node = 0; node < 2; ++node) {
+                const double weight = node == 0 ? 1.0 - at.shape.n2 : at.shape.n2;
+                jacobian(i, 6 * node + 2 + k) += weight * by_shear * at.sine[node].g[k];
+                jacobian(i, 6 * node + 4 + k) += weight * by_shear * at.sine[node].a[k];
+            }
+        }
     }
     return jacobian;
 }

@@ -59,16 +59,25 @@ struct Beam {
     detail::require(std::isfinite(width) && width > 0.0,
                     "reference_slopes: the y axis must have a length, got ",
                     detail::components(y_axis));
-    const Vector<double, 3> t = direction / length;
-    const Vector<double, 3> y = y_axis / width;
-    const Vector<double, 3> normal = y - y.dot(t) * t;
-    detail::require(normal.norm() > 1e-8,
+    // plain loops: expressions of Eigen here would be compiled by all who add a beam
+    Matrix<double, 3> slopes;
+    double share = 0.0, square = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        slopes(k, 0) = direction[k] / length;
+        share += y_axis[k] / width * slopes(k, 0);
+    }
+    for (int k = 0; k < 3; ++k) {
+        slopes(k, 1) = y_axis[k] / width - share * slopes(k, 0);
+        square += slopes(k, 1) * slopes(k, 1);
+    }
+    detail::require(std::sqrt(square) > 1e-8,
                     "reference_slopes: the y axis must not be parallel to the beam, got ",
                     detail::components(y_axis));
-    Matrix<double, 3> slopes;
-    slopes.col(0) = t;
-    slopes.col(1) = normal.normalized();
-    slopes.col(2) = cross(t, Vector<double, 3>(slopes.col(1)));
+    for (int k = 0; k < 3; ++k) slopes(k, 1) /= std::sqrt(square);
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3, last = (k + 2) % 3;
+        slopes(k, 2) = slopes(next, 0) * slopes(last, 1) - slopes(last, 0) * slopes(next, 1);
+    }
     return slopes;
 }
 
@@ -78,24 +87,25 @@ struct Beam {
 /// Where the direction leans towards -X by more than 154 degrees r_y is instead the part of global
 /// Y normal to it: there the section turns at once by up to half a turn. Give a y axis to avoid it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
-    detail::require(direction.allFinite() && detail::span(direction) > 0.0,
+    const double length = detail::span(direction);
+    detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     detail::components(direction));
-    const Vector<double, 3> t = direction / detail::span(direction);
-    if (t[0] < -0.9) return reference_slopes(direction, Vector<double, 3>::UnitY());
-    const Vector<double, 3> sum = Vector<double, 3>::UnitX() + t;
-    const Vector<double, 3> y = Vector<double, 3>::UnitY() - t[1] / (1.0 + t[0]) * sum;
-    return reference_slopes(direction, y);
+    const double x = direction[0] / length, y = direction[1] / length, z = direction[2] / length;
+    if (x < -0.9) return reference_slopes(direction, {0.0, 1.0, 0.0});
+    return reference_slopes(direction, {-y, 1.0 - y * y / (1.0 + x), -y * z / (1.0 + x)});
 }
 
 /// The plane: r_y is the direction turned by a right angle counterclockwise.
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
-    detail::require(direction.allFinite() && detail::span(direction) > 0.0,
+    const double length = detail::span(direction);
+    detail::require(std::isfinite(length) && length > 0.0,
                     "reference_slopes: the direction must have a length, got ",
                     detail::components(direction));
-    const Vector<double, 2> t = direction / detail::span(direction);
     Matrix<double, 2> slopes;
-    slopes << t[0], -t[1], t[1], t[0];
+    slopes(0, 0) = slopes(1, 1) = direction[0] / length;
+    slopes(1, 0) = direction[1] / length;
+    slopes(0, 1) = -slopes(1, 0);
     return slopes;
 }
 

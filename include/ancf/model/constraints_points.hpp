@@ -35,7 +35,7 @@ struct MaterialPoint {
 
     /// A node's position.
     MaterialPoint(NodeId node)  // NOLINT: a node is a point
-        : vectors{{node, Field::r}}, weights{1.0}, name("node " + std::to_string(node.index)) {}
+        : vectors{{node, Field::r}}, weights{1.0}, name(detail::joined({"node ", node.index})) {}
 
     /// A weighted sum of vectors, with a name for messages.
     MaterialPoint(Coupling at, std::vector<double> with, std::string called)
@@ -81,7 +81,7 @@ template <class Element, class Scene>
              {at.second, Field::r},
              {at.second, Field::r_x}},
             {shape[0], shape[1], shape[2], shape[3]},
-            "the point at " + std::to_string(xi) + " of element " + std::to_string(element)};
+            detail::joined({"the point at ", xi, " of element ", element}, 6)};
 }
 
 namespace detail {
@@ -139,7 +139,7 @@ public:
     [[nodiscard]] Vector<Scalar, Dimension> moved(const DynamicVector<Scalar>& q) const {
         Vector<Scalar, Dimension> d = Vector<Scalar, Dimension>::Zero();
         for_each_weight([&](int k, double weight) {
-            d += weight * q.template segment<Dimension>(Dimension * k);
+            for (int i = 0; i < Dimension; ++i) d[i] += weight * q[Dimension * k + i];
         });
         return d;
     }
@@ -197,8 +197,8 @@ public:
     [[nodiscard]] int equations() const { return 1; }
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const {
-        return std::string("fixed ") + to_string(at_.field) + ", component " +
-               std::to_string(component_) + ", of node " + std::to_string(at_.node.index);
+        return detail::joined({"fixed ", to_string(at_.field), ", component ", component_,
+                               ", of node ", at_.node.index});
     }
 
     /// Returns g.
@@ -279,7 +279,7 @@ public:
                                                  const Scalar&) const {
         DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(Dimension, q.size());
         points_.for_each_weight([&](int k, double weight) {
-            g.template middleCols<Dimension>(Dimension * k).diagonal().setConstant(Scalar(weight));
+            for (int i = 0; i < Dimension; ++i) g(i, Dimension * k + i) = Scalar(weight);
         });
         return g;
     }

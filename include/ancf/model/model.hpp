@@ -354,9 +354,11 @@ NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes,
                     detail::components(curvature));
     InitialNode node;
     node.vectors.setZero();
-    node.vectors.col(0) = position;
-    node.vectors.template middleCols<dimension>(1) = slopes;
-    node.vectors.col(static_cast<int>(Field::r_xx)) = curvature;
+    for (int i = 0; i < dimension; ++i) {
+        node.vectors(i, 0) = position[i];
+        for (int k = 0; k < dimension; ++k) node.vectors(i, 1 + k) = slopes(i, k);
+        node.vectors(i, static_cast<int>(Field::r_xx)) = curvature[i];
+    }
     initial_.push_back(node);
     stale_ = true;
     ++revision_.scene;
@@ -515,9 +517,8 @@ typename Element::Coordinates Model<Elements...>::element_coordinates(int index,
         for (int k = 0; k < field_count; ++k) {
             const auto field = static_cast<Field>(k);
             if (!Element::fields.contains(field)) continue;
-            e.template segment<dimension>(at) =
-                q.template segment<dimension>(layout().index({node, field}));
-            at += dimension;
+            const int first = layout().index({node, field});
+            for (int i = 0; i < dimension; ++i) e[at++] = q[first + i];
         }
     return e;
 }
@@ -548,12 +549,10 @@ void Model<Elements...>::refresh() const {
             const int to = layout_.index(at);
             if (to < 0) continue;
             const int from = node < before.nodes() ? before.index(at) : -1;
-            if (from >= 0) {
-                state_.q.template segment<dimension>(to) = old.q.template segment<dimension>(from);
-                state_.v.template segment<dimension>(to) = old.v.template segment<dimension>(from);
-            } else {
-                state_.q.template segment<dimension>(to) =
-                    initial_[static_cast<std::size_t>(node)].vectors.col(k);
+            const auto& vectors = initial_[static_cast<std::size_t>(node)].vectors;
+            for (int i = 0; i < dimension; ++i) {
+                state_.q[to + i] = from >= 0 ? old.q[from + i] : vectors(i, k);
+                if (from >= 0) state_.v[to + i] = old.v[from + i];
             }
         }
     int equations = 0;

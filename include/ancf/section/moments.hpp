@@ -101,9 +101,10 @@ constexpr double power(double value, int exponent) noexcept {
     return product;
 }
 
-/// Returns int p p^T dA over the first Count monomials.
+/// Returns factor int p p^T dA over the first Count monomials.
 template <int Count>
-[[nodiscard]] Matrix<double, Count> moment_matrix(const Moments& moments) noexcept {
+[[nodiscard]] Matrix<double, Count> moment_matrix(const Moments& moments,
+                                                  double factor = 1.0) noexcept {
     static_assert(Count <= 6, "six monomials up to second degree");
     const MomentTable table = to_table(moments);
     Matrix<double, Count> matrix;
@@ -112,6 +113,7 @@ template <int Count>
             const auto& p = monomials[static_cast<std::size_t>(i)];
             const auto& q = monomials[static_cast<std::size_t>(j)];
             matrix(i, j) =
+                factor *
                 table[static_cast<std::size_t>(p[0] + q[0])][static_cast<std::size_t>(p[1] + q[1])];
         }
     return matrix;

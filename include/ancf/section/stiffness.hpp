@@ -62,7 +62,7 @@ namespace detail {
 /// @param twist    the place of the twisting strain: 2 (h_zy) in shear_y, 1 (h_yz) in shear_z
 inline Matrix<double, 3> saint_venant_block(const Moments& moments, double shear, double torsion,
                                             int twist) noexcept {
-    Matrix<double, 3> centred = shear * moment_matrix<3>(centroidal(moments));
+    Matrix<double, 3> centred = moment_matrix<3>(centroidal(moments), shear);
     for (int k = 0; k < 3; ++k) {
         centred(twist, k) = centred(k, twist) = 0.0;
         if (k > 0) centred(0, k) = centred(k, 0) = 0.0;  // round-off about the centroid
@@ -88,10 +88,10 @@ inline SectionStiffness section_stiffness(const Material& material, const Sectio
     const double shear_z = section.shear_correction_z() * material.shear;
 
     SectionStiffness stiffness;
-    stiffness.axial = material.young * detail::moment_matrix<6>(moments);
+    stiffness.axial = detail::moment_matrix<6>(moments, material.young);
     if (!moments.has_fourth_order()) {
-        stiffness.axial.rightCols<3>().setZero();
-        stiffness.axial.bottomRows<3>().setZero();
+        for (int i = 0; i < 6; ++i)
+            for (int j = 3; j < 6; ++j) stiffness.axial(i, j) = stiffness.axial(j, i) = 0.0;
     }
     if (model == SectionModel::saint_venant) {
         const Moments centred = centroidal(moments);
@@ -99,8 +99,8 @@ inline SectionStiffness section_stiffness(const Material& material, const Sectio
         stiffness.shear_y = detail::saint_venant_block(moments, shear_y, torsion * centred.zz, 2);
         stiffness.shear_z = detail::saint_venant_block(moments, shear_z, torsion * centred.yy, 1);
     } else {
-        stiffness.shear_y = shear_y * detail::moment_matrix<3>(moments);
-        stiffness.shear_z = shear_z * detail::moment_matrix<3>(moments);
+        stiffness.shear_y = detail::moment_matrix<3>(moments, shear_y);
+        stiffness.shear_z = detail::moment_matrix<3>(moments, shear_z);
     }
     stiffness.transverse_yy = stiffness.transverse_zz = material.young * moments.area;
     stiffness.transverse_yz = (shear_y + shear_z) / 2.0 * moments.area;

@@ -12,7 +12,6 @@
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -81,17 +80,13 @@ public:
 
 private:
     void explain(const SparseMatrix& lower) {
-        std::ostringstream text;
-        text << name() << ": ";
         const int widest = detail::widest_block(detail::chain_starts(lower));
-        if (is_chain_) {
-            text << "a chain of " << chain_.blocks() << " blocks of up to " << widest
-                 << " unknowns";
-        } else {
-            text << "no chain, it would take a block of " << widest << " unknowns, and "
-                 << BlockTridiagonal::max_block << " are the most";
-        }
-        explanation_ = text.str();
+        explanation_ =
+            is_chain_
+                ? detail::joined({name(), ": a chain of ", chain_.blocks(), " blocks of up to ",
+                                  widest, " unknowns"})
+                : detail::joined({name(), ": no chain, it would take a block of ", widest,
+                                  " unknowns, and ", BlockTridiagonal::max_block, " are the most"});
     }
 
     BlockTridiagonal chain_;

@@ -16,6 +16,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -55,7 +56,8 @@ inline void complete_roots(const SparseMatrix& matrix, VectorX& roots) {
             compare(entry.row(), column, entry.value());
             compare(column, entry.row(), entry.value());
         }
-    roots = (roots.array() > 0.0).select(roots, 1.0);
+    for (double& root : roots)
+        if (!(root > 0.0)) root = 1.0;
 }
 
 /// Fills `roots` with the diagonal of S^-1: sqrt|a_ii|, or what complete_roots says.
@@ -93,10 +95,16 @@ inline double probe_load(const VectorX& roots, VectorX& load) {
 
 /// Returns the unknown that takes most part in a motion S^-1 y, or -1 if there is none.
 [[nodiscard]] inline int softest_unknown(const VectorX& roots, const VectorX& solution) {
-    const VectorX motion = roots.cwiseProduct(solution).cwiseAbs();
-    Eigen::Index softest = -1;
-    if (motion.size() > 0 && motion.allFinite()) motion.maxCoeff(&softest);
-    return static_cast<int>(softest);
+    eigen_assert(roots.size() == solution.size());
+    int softest = -1;
+    double largest = -1.0;
+    for (Eigen::Index i = 0; i < roots.size(); ++i) {
+        const double motion = std::abs(roots[i] * solution[i]);
+        if (!std::isfinite(motion)) return -1;
+        if (motion > largest) softest = static_cast<int>(i);
+        largest = std::max(largest, motion);
+    }
+    return softest;
 }
 
 /// Turns a report into that of a singular matrix, or of one that is not finite.
@@ -117,14 +125,18 @@ void report_condition(const SparseMatrix& matrix, double limit, Solve&& solve,
     symmetric_roots(matrix, roots);
     const double weights = probe_load(roots, load);
     solve(load, solution);
-    const VectorX motion = roots.cwiseProduct(solution);
+    VectorX motion = solution;
     double largest = 0.0;
-    for (const double entry : motion) largest = std::max(largest, std::abs(entry));
-    double sum = 0.0;  // NaN where an entry is not finite
+    bool finite = true;
+    for (Eigen::Index i = 0; i < roots.size(); ++i) {
+        motion[i] *= roots[i];
+        finite = finite && std::isfinite(motion[i]);
+        largest = std::max(largest, std::abs(motion[i]));
+    }
+    double sum = 0.0;
     if (largest > 0.0)
         for (const double entry : motion) sum += (entry / largest) * (entry / largest);
-    double size = largest * std::sqrt(sum);
-    if (!motion.allFinite()) size = std::numeric_limits<double>::infinity();
+    const double size = finite ? largest * std::sqrt(sum) : std::numeric_limits<double>::infinity();
     report.rcond = size > 0.0 ? std::min(1.0, probe_share * std::sqrt(weights) / size) : 1.0;
     if (!(report.rcond > limit)) report_failure(matrix, softest_unknown(roots, solution), report);
 }

@@ -228,10 +228,5 @@ private:
     bool factorised_ = false;
 };
 
-/// True unless a stored value is a NaN or an infinity.
-[[nodiscard]] inline bool all_finite(const SparseMatrix& matrix) noexcept {
-    return Eigen::Map<const VectorX>(matrix.valuePtr(), matrix.nonZeros()).allFinite();
-}
-
 }  // namespace detail
 }  // namespace ancf

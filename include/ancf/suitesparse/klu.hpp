@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>

@@ -8,6 +8,7 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/recorder.hpp>
+#include <ancf/error.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida.hpp>
 #include <ancf/sundials/ida_system.hpp>
@@ -18,7 +19,6 @@
 #include <cstddef>
 #include <limits>
 #include <new>
-#include <sstream>
 #include <string>
 
 namespace ancf::sundials {
@@ -305,15 +305,15 @@ void IdaRun<Scene>::fail(int code) {
         code == IDA_CONV_FAIL)
         report_.fault = system_.fault();
     report_.status = report_.fault ? report_.fault->status : status_of(code);
-    std::ostringstream message;
-    message.precision(6);
-    message << code_name(code) << " at " << time_ << " s";
-    if (code == IDA_TOO_MUCH_WORK) message << ": " << options_.max_steps << " steps were taken";
-    if (!context_.message().empty()) message << ": " << context_.message();
+    std::string& message = report_.message;
+    message = ancf::detail::joined({code_name(code), " at ", time_, " s"}, 6);
+    if (code == IDA_TOO_MUCH_WORK)
+        message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
+    if (!context_.message().empty()) message += ": " + context_.message();
     if (report_.fault)
-        message << "; element " << report_.fault->element << " of group " << report_.fault->group
-                << " is " << to_string(report_.fault->status);
-    report_.message = message.str();
+        message +=
+            ancf::detail::joined({"; element ", report_.fault->element, " of group ",
+                                  report_.fault->group, " is ", to_string(report_.fault->status)});
 }
 
 template <class Scene>
