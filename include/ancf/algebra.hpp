@@ -27,10 +27,11 @@ struct Term {
 
 /// Returns the sum of the terms, one or more vectors of one size.
 [[nodiscard]] inline VectorX combination(std::initializer_list<Term> terms) {
-    VectorX sum = terms.begin()->vector;
+    const Eigen::Index size = terms.begin()->vector.size();
+    VectorX sum(size);
     double* out = sum.data();
-    const Eigen::Index size = sum.size();
-    for (Eigen::Index i = 0; i < size; ++i) out[i] *= terms.begin()->factor;
+    for (Eigen::Index i = 0; i < size; ++i)
+        out[i] = terms.begin()->factor * terms.begin()->vector[i];
     for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
         eigen_assert(term->vector.size() == size);
         const double* x = term->vector.data();
@@ -56,6 +57,18 @@ inline void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
     double largest = 0.0;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
         const double ratio = std::abs(x[i]) / scale[i];
+        if (!(ratio <= largest)) largest = ratio;
+        if (ratio != ratio) break;
+    }
+    return largest;
+}
+
+/// Returns the largest |x_i - y_i| / scale_i, likewise.
+[[nodiscard]] inline double largest_distance(const VectorX& x, const VectorX& y,
+                                             const VectorX& scale) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double ratio = std::abs(x[i] - y[i]) / scale[i];
         if (!(ratio <= largest)) largest = ratio;
         if (ratio != ratio) break;
     }

@@ -156,6 +156,9 @@ TEST_CASE("algebra: combination and difference agree with Eigen", "[algebra]") {
     // five entries of up to 3.5, each off by one rounding where one side fuses what the other adds
     CHECK((detail::combination({{2.0, a}, {-0.5, b}, {1.0, c}}) - expected).norm() <= 4e-15);
     CHECK((detail::difference(a, b) - (a - b)).norm() == 0.0);
+    const VectorX scale = VectorX::Constant(5, 0.5);
+    CHECK(detail::largest_distance(a, b, scale) == detail::largest_ratio(a - b, scale));
+    CHECK(std::isnan(detail::largest_distance(a, b * std::nan(""), scale)));
     CHECK(detail::difference(VectorX(), VectorX()).size() == 0);
 }
 

@@ -121,6 +121,9 @@ private:
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
+    [[nodiscard]] double change_of_acceleration() const {
+        return largest_distance(next_.acceleration, now_.acceleration, problem_.scales());
+    }
     void fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
@@ -242,8 +245,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         const Status status = newton(step.width);
         double error = 0.0;
         if (status == Status::converged && adaptive)
-            error = error_constant_ * step.width * step.width *
-                    scaled(difference(next_.acceleration, now_.acceleration)) / options_.tolerance;
+            error = error_constant_ * step.width * step.width * change_of_acceleration() /
+                    options_.tolerance;
         const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
         if (status == Status::converged && error <= 1.0) {
             width_ = step.width;
@@ -333,8 +336,7 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
         const double change = h * h * beta_hat_ * scaled(solution_.head(n));
         if (!std::isfinite(change)) return Status::not_finite;
         // far below the local error of the step, however short it is
-        const double local =
-            h * h * beta_hat_ * scaled(difference(next_.acceleration, now_.acceleration));
+        const double local = h * h * beta_hat_ * change_of_acceleration();
         const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
         // what is left is known from two corrections by one matrix; one alone tells nothing
         const double ratio = k > 1 ? change / before : 1.0;

@@ -348,10 +348,11 @@ std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q,
     lambda_ = lambda;
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
-    numbering().gather_free(detail::combination({{1.0, assembly_.internal_force()},
-                                                 {1.0, assembly_.constraint_force()},
-                                                 {-1.0, assembly_.external_force()}}),
-                            force_);
+    force_.resize(size());
+    for (int k = 0; k < numbering().coordinates(); ++k)
+        if (const int equation = numbering().equation(k); equation >= 0)
+            force_[equation] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
+                               assembly_.external_force()[k];
     if (!driven_.empty()) {
         VectorX inertia;
         numbering().gather_free(assembly_.mass_product(full_a_), inertia);

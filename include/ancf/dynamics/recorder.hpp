@@ -108,10 +108,8 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem<
     VectorX v = point.v;
     (void)problem.project(point.time, q, v);
     const double fastest = largest_ratio(v, problem.scales());
-    const VectorX gap = difference(q, start.q);
-    const VectorX slip = difference(v, start.v);
-    require(largest_ratio(gap, problem.scales()) <= same &&
-                largest_ratio(slip, problem.scales()) <= same * fastest,
+    require(largest_distance(q, start.q, problem.scales()) <= same &&
+                largest_distance(v, start.v, problem.scales()) <= same * fastest,
             who, ": the model's state is not the one that the memory belongs to");
     const VectorX then = memory.get("signature", 6);
     const VectorX here = signature(problem, point);
