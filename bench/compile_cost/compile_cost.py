@@ -4,10 +4,10 @@
 """Compiles typical translation units and prints what that costs.
 
     compile_cost.py [--csv] [--compiler g++] [--flags "-O2"] [--eigen /usr/include/eigen3]
-                    [--suitesparse /usr/include/suitesparse] [--headers]
+                    [--suitesparse /usr/include/suitesparse] [--rounds 3] [--unit dynamics] [--headers]
 
-Columns: unit, flags, seconds of processor time, largest memory in MB, bytes of code and data in the object file. With
---headers, every public header alone instead: header, seconds, largest memory, without code.
+Columns: unit, flags, seconds of processor time (the least of all rounds), largest memory in MB, bytes of code and data
+in the object file. With --headers, every public header alone instead, once and without code: header, seconds, memory.
 """
 
 import argparse
@@ -38,8 +38,12 @@ def main():
     parser.add_argument("--flags", action="append", help="flags of one column; may be repeated")
     parser.add_argument("--eigen", default="/usr/include/eigen3", help="folder of Eigen's headers")
     parser.add_argument("--suitesparse", default="/usr/include/suitesparse", help="folder of SuiteSparse's headers")
+    parser.add_argument("--rounds", type=int, default=3, help="how often each unit is compiled")
+    parser.add_argument("--unit", choices=sorted(unit.stem for unit in UNITS.glob("*.cpp")), help="this unit alone")
     parser.add_argument("--headers", action="store_true", help="every public header alone")
     arguments = parser.parse_args()
+    if arguments.rounds < 1:
+        parser.error(f"--rounds must be at least 1, got {arguments.rounds}")
     third_parties = ["-isystem", arguments.eigen, "-isystem", arguments.suitesparse]
     if arguments.headers:
         print("header,seconds,memory_mb" if arguments.csv else f"{'header':46} {'seconds':>8} {'memory, MB':>11}")
@@ -53,12 +57,12 @@ def main():
     print("unit,flags,seconds,memory_mb,object_bytes" if arguments.csv else
           f"{'unit':14} {'flags':22} {'seconds':>8} {'memory, MB':>11} {'object, bytes':>14}")
     for flags in arguments.flags or ["-O2", "-O2 -march=native"]:
-        for unit in sorted(UNITS.glob("*.cpp")):
+        for unit in sorted(UNITS.glob(f"{arguments.unit or '*'}.cpp")):
             with tempfile.TemporaryDirectory() as folder:
                 target = pathlib.Path(folder) / "unit.o"
-                seconds, memory = compile_unit(
-                    [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include",
-                     *third_parties, "-w", "-c", unit, "-o", target])
+                command = [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include",
+                           *third_parties, "-w", "-c", unit, "-o", target]
+                seconds, memory = min(compile_unit(command) for _ in range(arguments.rounds))
                 size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
             size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
             line = "{},{},{:.2f},{:.0f},{}" if arguments.csv else "{:14} {:22} {:8.2f} {:11.0f} {:14}"
