@@ -25,13 +25,14 @@ macro(ancf_find_dependencies part)
     endif()
 endmacro()
 
-# Sets ancf_PART_MESSAGE. The last four arguments are package names.
-function(_ancf_explain part problem debian fedora homebrew conda)
+# Sets ancf_PART_MESSAGE: the problem, and what cures it. The last four arguments are package names.
+function(ancf_explain part problem debian fedora homebrew conda)
     set(ancf_${part}_MESSAGE "${problem}
   Debian, Ubuntu:  apt install ${debian}
   Fedora:          dnf install ${fedora}
   macOS:           brew install ${homebrew}
-  conda:           conda install -c conda-forge ${conda}"
+  conda:           conda install -c conda-forge ${conda}
+  elsewhere:       -D CMAKE_PREFIX_PATH=where it is installed"
         PARENT_SCOPE)
 endfunction()
 
@@ -40,10 +41,10 @@ macro(_ancf_find_eigen)
     find_package(Eigen3 QUIET CONFIG)
     set(ancf_core_FOUND FALSE)
     if(NOT TARGET Eigen3::Eigen)
-        _ancf_explain(core "ancf needs Eigen 3.4 or newer, which was not found."
+        ancf_explain(core "ancf needs Eigen 3.4 or newer, which was not found."
             libeigen3-dev eigen3-devel eigen eigen)
     elseif(DEFINED Eigen3_VERSION AND Eigen3_VERSION VERSION_LESS 3.4)
-        _ancf_explain(core "ancf needs Eigen 3.4 or newer, found ${Eigen3_VERSION} in ${Eigen3_DIR}."
+        ancf_explain(core "ancf needs Eigen 3.4 or newer, found ${Eigen3_VERSION} in ${Eigen3_DIR}."
             libeigen3-dev eigen3-devel eigen eigen)
     else()
         set(ancf_core_FOUND TRUE)
@@ -55,13 +56,20 @@ macro(_ancf_find_suitesparse)
     find_package(SuiteSparse QUIET MODULE COMPONENTS CHOLMOD KLU UMFPACK)
     list(POP_FRONT CMAKE_MODULE_PATH)
     set(ancf_suitesparse_FOUND FALSE)
-    if(NOT SuiteSparse_FOUND)
-        _ancf_explain(suitesparse
-            "ancf's component suitesparse needs CHOLMOD, KLU and UMFPACK of SuiteSparse 5.12 or newer, which were not found."
+    set(_ancf_absent)
+    foreach(_ancf_library CHOLMOD KLU UMFPACK)
+        if(NOT TARGET SuiteSparse::${_ancf_library})
+            list(APPEND _ancf_absent ${_ancf_library})
+        endif()
+    endforeach()
+    list(JOIN _ancf_absent ", " _ancf_absent)
+    if(SuiteSparse_VERSION AND SuiteSparse_VERSION VERSION_LESS 5.12)
+        ancf_explain(suitesparse
+            "ancf's component suitesparse needs SuiteSparse 5.12 or newer, found ${SuiteSparse_VERSION} in ${SuiteSparse_config_INCLUDE_DIR}."
             libsuitesparse-dev suitesparse-devel suite-sparse suitesparse)
-    elseif(SuiteSparse_VERSION VERSION_LESS 5.12)
-        _ancf_explain(suitesparse
-            "ancf's component suitesparse needs SuiteSparse 5.12 or newer, found ${SuiteSparse_VERSION}."
+    elseif(_ancf_absent OR NOT SuiteSparse_FOUND)
+        ancf_explain(suitesparse
+            "ancf's component suitesparse needs CHOLMOD, KLU and UMFPACK of SuiteSparse 5.12 or newer (not found: ${_ancf_absent})."
             libsuitesparse-dev suitesparse-devel suite-sparse suitesparse)
     else()
         set(ancf_suitesparse_FOUND TRUE)
@@ -79,12 +87,17 @@ macro(_ancf_find_sundials)
     endif()
     find_package(SUNDIALS QUIET CONFIG COMPONENTS ida nvecserial sunmatrixsparse sunlinsolklu)
     set(ancf_sundials_FOUND FALSE)
-    if(NOT SUNDIALS_FOUND OR NOT TARGET SUNDIALS::ida OR NOT TARGET SUNDIALS::sunlinsolklu)
-        _ancf_explain(sundials
-            "ancf's component sundials needs IDA of SUNDIALS 6.4 or newer, built with KLU, which was not found."
+    if(SUNDIALS_VERSION AND SUNDIALS_VERSION VERSION_LESS 6.4)
+        ancf_explain(sundials
+            "ancf's component sundials needs SUNDIALS 6.4 or newer, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR}."
             libsundials-dev sundials-devel sundials sundials)
-    elseif(SUNDIALS_VERSION VERSION_LESS 6.4)
-        _ancf_explain(sundials "ancf's component sundials needs SUNDIALS 6.4 or newer, found ${SUNDIALS_VERSION}."
+    elseif(SUNDIALS_DIR AND NOT (TARGET SUNDIALS::ida AND TARGET SUNDIALS::sunlinsolklu))
+        ancf_explain(sundials
+            "ancf's component sundials needs SUNDIALS with IDA and KLU, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR} without them."
+            libsundials-dev sundials-devel sundials sundials)
+    elseif(NOT SUNDIALS_FOUND)
+        ancf_explain(sundials
+            "ancf's component sundials needs IDA of SUNDIALS 6.4 or newer, built with KLU, which was not found."
             libsundials-dev sundials-devel sundials sundials)
     else()
         set(ancf_sundials_FOUND TRUE)

@@ -46,11 +46,12 @@ function(ancf_add_program name)
     target_link_libraries(${name} PRIVATE ancf_development)
 endfunction()
 
-# ancf_require_package(NAME TARGET FOR DEBIAN): finds what only the repository's own programs need.
-macro(ancf_require_package name target purpose debian)
+# ancf_require_package(NAME TARGET FOR DEBIAN FEDORA HOMEBREW CONDA): finds what only the repository's own programs need.
+macro(ancf_require_package name target purpose)
     find_package(${name} QUIET CONFIG)
     if(NOT TARGET ${target})
-        message(FATAL_ERROR "${purpose} need ${name}, which was not found (Debian, Ubuntu: apt install ${debian}).")
+        ancf_explain(${name} "${purpose} need ${name}, which was not found." ${ARGN})
+        message(FATAL_ERROR "${ancf_${name}_MESSAGE}")
     endif()
 endmacro()
 

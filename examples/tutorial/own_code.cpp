@@ -83,6 +83,7 @@ struct Diagonal {
 /// Pulls a node down with 1 N.
 struct Weight {
     ancf::NodeId node;
+    static constexpr bool constant_force = true;
     ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
     void evaluate(const ancf::LoadState&, ancf::LoadResult& out) const { out.force[1] = -1.0; }
 };
@@ -102,7 +103,7 @@ int main() {
     std::cout << to_string(report.status) << ", node at " << tip.transpose() << " m, multiplier "
               << model.state().multipliers << " N\n";
 
-    // along the diagonal the bar carries -sqrt(1/2) N: E A eps (1 + strain) of the length
+    // along the diagonal the bar carries N = E A eps (present length/l) = -sqrt(1/2) N
     const double stretch = tip.norm() / l;
     const double pull = axial * 0.5 * (stretch * stretch - 1.0) * stretch;
     return std::abs(pull + std::sqrt(0.5)) < 1e-8 && tip[0] == tip[1] ? 0 : 1;

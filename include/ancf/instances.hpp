@@ -21,7 +21,8 @@
 ///     #define SCENE_INSTANCES
 ///     #include "scene.hpp"
 ///
-/// The macros stand in the global namespace. The element comes last; it may contain commas.
+/// The macros stand in the global namespace. KIND is `extern`, or nothing where the instances are
+/// defined; SOLVER a linear solver. The element comes last; it may contain commas.
 
 #pragma once
 

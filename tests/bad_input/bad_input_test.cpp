@@ -156,8 +156,12 @@ void add_loads(Table& table) {
     const Vector<double, 3> axis(1.0, 0.0, 0.0);
     table.finite("moment", [=](double x) { return SlopeMoment(node, Field::r_y, axis, x); });
     table.finite("moment", [=](double x) { return PlanarSlopeMoment(node, Field::r_y, x); });
-    table.add([=] { SlopeMoment(node, Field::r, axis, 1.0); }, {"SlopeMoment", "slope"});
-    table.add([=] { PlanarSlopeMoment(node, Field::r, 1.0); }, {"PlanarSlopeMoment", "slope"});
+    for (const Field field : {Field::r, Field::r_xx}) {
+        const char* got = field == Field::r ? "got r" : "got r_xx";
+        table.add([=] { SlopeMoment(node, field, axis, 1.0); }, {"SlopeMoment", "slope", got});
+        table.add([=] { PlanarSlopeMoment(node, field, 1.0); },
+                  {"PlanarSlopeMoment", "slope", got});
+    }
 }
 
 /// A scene of two nodes, a new one for every call.

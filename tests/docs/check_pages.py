@@ -13,7 +13,7 @@ import sys
 
 PAGES = ["README.md", "CONTRIBUTING.md", "docs/*.md"]
 PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp", "tests/packaging/instances/scene.?pp",
-            "tests/packaging/readme/CMakeLists.txt"]
+            "tests/packaging/readme/CMakeLists.txt", "tests/packaging/fetch_content/CMakeLists.txt"]
 BLOCK = re.compile(r"^```(?:cpp|cmake)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"(?<!`)(`+)(?!`)((?:(?!\n\n).)+?)(?<!`)\1(?!`)", re.DOTALL)

@@ -7,7 +7,7 @@
 set(binary "${WORK}/preset")
 file(REMOVE_RECURSE "${binary}" "${PREFIX}")
 set(absent)
-foreach(package Catch2 CLI11 benchmark Spectra SuiteSparse SUNDIALS OpenMP Doxygen Python3)
+foreach(package Catch2 CLI11 benchmark SuiteSparse SUNDIALS OpenMP Doxygen Python3)
     list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 execute_process(

@@ -332,6 +332,17 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
                   [](double) { return std::numeric_limits<double>::quiet_NaN(); });
         CHECK(solve(chain).status == Status::not_finite);
     }
+    SECTION("a moment about the slope it acts on") {
+        Scene scene;
+        const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
+        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
+                                              {1, 0, 0}, 1);
+        scene.clamp(beam.first());
+        scene.add(ancf::SlopeMoment(beam.last(), Field::r_z, {0, 0, 2}, 1.0));
+        const ancf::VectorX before = scene.state().q;
+        CHECK(solve(scene).status == Status::not_finite);
+        CHECK(scene.state().q == before);
+    }
     SECTION("a slope of no length") {
         Scene scene = make_cantilever();
         scene.set_value({1}, Field::r_y, {0, 0, 0});

@@ -31,12 +31,13 @@ Assembly<Scene>::Assembly(const Scene& model, Storage storage)
         detail::require(
             model.constraints().empty(),
             "Assembly: constraints make the tangent indefinite; choose a solver of full "
-            "storage such as Umfpack or EigenLu");
+            "storage such as EigenLu, Klu or Umfpack");
         for (const ScaledLoad& load : model.loads())
             detail::require(
                 load.load.symmetric(),
-                "Assembly: a load has an unsymmetric stiffness; choose a solver of full "
-                "storage such as Umfpack or EigenLu");
+                "Assembly: a load has an unsymmetric stiffness; choose a solver of full storage "
+                "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
+                "`constant_force` or `symmetric_stiffness` where that is so");
     }
     build_pattern(storage);
     model.for_each_group([&](const auto& group) { build_slots(group); });

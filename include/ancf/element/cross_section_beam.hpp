@@ -61,7 +61,7 @@ inline constexpr bool carries_directors =
 
 /// The beam element of Dufva, Sopanen and Mikkola.
 ///
-/// @tparam Dimension  3
+/// @tparam Dimension  3; in two dimensions it is the specialisation of planar_beam.hpp
 /// @tparam Directors  how the directors follow from the slopes: Projected (the paper),
 ///                    Transported or Geodesic; the last two with LinearShear alone
 /// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
@@ -71,7 +71,7 @@ inline constexpr bool carries_directors =
 ///                    nodes have r_xx besides, as QuinticBeam
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 class CrossSectionBeam {
-    static_assert(Dimension == 3, "CrossSectionBeam exists in three dimensions");
+    static_assert(Dimension == 3, "for two dimensions include <ancf/element/planar_beam.hpp>");
     static_assert(!detail::carries_directors<Directors> || Shear::nodal,
                   "Geodesic and Transported directors go with LinearShear");
     static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;

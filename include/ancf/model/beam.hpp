@@ -86,6 +86,7 @@ struct Beam {
 ///
 /// Where the direction leans towards -X by more than 154 degrees r_y is instead the part of global
 /// Y normal to it: there the section turns at once by up to half a turn. Give a y axis to avoid it.
+/// @throws InvalidArgument where the direction has no length.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
     const double length = detail::span(direction);
     detail::require(std::isfinite(length) && length > 0.0,
@@ -96,7 +97,9 @@ struct Beam {
     return reference_slopes(direction, {-y, 1.0 - y * y / (1.0 + x), -y * z / (1.0 + x)});
 }
 
-/// The plane: r_y is the direction turned by a right angle counterclockwise.
+/// Returns reference slopes in the plane: r_x along the direction, r_y turned by a right angle
+/// counterclockwise.
+/// @throws InvalidArgument where the direction has no length.
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
     const double length = detail::span(direction);
     detail::require(std::isfinite(length) && length > 0.0,
@@ -129,6 +132,7 @@ template <int Dimension>
 /// @param slopes    columns r_x, r_y and, in space, r_z of every node; 1.
 /// @param elements  how many, at least 1.
 /// @param options   handed to the element's constructor after material, section and length.
+/// @return          the chain's nodes, elements and prototype.
 /// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element,
 ///         slopes that are not finite, and what the element's constructor refuses.
 template <class Element = void, class... Elements, class... Options>

@@ -7,7 +7,8 @@
 /// Each holds the nodes' positions together and some angles between their frames
 /// (constraints_frames.hpp) by bilinear forms of the frames' axes. Axes are given in global
 /// components as they stand when the joint is made; the joint keeps them fixed in the frames.
-/// Equations in m come first, then those of angles.
+/// Equations in m come first, with multipliers in N, then those of angles (sines and cosines), with
+/// multipliers in N m.
 
 #pragma once
 
@@ -260,7 +261,9 @@ public:
         hold(axis);
     }
 
-    /// A hinge to space.
+    /// A hinge to space, at the place where the node stands.
+    /// @param axis  in global components, as the model stands.
+    /// @throws InvalidArgument for an axis of no length or a node without a frame.
     template <class Scene>
     Revolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis)
         : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
@@ -290,7 +293,8 @@ public:
         hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
     }
 
-    /// A weld to space.
+    /// A weld to space, as the node stands.
+    /// @throws InvalidArgument for a node without a frame.
     template <class Scene>
     Weld(const Scene& model, const FrameAt& a)
         : FrameJoint("weld", detail::JointSide::frame(model, a),
@@ -303,6 +307,8 @@ public:
 /// 6 equations. The multiplier of the axis is the motor's moment.
 class DrivenRevolute : public detail::FrameJoint {
 public:
+    /// @param axis   in global components, as the model stands.
+    /// @param angle  rad, of time in s.
     /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes
     ///         or a node without a frame.
     template <class Scene>
@@ -314,6 +320,10 @@ public:
     }
 
     /// A driven hinge to space: the node turns by -angle(t) against space.
+    /// @param axis   in global components, as the model stands.
+    /// @param angle  rad, of time in s.
+    /// @throws InvalidArgument for an axis of no length, a motion that is not complete or a node
+    ///         without a frame.
     template <class Scene>
     DrivenRevolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis,
                    Motion angle)
@@ -334,6 +344,7 @@ private:
 /// of B kept; 4 equations.
 class Universal : public detail::FrameJoint {
 public:
+    /// @param axis_of_a, axis_of_b  in global components, as the model stands.
     /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a
     ///         frame.
     template <class Scene>
@@ -345,6 +356,7 @@ public:
     }
 
     /// A universal joint to space.
+    /// @throws InvalidArgument for axes of no length or parallel, or a node without a frame.
     template <class Scene>
     Universal(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis_of_a,
               const Vector<double, 3>& axis_of_space)
@@ -377,6 +389,7 @@ public:
     }
 
     /// The direction kept in space.
+    /// @throws InvalidArgument for a tangent of no length.
     template <class Scene>
     AlignedTangent(const Scene& model, NodeId tangent)
         : FrameJoint("aligned tangent", detail::JointSide::space(model, tangent),

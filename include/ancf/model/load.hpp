@@ -9,6 +9,7 @@
 ///
 ///     struct Weight {
 ///         ancf::NodeId node;
+///         static constexpr bool constant_force = true;
 ///         ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
 ///         void evaluate(const ancf::LoadState&, ancf::LoadResult& out) const {
 ///             out.force[1] = -1.0;

@@ -14,6 +14,8 @@
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
+#include <cmath>
+
 namespace ancf {
 
 /// A moment m about a fixed unit axis n that works through the angle of one slope a, N m.
@@ -21,12 +23,16 @@ namespace ancf {
 ///     Q_a = m (n x a_p)/|a_p|^2,    a_p = a - (a.n) n
 ///
 /// It is a moment about n while the slope stays normal to n: in planar bending and in pure twist.
+/// A slope parallel to n has no angle about it; a run that comes there ends as not_finite.
 class SlopeMoment {
 public:
     static constexpr int dimension = 3;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
-    /// @throws InvalidArgument for the field r, an axis of no length, or a value that is not
+    /// @param slope   r_x, r_y or r_z.
+    /// @param axis    of any length but zero.
+    /// @param moment  N m.
+    /// @throws InvalidArgument for another field, an axis of no length, or a value that is not
     ///         finite.
     SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis, double moment);
 
@@ -53,7 +59,9 @@ public:
     static constexpr int dimension = 2;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
-    /// @throws InvalidArgument for the field r or a moment that is not finite.
+    /// @param slope   r_x or r_y.
+    /// @param moment  N m.
+    /// @throws InvalidArgument for another field or a moment that is not finite.
     PlanarSlopeMoment(NodeId node, Field slope, double moment);
 
     /// Returns the nodal vectors it acts on.
@@ -100,7 +108,8 @@ private:
 namespace detail {
 
 inline void require_slope(const char* load, Field slope) {
-    require(slope != Field::r, load, " acts on a slope r_x, r_y or r_z, got the position r");
+    require(slope != Field::r && slope != Field::r_xx, load,
+            " acts on a slope r_x, r_y or r_z, got ", slope == Field::r ? "r" : "r_xx");
 }
 
 }  // namespace detail

@@ -53,6 +53,7 @@ public:
 
     /// Writes the surface of one time.
     /// @param time  s.
+    /// @throws InvalidArgument for a file that cannot be written.
     void add(double time, const Surface& surface);
 
     /// Returns the file that lists all times, for ParaView.

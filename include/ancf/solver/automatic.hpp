@@ -25,8 +25,9 @@ namespace ancf {
 ///     ancf::Automatic<> solver;                              // Eigen alone
 ///     ancf::Automatic<ancf::suitesparse::Cholmod> solver;    // with SuiteSparse
 ///     solver.analyze(tangent);
-///     std::cout << solver.explanation();  // "block-tridiagonal: a chain of 64 blocks of up
-//  to 12 unknowns"
+///     std::cout << solver.explanation();
+///
+/// prints `block-tridiagonal: a chain of 64 blocks of up to 12 unknowns`.
 template <class General = EigenLdlt>
 class Automatic {
     static_assert(is_linear_solver_v<General>, "Automatic<General> needs a linear solver");

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/element/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/types.hpp>
@@ -45,8 +46,11 @@ public:
     /// holds L of the next block's rows. Stops at a pivot that is zero or not finite. Along the way
     /// `roots` and `probe`, as long as the matrix, receive the roots of the diagonal and L^-1 of
     /// the load that conditioning.hpp makes of them: one pass over the matrix, not three.
-    static PivotSummary factorize(const BlockLayout& layout, const SparseMatrix& matrix,
-                                  double* panels, double* roots, double* probe) noexcept {
+    ///
+    /// Never inlined: in a large caller the sums of a column may not stay in registers.
+    ANCF_NOINLINE static PivotSummary factorize(const BlockLayout& layout,
+                                                const SparseMatrix& matrix, double* panels,
+                                                double* roots, double* probe) noexcept {
         Work work;
         work.carry.setZero();
         Column rest = Column::Zero();

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/convergence.hpp>
@@ -48,7 +49,7 @@ struct Mode {
 
     /// Returns omega/(2 pi), Hz; negative where the square is.
     [[nodiscard]] double frequency() const noexcept {
-        return std::copysign(std::sqrt(std::abs(value)), value) / 6.283185307179586;
+        return std::copysign(std::sqrt(std::abs(value)), value) / (2.0 * pi);
     }
 };
 

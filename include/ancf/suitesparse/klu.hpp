@@ -41,11 +41,12 @@ public:
     /// @throws InvalidArgument for options outside their ranges.
     explicit Klu(const KluOptions& options = {});
 
-    /// @throws InvalidArgument unless square and compressed.
+    /// @throws InvalidArgument unless square and compressed; std::bad_alloc.
     void analyze(const SparseMatrix& matrix);
 
     /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
+    /// @throws InvalidArgument if its size or the number of entries in a column differs;
+    ///         std::bad_alloc.
     [[nodiscard]] FactorReport factorize(const SparseMatrix& matrix);
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
