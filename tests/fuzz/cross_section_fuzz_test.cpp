@@ -11,9 +11,11 @@
 
 namespace cross_section_fuzz_test {
 
-TEMPLATE_TEST_CASE("fuzz: no coordinates crash an element, and admissible ones give finite results",
-                   "[fuzz]", ancf::CrossSectionBeam<3>, ancf::CrossSectionBeam<2>,
-                   ancf::QuinticBeam<>) {
+TEMPLATE_TEST_CASE(
+    "fuzz: no coordinates crash an element, and admissible ones give finite results", "[fuzz]",
+    ancf::CrossSectionBeam<3>, (ancf::CrossSectionBeam<3, ancf::Geodesic>),
+    (ancf::CrossSectionBeam<3, ancf::Projected, ancf::LinearShear, ancf::EngineeringMeasure>),
+    ancf::CrossSectionBeam<2>, ancf::QuinticBeam<>) {
     ancf::test::try_out<TestType>();
 }
 
