@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 
 #include <Eigen/Core>
 

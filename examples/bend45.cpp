@@ -18,13 +18,12 @@
 #include <ancf/model/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/output/surface.hpp>
-#include <ancf/output/vtk.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>
 
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
+#include <support/files.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -57,8 +56,7 @@ struct Bend {
     std::vector<int> elements = {8, 16, 32};
     examples::BeamOptions beam;
     examples::SolverOptions solver;
-    bool csv = false;
-    std::string vtk;
+    examples::OutputOptions output;
 
     void parse(int argc, char** argv);
     [[nodiscard]] bool is_published() const {
@@ -77,13 +75,11 @@ void Bend::parse(int argc, char** argv) {
     beam.add_element_to(line, examples::spatial_beams);
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
-    line.set_group("Output");
-    line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
-    line.add_file("--vtk", vtk, "the bent beam of the last mesh for ParaView: .vtp, .vtu or .vtk");
+    output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(examples::SpatialBeams{}, beam);
-    if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
+    output.check();
 }
 
 struct Result {
@@ -100,11 +96,8 @@ Result solve(const Bend& problem, int elements) {
     model.clamp(beam.first(), problem.beam.clamped());
     model.add(ancf::Force<3>(beam.last(), Point(0.0, 0.0, problem.force)));
     auto report = examples::solve(model, problem.solver);
-    if (!problem.vtk.empty() && elements == problem.elements.back()) {
-        ancf::Surface surface;
-        surface.add(model, beam, problem.beam.section(), 17);
-        ancf::write_vtk(problem.vtk, surface);
-    }
+    if (elements == problem.elements.back())
+        problem.output.write(model, beam, problem.beam.section());
     return {std::move(report), model.position(beam.last())};
 }
 
@@ -114,7 +107,7 @@ bool study(const Bend& problem) {
     examples::Verdict verdict;
     bool close = true;
     examples::Sheet sheet(
-        problem.csv,
+        problem.output.csv,
         {"element", "rule", "elements", "steps", "iterations", "status", "x", "y", "z"},
         {"elements", "iterations", "status", "x", "y", "z", "deviation, % of R"});
     for (const int mesh : problem.elements) {

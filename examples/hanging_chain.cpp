@@ -25,9 +25,6 @@
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
-#include <ancf/output/shape.hpp>
-#include <ancf/output/surface.hpp>
-#include <ancf/output/vtk.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/profiles.hpp>
@@ -45,7 +42,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -261,30 +257,13 @@ struct Result {
     double sag;
 };
 
-/// Writes the files that were asked for; the chain is drawn as thick as a hundredth of the span.
-template <class Element>
-void write_files(const HangingChain& problem, const Chain<Element>& chain) {
-    constexpr int stations = 17;
-    const ancf::Section drawn = ancf::circle(0.005 * problem.span);
-    if (!problem.output.vtk.empty()) {
-        ancf::Surface surface;
-        surface.add(chain.model(), chain.beam(), drawn, stations);
-        ancf::write_vtk(problem.output.vtk, surface);
-    }
-    if (!problem.output.shape.empty()) {
-        std::ofstream out(problem.output.shape);
-        ancf::write_shape(out, ancf::deformed_shape(chain.model(), chain.beam(), drawn, stations));
-        out.close();
-        ancf::detail::require(!out.fail(), "cannot write ", problem.output.shape);
-    }
-}
-
 template <class Element>
 Result solve(const HangingChain& problem, double length, int mesh) {
     Chain<Element> chain(problem, length, mesh);
     auto report = chain.settle();
     if (mesh == problem.elements.back() && length == problem.lengths.back())
-        write_files(problem, chain);
+        problem.output.write(chain.model(), chain.beam(),
+                             ancf::circle(0.005 * problem.span));  // drawn so thick
     return {std::move(report), examples::free_coordinates(chain.model()), chain.sag()};
 }
 

@@ -17,13 +17,12 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
-#include <ancf/output/surface.hpp>
-#include <ancf/output/vtk.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>
 
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
+#include <support/files.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -75,8 +74,7 @@ struct Princeton {
     double load = 0.0;  // N, at ten angles; 0: those of the references
     examples::BeamOptions beam;
     examples::SolverOptions solver;
-    bool csv = false;
-    std::string vtk;
+    examples::OutputOptions output;
 
     void parse(int argc, char** argv);
     [[nodiscard]] std::vector<Load> loads() const;
@@ -96,13 +94,11 @@ void Princeton::parse(int argc, char** argv) {
     line.set_group("Load");
     line.add_number("--load", load, examples::Range::finite,
                     "N, at every tenth degree from the chord; 0: those of the references");
-    line.set_group("Output");
-    line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
-    line.add_file("--vtk", vtk, "the beam under the last load for ParaView: .vtp, .vtu or .vtk");
+    output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(examples::CrossSectionBeams{}, beam);
-    if (!vtk.empty()) static_cast<void>(ancf::vtk_format(vtk));
+    output.check();
 }
 
 std::vector<Load> Princeton::loads() const {
@@ -129,11 +125,7 @@ Result solve(const Princeton& problem, const Load& load) {
     const Point force(0.0, load.force * std::cos(angle), load.force * std::sin(angle));
     model.add(ancf::Force<3>(beam.last(), force));
     auto report = examples::solve(model, problem.solver);
-    if (!problem.vtk.empty()) {
-        ancf::Surface surface;
-        surface.add(model, beam, problem.beam.section(), 17);
-        ancf::write_vtk(problem.vtk, surface);
-    }
+    problem.output.write(model, beam, problem.beam.section());  // the last load's stay
     const Point tip = model.position(beam.last());
     return {std::move(report), tip[1], tip[2]};
 }
@@ -153,7 +145,7 @@ bool study(const Princeton& problem) {
     using examples::fixed;
     examples::Verdict verdict;
     bool close = true;
-    examples::Sheet sheet(problem.csv,
+    examples::Sheet sheet(problem.output.csv,
                           {"load", "angle", "elements", "iterations", "status", "chordwise",
                            "flapwise", "reference_chordwise", "reference_flapwise", "deviation"},
                           {"P, N", "angle", "iterations", "status", "chordwise, mm", "flapwise, mm",

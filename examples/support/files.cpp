@@ -32,7 +32,8 @@ void OutputOptions::add_files_to(CommandLine& line) {
     line.set_group("Output");
     line.add_file(
         "--vtk", vtk,
-        "the deformed beam, of the last of several meshes, for ParaView: .vtp, .vtu or .vtk");
+        "the deformed beam, of the last of several meshes or loads, for ParaView: .vtp, .vtu or "
+        ".vtk");
     line.add_file("--shape", shape, "its centre line and the outline of its sections, as CSV");
 }
 

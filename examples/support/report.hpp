@@ -146,6 +146,7 @@ inline void Verdict::add(int elements, const ancf::StaticsReport& report) {
     if (report.steps.size() != 1) text << " after " << report.steps.size() << " load steps";
     text << ", " << report.iterations() << " iterations";
     if (report.fault && report.fault->element >= 0) text << ", element " << report.fault->element;
+    if (!report.message.empty()) text << ", " << report.message;
     if (!report.steps.empty()) {
         const ancf::LoadStep& step = report.steps.back();
         text << ", last residuals";

@@ -52,27 +52,27 @@ inline void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
     for (const int k : at) *to++ = x[k];
 }
 
-/// Returns the largest |x_i| / scale_i, 0 of nothing and NaN where an entry is NaN.
-[[nodiscard]] inline double largest_ratio(const VectorX& x, const VectorX& scale) {
+/// Returns the largest |x(i)| / scale_i of so many, 0 of none and NaN where an entry is NaN.
+template <class Entry>
+[[nodiscard]] double largest_ratio_of(const Entry& x, Eigen::Index count, const VectorX& scale) {
     double largest = 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const double ratio = std::abs(x[i]) / scale[i];
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double ratio = std::abs(x(i)) / scale[i];
         if (!(ratio <= largest)) largest = ratio;
         if (ratio != ratio) break;
     }
     return largest;
 }
 
+/// Returns the largest |x_i| / scale_i, likewise.
+[[nodiscard]] inline double largest_ratio(const VectorX& x, const VectorX& scale) {
+    return largest_ratio_of([&](Eigen::Index i) { return x[i]; }, x.size(), scale);
+}
+
 /// Returns the largest |x_i - y_i| / scale_i, likewise.
 [[nodiscard]] inline double largest_distance(const VectorX& x, const VectorX& y,
                                              const VectorX& scale) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const double ratio = std::abs(x[i] - y[i]) / scale[i];
-        if (!(ratio <= largest)) largest = ratio;
-        if (ratio != ratio) break;
-    }
-    return largest;
+    return largest_ratio_of([&](Eigen::Index i) { return x[i] - y[i]; }, x.size(), scale);
 }
 
 /// Returns A x.
@@ -168,6 +168,13 @@ inline void add_product(const SparseMatrix& A, Storage storage, double scale, co
         block.valuePtr()[slot] = value;
     });
     return block;
+}
+
+/// Replaces a compressed matrix of symmetric pattern by its symmetric part.
+inline void symmetrise(SparseMatrix& A) {
+    const SparseMatrix mirrored = A.transpose();
+    for (Eigen::Index k = 0; k < A.nonZeros(); ++k)
+        A.valuePtr()[k] = 0.5 * (A.valuePtr()[k] + mirrored.valuePtr()[k]);
 }
 
 /// True unless a stored value of a compressed matrix is a NaN or an infinity.

@@ -23,6 +23,14 @@ using Vector = Eigen::Matrix<Scalar, Rows, 1>;
 template <class Scalar, int Rows, int Columns = Rows>
 using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
 
+/// A column of any size.
+template <class Scalar>
+using DynamicVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// A matrix of any size.
+template <class Scalar>
+using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
 using VectorX = Eigen::VectorXd;  ///< a column of any size
 using MatrixX = Eigen::MatrixXd;  ///< a matrix of any size
 

@@ -238,7 +238,7 @@ TEST_CASE("Assembly: scenes that cannot be assembled are refused", "[assembly][b
     const VectorX q = scene.state().q;
     const VectorX v = VectorX::Zero(q.size());
     SECTION("a load on a vector that the node does not carry") {
-        scene.add(ancf::Moment({3}, {1, 0, 0}));
+        scene.add(ancf::FollowerForce({3}, {1, 0, 0}));
         CHECK_THROWS_AS(ancf::Assembly<Scene>(scene, Storage::full), ancf::InvalidArgument);
     }
     SECTION("a support on a vector that the node does not carry") {

@@ -285,6 +285,47 @@ TEST_CASE("energy-momentum: a step too long is taken in parts, on the same grid"
     CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
 }
 
+TEST_CASE("energy-momentum: a run stopped within a step taken in parts goes on from there",
+          "[dynamics]") {
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, 5e5);
+    const Vector3 gravity(1.0, -9.0, 2.0);
+    scene.model.set_gravity(gravity);
+    spin(scene.model, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
+    scene.model.set_rate(scene.nodes[2], Field::r, {0.5, 1.0, -1.0});
+    const auto linear_momentum = [&]() -> Vector3 {
+        BarProblem problem(scene.model);
+        return momentum(problem, scene.model.state()).linear;
+    };
+    const Vector3 start = linear_momentum();
+    Schedule schedule = until(0.3);
+    schedule.progress = [](double, double) { return false; };
+    const DynamicsReport first = run(scene.model, 0.1, schedule);
+    REQUIRE(first.status == Status::stopped);
+    REQUIRE(first.time < 0.09);
+    const DynamicsReport second = run(scene.model, 0.1, until(0.3), first.memory);
+    REQUIRE(second.status == Status::converged);
+    CHECK(second.time == Approx(0.3).epsilon(1e-14));
+    // the clock and the state have moved by the same: dp = m g t, m = 1.2 kg
+    CHECK((linear_momentum() - start - 1.2 * 0.3 * gravity).norm() <= 1e-9);
+}
+
+TEST_CASE("rigid modes: of more vectors than a word has bits", "[dynamics]") {
+    VectorX e(3 * 70), change(3 * 70);
+    for (int i = 0; i < e.size(); ++i) {
+        e[i] = std::sin(1.0 * i * i);
+        change[i] = std::cos(2.0 * i * i);
+    }
+    const auto positions = [](int k) { return k < 35 ? 1 : 0; };
+    const ancf::detail::RigidModes<3, Eigen::Dynamic> modes(e, positions, 0.5);
+    const VectorX rest = modes.without(change);
+    CHECK(modes.turn_of(rest).norm() <= 1e-12);
+    Vector3 shift = Vector3::Zero();
+    for (int k = 0; k < 35; ++k) shift += rest.segment<3>(3 * k);
+    CHECK(shift.norm() <= 1e-12);
+    CHECK(rest.norm() > 1e-3);
+    for (int k = 35; k < 70; ++k) CHECK(modes.weights()[3 * k] == 0.5);
+}
+
 TEST_CASE("energy-momentum: stops on request, refuses what cannot be meant", "[dynamics]") {
     Chain scene = swing();
     Schedule schedule = until(0.5);

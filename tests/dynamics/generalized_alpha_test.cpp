@@ -5,7 +5,9 @@
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/state_file.hpp>
+#include <ancf/solver/automatic.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/scaled.hpp>
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
@@ -103,6 +105,21 @@ TEST_CASE("generalized-alpha: adaptive steps meet their tolerance with fewer ste
     CHECK(tight_error <= 2e-4);
     CHECK(tight.largest_step > 1.2 * tight.smallest_step);
     CHECK(tight.jacobians < tight.steps);
+}
+
+TEST_CASE("generalized-alpha: no adaptive step is longer than max_step, the first one included",
+          "[dynamics]") {
+    Chain scene = swing();
+    GeneralizedAlphaOptions options = adaptive(1e-3);
+    options.step = 5e-3;
+    options.max_step = 2e-3;
+    const DynamicsReport first = run(scene.model, options, until(0.1));
+    REQUIRE(first.status == Status::converged);
+    CHECK(first.largest_step == Approx(2e-3).epsilon(1e-9));
+    options.max_step = 1e-3;
+    const DynamicsReport second = run(scene.model, options, until(0.2), first.memory);
+    REQUIRE(second.status == Status::converged);
+    CHECK(second.largest_step == Approx(1e-3).epsilon(1e-9));
 }
 
 TEST_CASE("generalized-alpha: rho is the factor of fast oscillations per step", "[dynamics]") {
@@ -316,6 +333,25 @@ TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dy
     CHECK(distance(ends[0], ends[1]) <= 1e-10);
 }
 
+TEMPLATE_TEST_CASE("generalized-alpha: solvers that choose or scale another one move a scene too",
+                   "[dynamics]", ancf::Automatic<>, ancf::Scaled<ancf::EigenLu>) {
+    Chain expected = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+    for (Chain* each : {&expected, &scene}) {
+        each->model.pin(each->first());
+        each->model.set_gravity({0.0, -9.81, 0.0});
+    }
+    REQUIRE(run(expected.model, fixed(1e-3), until(0.3)).status == Status::converged);
+    ancf::ProblemOptions options;
+    options.storage = TestType::storage;
+    BarProblem problem(scene.model, options);
+    TestType solver;
+    const DynamicsReport report =
+        GeneralizedAlpha(fixed(1e-3)).integrate(problem, solver, until(0.3));
+    REQUIRE(report.status == Status::converged);
+    CHECK(distance(scene.model.state().q, expected.model.state().q) <= 1e-10);
+}
+
 TEST_CASE("generalized-alpha: a driven support and a driven constraint move alike", "[dynamics]") {
     VectorX ends[2];
     for (const bool support : {false, true}) {
@@ -444,6 +480,7 @@ TEST_CASE("generalized-alpha: options that cannot be meant are refused", "[dynam
     refused([](auto& o) { o.tolerance = -1e-6; });
     refused([](auto& o) { o.min_step = 0.0; });
     refused([](auto& o) { o.max_step = 0.0; });
+    refused([](auto& o) { o.max_step = 0.5 * o.min_step; });
     refused([](auto& o) { o.newton_tolerance = 0.0; });
     refused([](auto& o) { o.max_iterations = 0; });
 

@@ -4,7 +4,7 @@
 /// @file
 /// Evaluations of elements take nothing from the heap.
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/pack.hpp>
 

@@ -13,6 +13,7 @@
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 
+#include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/instances/continuum.hpp>
 #include <support/instances/cross_section.hpp>
@@ -223,6 +224,30 @@ TEST_CASE("Surface: two beams of one scene stand side by side", "[output]") {
     CHECK(surface.ends().size() == 3 * 4 + 2 * 2);
     CHECK_THROWS_WITH(surface.add(model, first, section.with_outline({{0, 0}, {1, 0}})),
                       ContainsSubstring("got 2"));
+    CHECK_THROWS_WITH(surface.add(model, ancf::Beam<Element>(), section),
+                      ContainsSubstring("no elements"));
+}
+
+/// A bar that offers its place and nothing else.
+struct PlacedBar : ancf::test::Bar<3> {
+    using Bar::Bar;
+    static Point position(const Coordinates& e, double xi, double y, double z) {
+        return (1.0 - xi) * e.head<3>() + xi * e.tail<3>() + Point(0.0, y, z);
+    }
+};
+
+TEST_CASE("Surface: what an element does not offer is zero", "[output]") {
+    ancf::Model<PlacedBar> model;
+    ancf::Beam<PlacedBar> beam;
+    beam.nodes = {model.add_node({0.0, 0.0, 0.0}), model.add_node({2.0, 0.0, 0.0})};
+    beam.elements = {
+        model.connect(model.add_prototype(PlacedBar(1.0, 1.0, 2.0)), beam.first(), beam.last())};
+    model.set_rate(beam.last(), ancf::Field::r, {1.0, 1.0, 1.0});
+    ancf::Surface surface;
+    surface.add(model, beam, ancf::rectangle(0.5, 0.25), 2);
+    CHECK(volume(surface) == Approx(0.25).epsilon(1e-12));
+    for (const auto array : {ancf::Surface::velocity, ancf::Surface::axial_stress})
+        for (const double value : surface.arrays()[array].values) CHECK(value == 0.0);
 }
 
 TEMPLATE_TEST_CASE("Surface: a planar beam is drawn with its width normal to the plane", "[output]",

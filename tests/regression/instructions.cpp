@@ -6,7 +6,7 @@
 /// iteration of a chain. The functions named measured_* are counted, nothing else.
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>

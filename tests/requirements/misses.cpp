@@ -6,6 +6,7 @@
 /// With ANCF_CONFORMING the same uses with types that miss nothing: that must compile.
 
 #include <ancf/element/requirement.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/linear_solver.hpp>
 
@@ -19,6 +20,7 @@ using Bar = ancf::test::Bar<3>;
 #ifdef ANCF_CONFORMING
 
 using Element = Bar;
+constexpr bool conforming = true;
 
 struct Solver {
     static constexpr ancf::Storage storage = ancf::Storage::full;
@@ -27,6 +29,8 @@ struct Solver {
     void solve(const ancf::VectorX& b, ancf::VectorX& x) const;
     static std::string_view name();
 };
+
+constexpr int of_pin = 3;
 
 struct Added {
     static ancf::Coupling coupling() { return {}; }
@@ -37,8 +41,10 @@ struct Added {
 
 struct Nothing {};
 using Element = Nothing;
+constexpr bool conforming = false;
 using Solver = Nothing;
 using Added = Nothing;
+constexpr int of_pin = 2;
 
 struct WrongSizes : Bar {
     static constexpr int dofs = 7;  // expected: dofs = 2 * dimension * fields.count()
@@ -61,6 +67,7 @@ static_assert(ancf::require_element<NoForce>());
 // expected: an element needs: ancf::Evaluation<double, dofs> evaluate
 // expected: an element needs: bool admissible(const Coordinates&) const
 static_assert(ancf::require_element<Element>());
+static_assert(ancf::is_element_v<Element> == conforming);
 
 // expected: a linear solver needs: static constexpr ancf::Storage storage
 // expected: a linear solver needs: void analyze(const ancf::SparseMatrix&)
@@ -71,3 +78,8 @@ void use_solver() { ancf::require_linear_solver<Solver>(); }
 
 // expected: Model::add takes a load, which offers
 void use_added(ancf::Model<Bar>& model) { model.add(Added()); }
+
+// expected: the constraint is of another dimension than the model
+void use_pin(ancf::Model<Bar>& model) {
+    model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1}));
+}

@@ -22,6 +22,7 @@
 #include <support/instances/cross_section.hpp>
 #include <support/instances/planar.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <array>
@@ -224,7 +225,9 @@ TEST_CASE("modes: a free beam has six motions without frequency, then bending", 
         CHECK(std::sqrt(report.modes[k].value / unit) == Approx(22.3733).epsilon(5e-3));
     SECTION("without a shift that is said, not answered") {
         wanted.shift = 0.0;
-        CHECK(ancf::natural_modes(scene, solver, wanted).status == Status::singular);
+        const auto refused = ancf::natural_modes(scene, solver, wanted);
+        CHECK(refused.status == Status::singular);
+        CHECK_THAT(refused.message, ContainsSubstring("without stiffness moves r of node"));
     }
 }
 
@@ -252,6 +255,46 @@ TEST_CASE("modes: tension raises and constraints keep the frequencies of theory"
         // root of the frequency equation of a pulled cantilever at P = pi^2 E I/(4 L^2)
         CHECK(pulled / rest == Approx(1.87521).epsilon(1e-3));
     }
+}
+
+TEST_CASE("modes: of a following load's stiffness the symmetric part counts", "[modal]") {
+    Scene scene = cantilever(4, 0.05);
+    const ancf::NodeId tip{4};
+    const double euler = pi * pi / 4.0 * young * std::pow(0.05, 4) / 12.0;
+    scene.add(ancf::FollowerForce(tip, {-0.5 * euler, 0.0, 0.0}));
+    ancf::EigenLu solver;
+    REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
+    const auto found = ancf::natural_modes(scene, solver);
+    REQUIRE(found.status == Status::converged);
+    ancf::Assembly<Scene> assembly(scene, ancf::Storage::full);
+    const ancf::State& state = scene.state();
+    const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
+    REQUIRE_FALSE(
+        assembly.evaluate({state.q, rest, state.multipliers, {1.0, 1.0}}, ancf::Request::tangent));
+    const ancf::MatrixX K = assembly.tangent(), M = assembly.mass();
+    REQUIRE((K - K.transpose()).norm() > 1e-9 * K.norm());
+    const Eigen::GeneralizedSelfAdjointEigenSolver<ancf::MatrixX> dense(0.5 * (K + K.transpose()),
+                                                                        M);
+    for (int k = 0; k < 4; ++k)
+        CHECK(found.modes.at(static_cast<std::size_t>(k)).value ==
+              Approx(dense.eigenvalues()[k]).epsilon(1e-6));
+}
+
+TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
+    const Scene scene = cantilever(1, 0.05);
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions wanted;
+    wanted.count = 100;
+    const auto report = ancf::natural_modes(scene, solver, wanted);
+    CHECK(report.status == Status::converged);
+    CHECK(report.iterations <= 3);
+    // of 15; round-off may hide the highest, whose squares are 1e13 times the lowest
+    CHECK(report.modes.size() >= 11);
+    wanted.count = 3;
+    wanted.max_iterations = 1;
+    const auto short_of = ancf::natural_modes(scene, solver, wanted);
+    CHECK(short_of.status == Status::max_iterations);
+    CHECK(short_of.iterations == 1);
 }
 
 TEST_CASE("modes: a scene that is wholly held has none", "[modal]") {

@@ -142,6 +142,19 @@ TEST_CASE("path: the landing is reported, and only the way to it counts", "[path
     CHECK(report.points.back().arc == Approx(moved).epsilon(1e-6));
 }
 
+TEST_CASE("path: it returns to the load factor that it starts from", "[path]") {
+    Truss truss = make_truss(0.5);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = 0.5;
+    options.last_factor = 0.0;
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.points.size() > 3);
+    CHECK(report.points.back().factor == 0.0);
+    CHECK(std::abs(truss.position(apex)[1]) <= 1e-9);  // between the supports, without load
+}
+
 TEST_CASE("path: a step that leaps over the last factor is shortened", "[path]") {
     Truss truss = make_truss(2.0);
     ancf::EigenLdlt solver;
@@ -166,6 +179,7 @@ TEST_CASE("path: it goes on from a limit point", "[path]") {
         return point.negative_pivots == 0;
     };
     const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::stopped);
     REQUIRE(report.critical.size() == 1);
     truss.state() = report.critical[0].state;
     ancf::PathOptions rest;
@@ -454,7 +468,7 @@ TEST_CASE("path: displacement control passes the limit point of the load", "[pat
         return state.q[7] > -0.45;
     };
     const auto report = ancf::follow_path(truss, solver, options);
-    CHECK(report.status == Status::converged);
+    CHECK(report.status == Status::stopped);
     CHECK(truss.position(apex)[1] <= -0.45);
     REQUIRE(report.critical.size() == 2);
     CHECK(report.critical[0].factor == Approx(limit_load(0.5)).epsilon(1e-9));

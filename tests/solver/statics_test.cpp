@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace statics_test {
@@ -322,9 +323,27 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         scene.add(ancf::Force(beam.last(), {0, 1, 0}));
         const ancf::VectorX before = scene.state().q;
         const auto report = solve(scene);
-        CHECK(report.status != Status::converged);
+        CHECK(report.status == Status::singular);
+        CHECK_THAT(report.message, ContainsSubstring("without stiffness moves r of node"));
         CHECK(scene.state().q == before);
         CHECK(report.factor == 0.0);
+    }
+    SECTION("what moves without stiffness is named, and so is a joint that repeats a support") {
+        Chain chain = make_chain();
+        chain.add(ancf::Force(ancf::NodeId{1}, {0.0, 1.0, 0.0}));
+        std::string expected;
+        SECTION("a motion") {
+            chain.release({1}, Field::r);
+            chain.fix({1}, Field::r, 2);
+            expected = "a motion without stiffness moves r of node 1 most, along y";
+        }
+        SECTION("a joint") {
+            chain.add(ancf::Pin<3>(ancf::NodeId{0}, {0.0, 0.0, 0.0}));
+            expected = "constraints repeat each other or a support";
+        }
+        const auto report = solve(chain);
+        REQUIRE(report.status == Status::singular);
+        CHECK_THAT(report.message, ContainsSubstring(expected));
     }
     SECTION("a load that is not a number") {
         Chain chain = make_chain();

@@ -119,7 +119,7 @@ TEST_CASE("Reissner: Lee's frame snaps at the limit loads of the theory", "[veri
         return point.factor < 1.2;
     };
     const auto report = ancf::follow_path(scene, solver, options);
-    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.status == Status::stopped);
     REQUIRE(report.critical.size() >= 2);
     CHECK(report.critical[0].factor * 18544.5 == Approx(18544.52709444).epsilon(5e-4));   // 4.2e-4
     CHECK(report.critical[1].factor * 18544.5 == Approx(-9392.489640346).epsilon(5e-4));  // 2.3e-4

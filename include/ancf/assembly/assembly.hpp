@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -68,6 +69,14 @@ struct Fault {
 };
 
 namespace detail {
+
+/// Returns a fault in words.
+[[nodiscard]] inline std::string fault_text(const Fault& fault) {
+    if (fault.element < 0)
+        return joined({"a load, a constraint or a coordinate is ", to_string(fault.status)});
+    return joined(
+        {"element ", fault.element, " of group ", fault.group, " is ", to_string(fault.status)});
+}
 
 /// Whether an element tells where its law softens.
 template <class Element, class = void>

@@ -140,7 +140,7 @@ void EnergyMomentumRun<Scene, LinearSolver>::run(const Memory& memory) {
         const double grid = origin_ + (count_ + 1.0) * options_.step;
         if (schedule_.end >= grid - 1e-9 * options_.step) {
             going = advance(grid, options_.step);
-            count_ += 1.0;
+            if (now_.time == grid) count_ += 1.0;
         } else {
             going = advance(schedule_.end, schedule_.end - now_.time);
             origin_ = now_.time;
@@ -156,8 +156,11 @@ template <class Scene, class LinearSolver>
 bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole) {
     double width = whole;
     while (now_.time < target) {
-        const bool last = target - now_.time <= width * (1.0 + 1e-6);
-        const double h = width == whole || !last ? width : target - now_.time;
+        const double rest = target - now_.time;
+        const bool last = rest <= width * (1.0 + 1e-6);
+        // a run that goes on within a step has less than the whole of it left
+        const bool full = width == whole && std::abs(rest - whole) <= 1e-6 * whole;
+        const double h = full || !last ? width : rest;
         next_.time = last ? target : now_.time + h;
         if (const Status status = step(h); status != Status::converged) {
             ++report_.convergence_failures;
@@ -167,6 +170,7 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
             report_.message = joined(
                 {"Newton's method failed in the step from ", now_.time, " s: ", to_string(status)},
                 6);
+            if (report_.fault) report_.message += "; " + fault_text(*report_.fault);
             return false;
         }
         acceleration_ = (next_.v - now_.v) / h;
@@ -222,6 +226,7 @@ Status EnergyMomentumRun<Scene, LinearSolver>::evaluate(double h, bool matrix) {
     set_rates(h);
     full_next_ = problem_.raw_state(next_.time, next_.q, next_.v);
     ++report_.evaluations;
+    report_.fault.reset();
     if (!system_.evaluate(full_next_.q, full_next_.v, next_.lambda, matrix, rhs_)) {
         report_.fault = problem_.assembly().inspect(full_next_.q);
         return report_.fault ? report_.fault->status : Status::not_finite;
@@ -301,7 +306,7 @@ template <class Scene, class LinearSolver>
 DynamicsReport EnergyMomentum::integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                          const Schedule& schedule, const Memory& memory) const {
     require_linear_solver<LinearSolver>();
-    detail::require_same_storage<LinearSolver>(problem);
+    detail::require_same_storage(solver, problem);
     detail::require_motion(problem);
     schedule.check(problem.model().state().time);
     detail::require_resolved(options_.step, problem.model().state().time, schedule.end);

@@ -55,6 +55,11 @@ private:
     void add_elements(const VectorX& q1, bool matrix);
     void add_loads(const VectorX& q1, bool matrix);
     void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
+    void evaluate_constraint(std::size_t k, int first, const VectorX& q1, const VectorX& lambda,
+                             ConstraintResult& middle, ConstraintResult& end) const;
+    [[nodiscard]] bool is_left_out(int equation) const {
+        return left_out_[static_cast<std::size_t>(equation)] != 0;
+    }
     void add_block(const std::vector<int>& at, const MatrixX& block, double scale);
     void add_inertia(const VectorX& v1);
     void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,
@@ -277,63 +282,75 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
     }
 }
 
+/// Evaluates a constraint at the middle and at the end of the step; the Jacobian at the middle is
+/// replaced by the discrete gradients. Rows of equations that are left out are zero.
+template <class Scene>
+void EnergyMomentumSystem<Scene>::evaluate_constraint(std::size_t k, int first, const VectorX& q1,
+                                                      const VectorX& lambda,
+                                                      ConstraintResult& middle,
+                                                      ConstraintResult& end) const {
+    const AnyConstraint& constraint = problem_.model().constraints()[k];
+    const LocalLoad& place = constraints_[k];
+    const int equations = constraint.equations();
+    const auto size = static_cast<Eigen::Index>(place.at.size());
+    ConstraintState state;
+    state.v.setZero(size);
+    state.multipliers = lambda.segment(first, equations);
+    const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
+        state.time = time;
+        gather(q, place.at, state.q);
+        out.reset(equations, size);
+        constraint.evaluate(state, out);
+    };
+    // of the change of g that the coordinates make, at one time
+    const double middle_time = t0_ + 0.5 * h_;
+    evaluate(middle_time, q0_, middle);
+    const VectorX before = middle.violation;
+    evaluate(middle_time, q1, end);
+    const VectorX difference = end.violation - before;
+    evaluate(middle_time, middle_, middle);
+    evaluate(t0_ + h_, q1, end);
+    VectorX change, middle_q, gradient(size);
+    gather(change_, place.at, change);
+    gather(middle_, place.at, middle_q);
+    for (int i = 0; i < equations; ++i) {
+        if (is_left_out(first + i)) {
+            middle.jacobian.row(i).setZero();
+            end.jacobian.row(i).setZero();
+            continue;
+        }
+        double size_of_terms = 0.0;
+        for (Eigen::Index j = 0; j < size; ++j) {
+            gradient[j] = middle.jacobian(i, j);
+            size_of_terms += std::abs(gradient[j] * middle_q[j]);
+        }
+        const double rest = difference[i] - gradient.dot(change);
+        if (!(std::abs(rest) > 1e-15 * size_of_terms)) continue;
+        correct_gradient<Scene::dimension>(
+            difference[i], middle_q, change, invariant_[k] != 0,
+            [&](int j) { return place.power[static_cast<std::size_t>(j)]; }, length_, gradient);
+        for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
+    }
+}
+
 template <class Scene>
 void EnergyMomentumSystem<Scene>::add_constraints(const VectorX& q1, const VectorX& lambda,
                                                   bool matrix) {
-    const Scene& model = problem_.model();
     int first = 0;
-    ConstraintState state;
-    ConstraintResult ends[3];
+    ConstraintResult middle, end;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
-        const AnyConstraint& constraint = model.constraints()[k];
-        const LocalLoad& place = constraints_[k];
-        const int equations = constraint.equations();
-        const auto size = static_cast<Eigen::Index>(place.at.size());
-        const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
-            state.time = time;
-            gather(q, place.at, state.q);
-            state.v.setZero(size);
-            state.multipliers = lambda.segment(first, equations);
-            out.reset(equations, size);
-            constraint.evaluate(state, out);
-        };
-        const double middle_time = t0_ + 0.5 * h_;
-        ConstraintResult& middle = ends[0];
-        evaluate(middle_time, middle_, middle);
-        evaluate(middle_time, q0_, ends[1]);
-        evaluate(middle_time, q1, ends[2]);
-        const VectorX difference = ends[2].violation - ends[1].violation;
-        VectorX change, middle_q, gradient(size);
-        gather(change_, place.at, change);
-        gather(middle_, place.at, middle_q);
-        for (int i = 0; i < equations; ++i) {
-            const bool out = left_out_[static_cast<std::size_t>(first + i)] != 0;
-            double size_of_terms = 0.0;
-            for (Eigen::Index j = 0; j < size; ++j) {
-                gradient[j] = out ? 0.0 : middle.jacobian(i, j);
-                size_of_terms += std::abs(gradient[j] * middle_q[j]);
-            }
-            const double rest = difference[i] - gradient.dot(change);
-            if (!out && std::abs(rest) > 1e-15 * size_of_terms)
-                correct_gradient<Scene::dimension>(
-                    difference[i], middle_q, change, invariant_[k] != 0,
-                    [&](int j) { return place.power[static_cast<std::size_t>(j)]; }, length_,
-                    gradient);
-            for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
-        }
-        for (Eigen::Index j = 0; j < size; ++j)
+        const std::vector<int>& at = constraints_[k].at;
+        evaluate_constraint(k, first, q1, lambda, middle, end);
+        const auto equations = static_cast<int>(end.violation.size());
+        for (std::size_t j = 0; j < at.size(); ++j)
             for (int i = 0; i < equations; ++i)
-                force_[place.at[static_cast<std::size_t>(j)]] +=
-                    middle.jacobian(i, j) * lambda[first + i];
-        evaluate(t0_ + h_, q1, ends[2]);
-        for (int i = 0; i < equations; ++i) {
-            const bool out = left_out_[static_cast<std::size_t>(first + i)] != 0;
-            violation_[first + i] = out ? lambda[first + i] : ends[2].violation[i];
-            for (Eigen::Index j = 0; out && j < size; ++j) ends[2].jacobian(i, j) = 0.0;
-        }
+                force_[at[j]] +=
+                    middle.jacobian(i, static_cast<Eigen::Index>(j)) * lambda[first + i];
+        for (int i = 0; i < equations; ++i)
+            violation_[first + i] = is_left_out(first + i) ? lambda[first + i] : end.violation[i];
         if (matrix) {
-            add_block(place.at, middle.stiffness, 0.25 * h_ * h_);
-            write_rows(static_cast<int>(k), place.at, ends[2].jacobian, middle.jacobian, first);
+            add_block(at, middle.stiffness, 0.25 * h_ * h_);
+            write_rows(static_cast<int>(k), at, end.jacobian, middle.jacobian, first);
         }
         first += equations;
     }
@@ -379,7 +396,7 @@ void EnergyMomentumSystem<Scene>::write_rows(int constraint, const std::vector<i
         }
     }
     for (int i = 0; i < end.rows(); ++i)
-        if (left_out_[static_cast<std::size_t>(first + i)] != 0)
+        if (is_left_out(first + i))
             values[pattern_.base(own, own) + pattern_.column_offset(own, i) + i] = 1.0;
 }
 

@@ -127,6 +127,7 @@ private:
     void fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
+        if (report_.fault) report_.message += "; " + fault_text(*report_.fault);
     }
 
     DynamicProblem<Scene>& problem_;
@@ -206,7 +207,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
     static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
     now_.acceleration = now_.algorithmic = start.acceleration;
     origin_ = start.time;
-    step_ = width_ = options_.step;
+    step_ = width_ =
+        options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
     if (!memory.empty()) {
         recall(memory);
     } else if (offset_ != 0.0) {
@@ -452,6 +454,11 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
         count_ = scalars[2];
         step_ = scalars[3];
     }
+    if (options_.tolerance > 0.0 && step_ > options_.max_step) {
+        step_ = options_.max_step;
+        origin_ = now_.time;
+        count_ = 0.0;
+    }
     if (scalars[6] == 0.0) return;
     static_cast<MotionPoint&>(next_) = {scalars[5], memory.get("linearised_q", n),
                                         memory.get("linearised_v", n),
@@ -471,8 +478,9 @@ inline void GeneralizedAlphaOptions::check() const {
         "GeneralizedAlphaOptions: tolerance must be positive, or 0 for fixed steps, got ",
         tolerance);
     detail::require_positive("GeneralizedAlphaOptions: min_step", min_step);
-    detail::require(max_step > 0.0, "GeneralizedAlphaOptions: max_step must be positive, got ",
-                    max_step);
+    detail::require(max_step >= min_step,
+                    "GeneralizedAlphaOptions: max_step must be at least min_step, ", min_step,
+                    ", got ", max_step);
     detail::require_positive("GeneralizedAlphaOptions: newton_tolerance", newton_tolerance);
     detail::require(max_iterations >= 1,
                     "GeneralizedAlphaOptions: max_iterations must be at least 1, got ",
@@ -483,7 +491,7 @@ template <class Scene, class LinearSolver>
 DynamicsReport GeneralizedAlpha::integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                            const Schedule& schedule, const Memory& memory) const {
     require_linear_solver<LinearSolver>();
-    detail::require_same_storage<LinearSolver>(problem);
+    detail::require_same_storage(solver, problem);
     detail::require_motion(problem);
     schedule.check(problem.model().state().time);
     detail::require_resolved(options_.step, problem.model().state().time, schedule.end);

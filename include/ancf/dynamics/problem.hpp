@@ -55,9 +55,8 @@ struct ProblemOptions {
 struct Start {
     /// Or inconsistent, redundant, degenerate, not_finite, singular.
     Status status = Status::converged;
-    std::string message;  ///< which constraint, by how much
-    double time = 0.0;    ///< s
-    /// Free coordinates.
+    std::string message;   ///< which constraint, by how much
+    double time = 0.0;     ///< s
     VectorX q, v;          ///< free coordinates and rates
     VectorX acceleration;  ///< consistent v', free
     VectorX multipliers;   ///< consistent lambda

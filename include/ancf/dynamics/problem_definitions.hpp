@@ -246,9 +246,7 @@ Start DynamicProblem<Scene>::start() {
     if (!state.q.allFinite() || !state.v.allFinite())
         return refuse(Status::not_finite, "the initial state is not finite");
     if (const auto fault = assembly_.inspect(state.q))
-        return refuse(fault->status,
-                      detail::joined({"element ", fault->element, " of group ", fault->group,
-                                      " is ", to_string(fault->status), " at the start"}));
+        return refuse(fault->status, detail::fault_text(*fault) + " at the start");
     std::string message = check_supports(state.time);
     if (!message.empty()) return refuse(Status::inconsistent, message);
     expand(state.time, start.q, start.v);
@@ -620,11 +618,7 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     // far above the round-off of K, far below any elastic frequency
     const double shift = 1e-12 * square;
     SparseMatrix shifted = tangent();
-    if (options_.storage == Storage::full) {  // following loads: the symmetric part
-        const SparseMatrix mirrored = shifted.transpose();
-        for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
-            shifted.valuePtr()[k] = 0.5 * (shifted.valuePtr()[k] + mirrored.valuePtr()[k]);
-    }
+    if (options_.storage == Storage::full) detail::symmetrise(shifted);  // following loads
     for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     KktSystem system;

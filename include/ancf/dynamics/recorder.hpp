@@ -40,8 +40,8 @@ inline void require_resolved(double step, double start, double end) {
 
 /// Throws unless the problem was set up for the storage of the solver.
 template <class LinearSolver, class Scene>
-void require_same_storage(const DynamicProblem<Scene>& problem) {
-    require(problem.assembly().pattern().storage() == LinearSolver::storage, LinearSolver::name(),
+void require_same_storage(const LinearSolver& solver, const DynamicProblem<Scene>& problem) {
+    require(problem.assembly().pattern().storage() == LinearSolver::storage, solver.name(),
             " works on ",
             LinearSolver::storage == Storage::lower ? "the lower half" : "full storage",
             "; set ProblemOptions::storage to match it");
@@ -129,6 +129,19 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem<
             "such a change starts without a memory");
 }
 
+/// Stores the end of a run in the model, projected on the constraints; where that fails the end is
+/// stored as it is, and the report says so.
+template <class Scene>
+void store_end(DynamicProblem<Scene>& problem, const MotionPoint& end, DynamicsReport& report) {
+    VectorX q = end.q;
+    VectorX v = end.v;
+    if (!problem.project(end.time, q, v)) {
+        if (!report.message.empty()) report.message += "; ";
+        report.message += "the last state could not be brought onto the constraints";
+    }
+    problem.store(end.time, q, v, end.lambda);
+}
+
 /// Reports one run.
 template <class Scene>
 class Recorder {
@@ -162,15 +175,11 @@ public:
         return !schedule_.progress || schedule_.progress(to.time, schedule_.end);
     }
 
-    /// Observes what lies within the round-off of the end, and stores the last point, projected, in
-    /// the model.
+    /// Observes what lies within the round-off of the end, and stores the last point.
     void finish(const MotionPoint& point) {
         if (report_.status == Status::converged)
             observe(point, point, std::max(0.0, schedule_.end - point.time));
-        VectorX q = point.q;
-        VectorX v = point.v;
-        (void)problem_.project(point.time, q, v);
-        problem_.store(point.time, q, v, point.lambda);
+        store_end(problem_, point, report_);
         report_.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }

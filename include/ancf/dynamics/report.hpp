@@ -109,9 +109,9 @@ struct Memory {
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
     Status status = Status::converged;  ///< how it ended
-    std::string message;                ///< what failed where; empty when converged
-    std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    double time = 0.0;                  ///< s, reached
+    std::string message;         ///< what failed where, or that the end is off its constraints
+    std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
+    double time = 0.0;           ///< s, reached
 
     long steps = 0;                 ///< accepted
     long rejected = 0;              ///< by the error test

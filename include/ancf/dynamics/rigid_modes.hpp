@@ -12,8 +12,6 @@
 #include <ancf/algebra.hpp>
 #include <ancf/types.hpp>
 
-#include <cstdint>
-
 namespace ancf::detail {
 
 /// Returns y x v: a vector in space, a number times the vector turned by a right angle in the
@@ -54,10 +52,11 @@ public:
         count_ = static_cast<int>(e.size()) / Dimension;
         relative_ = e;
         weight_.resize(e.size());
+        position_.resize(count_);
         centroid_.setZero();
         for (int k = 0; k < count_; ++k) {
             const int power = length_power(k);
-            if (power > 0) position_ |= std::uint64_t{1} << static_cast<unsigned>(k);
+            position_[k] = power > 0;
             for (int i = 0; i < Dimension; ++i)
                 weight_[Dimension * k + i] = power > 0    ? 1.0
                                              : power == 0 ? slope_weight
@@ -142,13 +141,11 @@ private:
         for (int i = 0; i < Dimension; ++i) x[Dimension * k + i] -= part[i];
     }
     [[nodiscard]] double weight(int k) const { return weight_[Dimension * k]; }
-    [[nodiscard]] bool at_position(int k) const {
-        return (position_ >> static_cast<unsigned>(k) & 1U) != 0;
-    }
+    [[nodiscard]] bool at_position(int k) const { return position_[k]; }
 
     int count_ = 0;
     int positions_ = 0;
-    std::uint64_t position_ = 0;  // one bit per vector
+    Eigen::Matrix<bool, Size == Eigen::Dynamic ? Eigen::Dynamic : Size / Dimension, 1> position_;
     Coordinates relative_, weight_;
     Point centroid_;
     SmallCholesky<turns> inertia_;

@@ -20,12 +20,12 @@ namespace ancf::detail {
 
 /// The angle is linear between the nodes.
 struct LinearAngle {
-    static constexpr bool linear = true;  ///< psi is in proportion to phi
+    static constexpr bool linear = true;  ///< whether psi is in proportion to phi
 };
 
 /// The angle is that of the vectors' linear interpolation.
 struct ChordAngle {
-    static constexpr bool linear = false;  ///< psi is in proportion to phi
+    static constexpr bool linear = false;  ///< whether psi is in proportion to phi
 };
 
 /// psi at a station with its derivatives.

@@ -37,13 +37,6 @@ template <int Dimension>
     return 0.5 * material.young * m.polar();
 }
 
-/// Throws if a term has so few points that a motion of the element has no energy.
-inline void require_line_points(const Rule& rule, StrainGroup group, const char* name, int least) {
-    require(rule.points(group) >= least, "rule \"", rule.name(), "\": the ", name,
-            " term of a cable needs at least ", least,
-            " points, else the element has a mode without energy; got ", rule.points(group));
-}
-
 /// Returns the unit vector normal to two tangents; where they are parallel, that along `kappa`.
 [[nodiscard]] inline Vector<double, 3> common_normal(const Vector<double, 3>& first,
                                                      const Vector<double, 3>& second,
@@ -89,8 +82,8 @@ Cable<Dimension, Measure>::Cable(const Material& material, const Section& sectio
     detail::require(reference.allFinite(),
                     "the reference coordinates of a cable must be finite, got ",
                     detail::components(reference));
-    detail::require_line_points(options.rule, StrainGroup::axial, "axial", 3);
-    detail::require_line_points(options.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options.rule, StrainGroup::bending, "bending", 2);
     set_stations();
     detail::require(admissible(reference),
                     "the reference coordinates of a cable must have slopes r_x of about 1, got ",

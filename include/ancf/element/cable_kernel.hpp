@@ -10,8 +10,8 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/cable_axial.hpp>
-#include <ancf/element/compiler.hpp>
 #include <ancf/types.hpp>
 
 namespace ancf::detail {

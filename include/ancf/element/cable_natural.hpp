@@ -39,7 +39,7 @@ template <class S>
 }
 template <class S>
 [[nodiscard]] inline Vector<S, 3> turned(const Vector<S, 3>& n, const Vector<S, 3>& a) noexcept {
-    return {n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
+    return cross(n, a);
 }
 
 /// Returns the matrix [n]x of turned(), times a factor.

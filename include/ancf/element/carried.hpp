@@ -16,8 +16,8 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/angle_course.hpp>
-#include <ancf/element/compiler.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/transport.hpp>
 #include <ancf/element/vec3.hpp>

@@ -9,9 +9,9 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
-#include <ancf/element/compiler.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/nodal_forms.hpp>
 #include <ancf/element/nodal_tangent.hpp>

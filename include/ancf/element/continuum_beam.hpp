@@ -248,17 +248,10 @@ ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section&
                  {0.0, 0.0},
                  hooke.transverse_shear - point_.transverse_shear};
     }
-    const Rule& rule = options.rule;
-    for (const StrainGroup group : {StrainGroup::axial, StrainGroup::shear})
-        detail::require(rule.points(group) >= 3,
-                        "a continuum beam needs a rule of at least 3 points for "
-                        "axial strain and shear, got ",
-                        rule.points(group), " in \"", rule.name(), "\"");
-    for (const StrainGroup group : {StrainGroup::bending, StrainGroup::torsion})
-        detail::require(rule.points(group) >= 2,
-                        "a continuum beam needs a rule of at least 2 points for "
-                        "bending and torsion, got ",
-                        rule.points(group), " in \"", rule.name(), "\"");
+    detail::require_points(options.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options.rule, StrainGroup::shear, "shear", 3);
+    detail::require_points(options.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options.rule, StrainGroup::torsion, "torsion", 2);
     const double axial_stiffness = material.young * section.moments().area;
     for (const RuleStation& place : options.rule.stations()) {
         const double weight = place.weight(StrainGroup::axial) * unit(place.xi);

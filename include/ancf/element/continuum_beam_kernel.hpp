@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/continuum_beam_law.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>

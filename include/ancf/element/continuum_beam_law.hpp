@@ -122,7 +122,8 @@ template <int Dimension>
 PointStiffness hooke_stiffness(const Material& material, const Section& section) {
     const double poisson = material.poisson();
     require(poisson > -1.0 && (Dimension == 2 ? poisson <= 0.5 : poisson < 0.5),
-            "Hooke's law needs Poisson's ratio E/(2 G) - 1 in (-1, 0.5), got ", poisson);
+            "Hooke's law needs Poisson's ratio E/(2 G) - 1 in ",
+            Dimension == 2 ? "(-1, 0.5], got " : "(-1, 0.5), got ", poisson);
     const double normal = Dimension == 2 ? material.young / (1.0 - poisson * poisson)
                                          : material.young * (1.0 - poisson) /
                                                ((1.0 + poisson) * (1.0 - 2.0 * poisson));

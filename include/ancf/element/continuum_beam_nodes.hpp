@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/continuum_beam_kernel.hpp>
 #include <ancf/element/continuum_beam_tangent.hpp>
 #include <ancf/types.hpp>

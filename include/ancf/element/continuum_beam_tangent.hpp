@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/continuum_beam_kernel.hpp>
 #include <ancf/element/continuum_beam_law.hpp>
 #include <ancf/types.hpp>

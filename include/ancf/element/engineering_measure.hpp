@@ -50,9 +50,8 @@ struct EngineeringMeasure {
         S qq;     ///< derivative by q, twice
     };
 
-    /// Cosines of the shears, the rates of both directors, and what they are multiplied with:
+    /// Cosines of the shears, the rates of both directors, and their factors in the strains:
     ///
-    /// Evaluates all of them.
     ///     e2 = a sig - b Y,  e11 = b sig + a Y,  e3 = a2 tau - b2 Z,  e9 = -b2 tau - a2 Z.
     template <class S>
     struct Rates {

@@ -20,6 +20,18 @@ enum class Field : unsigned {
     r_xx  ///< second derivative along the axis, 1/m
 };
 
+/// Returns the word for a field that messages use.
+[[nodiscard]] constexpr const char* to_string(Field field) noexcept {
+    switch (field) {
+        case Field::r: return "r";
+        case Field::r_x: return "r_x";
+        case Field::r_y: return "r_y";
+        case Field::r_z: return "r_z";
+        case Field::r_xx: return "r_xx";
+    }
+    return "unknown";
+}
+
 inline constexpr int field_count = 5;  ///< number of vectors that there are
 
 /// Returns the power of a length in the unit of a field: 1 of r, 0 of slopes, -1 of r_xx.

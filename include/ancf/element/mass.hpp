@@ -43,8 +43,7 @@ template <int FieldsPerNode, class Line = CubicLine, class Metric>
 [[nodiscard]] auto mass_weights(double density, const Moments& moments, double length, int points,
                                 const Metric& metric) {
     static_assert(FieldsPerNode >= 2 && FieldsPerNode <= 4);
-    // Of the shape functions s = (centre line) + y (slopes) + z (slopes), which factor belongs to a
-    // field.
+    // integrals of the products of 1, y and z over the section
     const double section[3][3] = {{moments.area, moments.y, moments.z},
                                   {moments.y, moments.yy, moments.yz},
                                   {moments.z, moments.yz, moments.zz}};
@@ -63,6 +62,7 @@ template <int FieldsPerNode, class Line = CubicLine, class Metric>
             if constexpr (fields > FieldsPerNode)
                 of_node[FieldsPerNode] = line[3 + static_cast<unsigned>(node)];
         }
+        // which of 1, y and z a field is multiplied by
         const auto factor = [](int field) {
             return field < 2 || field == FieldsPerNode ? 0 : field - 1;
         };

@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/local.hpp>
 #include <ancf/element/pack.hpp>
 #include <ancf/element/station_data.hpp>

@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/nodal.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/types.hpp>

@@ -128,8 +128,7 @@ public:
     /// Returns the options it was made with.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
-    // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect.
-    // ---------------------
+    // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect. ---
 
     /// Returns the generalised strains (eps, b_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
     /// and 2e_xy = e4 + y e5.

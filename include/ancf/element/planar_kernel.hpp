@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>

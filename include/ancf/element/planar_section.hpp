@@ -12,7 +12,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/section/stiffness.hpp>
 

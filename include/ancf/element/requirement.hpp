@@ -84,8 +84,7 @@ struct HasAdmissible<Element,
 /// - `bool admissible(const Coordinates&) const`, whether the strains are defined there, and
 ///   `double length() const`, m.
 ///
-/// An element may offer more: `line_load` for add_line_load, `position` for output, and
-/// `static constexpr bool evaluates_packs = true` where the above take several sets of coordinates.
+/// An element may offer more; docs/requirements.md lists what the library looks for.
 template <class Element>
 inline constexpr bool is_element_v =
     std::conjunction_v<detail::HasElementSizes<Element>, detail::HasEvaluate<Element>,
@@ -113,5 +112,25 @@ constexpr bool require_element() noexcept {
                   "length() const;");
     return true;
 }
+
+namespace detail {
+
+template <class Element, class = void>
+struct has_parameter_length : std::false_type {};
+template <class Element>
+struct has_parameter_length<
+    Element, std::void_t<decltype(std::declval<const Element&>().parameter_length())>>
+    : std::true_type {};
+
+/// Returns the range of an element's parameter; elements without a say in it are straight.
+template <class Element>
+[[nodiscard]] double parameter_length(const Element& element) {
+    if constexpr (has_parameter_length<Element>::value)
+        return element.parameter_length();
+    else
+        return element.length();
+}
+
+}  // namespace detail
 
 }  // namespace ancf

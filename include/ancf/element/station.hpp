@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/local.hpp>
 #include <ancf/element/nodal.hpp>

@@ -11,9 +11,9 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
-#include <ancf/element/compiler.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/rate.hpp>

@@ -45,20 +45,28 @@ struct Beam {
     }
 };
 
+namespace detail {
+
+/// Returns the length of a direction.
+/// @throws InvalidArgument where it has none or is not finite.
+template <int Dimension>
+[[nodiscard]] double require_length(const char* name, const Vector<double, Dimension>& direction) {
+    const double length = span(direction);
+    require(std::isfinite(length) && length > 0.0, "reference_slopes: ", name,
+            " must have a length, got ", components(direction));
+    return length;
+}
+
+}  // namespace detail
+
 /// Returns orthonormal reference slopes (columns) of a beam along a direction.
 ///
 /// Three dimensions: r_y is the part of `y_axis` normal to the direction.
 /// @throws InvalidArgument where the direction has no length or `y_axis` is parallel to it.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
                                                         const Vector<double, 3>& y_axis) {
-    const double length = detail::span(direction);
-    detail::require(std::isfinite(length) && length > 0.0,
-                    "reference_slopes: the direction must have a length, got ",
-                    detail::components(direction));
-    const double width = detail::span(y_axis);
-    detail::require(std::isfinite(width) && width > 0.0,
-                    "reference_slopes: the y axis must have a length, got ",
-                    detail::components(y_axis));
+    const double length = detail::require_length("the direction", direction);
+    const double width = detail::require_length("the y axis", y_axis);
     // plain loops: expressions of Eigen here would be compiled by all who add a beam
     Matrix<double, 3> slopes;
     double share = 0.0, square = 0.0;
@@ -88,10 +96,7 @@ struct Beam {
 /// Y normal to it: there the section turns at once by up to half a turn. Give a y axis to avoid it.
 /// @throws InvalidArgument where the direction has no length.
 [[nodiscard]] inline Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
-    const double length = detail::span(direction);
-    detail::require(std::isfinite(length) && length > 0.0,
-                    "reference_slopes: the direction must have a length, got ",
-                    detail::components(direction));
+    const double length = detail::require_length("the direction", direction);
     const double x = direction[0] / length, y = direction[1] / length, z = direction[2] / length;
     if (x < -0.9) return reference_slopes(direction, {0.0, 1.0, 0.0});
     return reference_slopes(direction, {-y, 1.0 - y * y / (1.0 + x), -y * z / (1.0 + x)});
@@ -101,10 +106,7 @@ struct Beam {
 /// counterclockwise.
 /// @throws InvalidArgument where the direction has no length.
 [[nodiscard]] inline Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
-    const double length = detail::span(direction);
-    detail::require(std::isfinite(length) && length > 0.0,
-                    "reference_slopes: the direction must have a length, got ",
-                    detail::components(direction));
+    const double length = detail::require_length("the direction", direction);
     Matrix<double, 2> slopes;
     slopes(0, 0) = slopes(1, 1) = direction[0] / length;
     slopes(1, 0) = direction[1] / length;
@@ -138,8 +140,8 @@ template <int Dimension>
 template <class Element = void, class... Elements, class... Options>
 auto straight_beam_with_slopes(Model<Elements...>& model, const Material& material,
                                const Section& section,
-                               const typename Model<Elements...>::Point& from,
-                               const typename Model<Elements...>::Point& to,
+                               const typename Model<Elements...>::Argument& from,
+                               const typename Model<Elements...>::Argument& to,
                                const typename Model<Elements...>::Slopes& slopes, int elements,
                                Options&&... options) {
     using Scene = Model<Elements...>;
@@ -172,8 +174,8 @@ auto straight_beam_with_slopes(Model<Elements...>& model, const Material& materi
 ///         what the element's constructor refuses.
 template <class Element = void, class... Elements, class... Options>
 auto straight_beam(Model<Elements...>& model, const Material& material, const Section& section,
-                   const typename Model<Elements...>::Point& from,
-                   const typename Model<Elements...>::Point& to, int elements,
+                   const typename Model<Elements...>::Argument& from,
+                   const typename Model<Elements...>::Argument& to, int elements,
                    Options&&... options) {
     using Point = typename Model<Elements...>::Point;
     static_cast<void>(detail::distance_apart<Model<Elements...>::dimension>(from, to));
@@ -221,7 +223,7 @@ template <class Element>
 /// Adds a dead force per reference length along a beam, N/m.
 template <class Element, class... Elements>
 void add_line_load(Model<Elements...>& model, const Beam<Element>& beam,
-                   const typename Model<Elements...>::Point& force_per_length,
+                   const typename Model<Elements...>::Argument& force_per_length,
                    const Amplitude& amplitude = {}) {
     detail::require(force_per_length.allFinite(), "add_line_load: components must be finite, got ",
                     detail::components(force_per_length));

@@ -21,14 +21,6 @@
 
 namespace ancf {
 
-/// A column of any size.
-template <class Scalar>
-using DynamicVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-
-/// A matrix of any size.
-template <class Scalar>
-using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-
 /// Where a constraint is evaluated; local coordinates in the order of its coupling.
 struct ConstraintState {
     VectorX q;            ///< local coordinates, m and 1

@@ -10,7 +10,6 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
-#include <ancf/model/support.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 
@@ -35,12 +34,13 @@ struct FrameAt {
     /// The frame of a node's section.
     FrameAt(NodeId at) : node(at) {}  // NOLINT: a node has a frame
 
-    /// @throws InvalidArgument unless both are slopes and differ.
+    /// @throws InvalidArgument unless both are of r_x, r_y, r_z and differ.
     FrameAt(NodeId at, Field along, Field across)
         : node(at), of_section(false), first(along), second(across) {
-        detail::require(along != Field::r && across != Field::r && along != across,
-                        "FrameAt: a frame needs two different slopes, got ", to_string(along),
-                        " and ", to_string(across));
+        detail::require_slope<3>("FrameAt", along);
+        detail::require_slope<3>("FrameAt", across);
+        detail::require(along != across, "FrameAt: a frame needs two different slopes, got ",
+                        to_string(along), " twice");
     }
 };
 

@@ -152,6 +152,8 @@ template <class Scalar>
 /// Positions held together (where asked) and bilinear forms of two frames held at zero.
 class FrameJoint {
 public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
     [[nodiscard]] Coupling coupling() const;
     [[nodiscard]] int equations() const {
         return positions() + static_cast<int>(constants_.size());

@@ -42,14 +42,14 @@ struct PointMotion {
     Function rate;                                                      ///< m/s
     Function acceleration;                                              ///< m/s^2
 
+    /// From position, velocity and acceleration over time.
     template <
         class Value, class Rate, class Acceleration,
         std::enable_if_t<std::is_invocable_v<Value, double> && std::is_invocable_v<Rate, double> &&
                              std::is_invocable_v<Acceleration, double>,
                          int> = 0>
-    /// From position, velocity and acceleration over time.
-    PointMotion(Value position, Rate velocity, Acceleration change)
-        : value(std::move(position)), rate(std::move(velocity)), acceleration(std::move(change)) {}
+    PointMotion(Value position, Rate velocity, Acceleration second)
+        : value(std::move(position)), rate(std::move(velocity)), acceleration(std::move(second)) {}
 
     /// @throws InvalidArgument unless all three are given.
     void check(std::string_view user) const {

@@ -27,6 +27,8 @@ namespace ancf {
 /// Positions and the angle between two slopes held, or that angle driven; 3 equations.
 class PlanarWeld {
 public:
+    static constexpr int dimension = 2;  ///< of the model it belongs to
+
     /// @param slope  whose direction counts on both sides; without it r_y, the section's, where a
     ///               node carries it, and r_x elsewhere.
     /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
@@ -129,10 +131,10 @@ public:
         const MatrixX curvature = angle_hessian(at.q);
         out.stiffness = at.multipliers[2] *
                         (now.cosine * curvature - now.sine * gradient * gradient.transpose());
+        const VectorX bent = curvature * at.v;  // named: within the product g++ 12 warns
         const double speed = gradient.dot(at.v) - angle_.rate(at.time);
         out.convection[2] =
-            now.cosine * (at.v.dot(curvature * at.v) - angle_.acceleration(at.time)) -
-            now.sine * speed * speed;
+            now.cosine * (at.v.dot(bent) - angle_.acceleration(at.time)) - now.sine * speed * speed;
     }
 
 private:
@@ -148,7 +150,7 @@ private:
 
     template <class Scene>
     static Field chosen(const Scene& model, NodeId node, std::optional<Field> slope) {
-        detail::require(slope != Field::r, "PlanarWeld: an angle is that of a slope, got r");
+        if (slope) detail::require_slope<2>("PlanarWeld", *slope);
         const bool section = model.layout().index({node, Field::r_y}) >= 0;
         return slope.value_or(section ? Field::r_y : Field::r_x);
     }

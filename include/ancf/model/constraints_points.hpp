@@ -10,13 +10,14 @@
 #pragma once
 
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/requirement.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints_motion.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/model/node.hpp>
-#include <ancf/model/support.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <cmath>
 #include <optional>
@@ -41,26 +42,6 @@ struct MaterialPoint {
     MaterialPoint(Coupling at, std::vector<double> with, std::string called)
         : vectors(std::move(at)), weights(std::move(with)), name(std::move(called)) {}
 };
-
-namespace detail {
-
-template <class Element, class = void>
-struct has_parameter_length : std::false_type {};
-template <class Element>
-struct has_parameter_length<
-    Element, std::void_t<decltype(std::declval<const Element&>().parameter_length())>>
-    : std::true_type {};
-
-/// Returns the range of an element's parameter; elements without a say in it are straight.
-template <class Element>
-[[nodiscard]] double parameter_length(const Element& element) {
-    if constexpr (has_parameter_length<Element>::value)
-        return element.parameter_length();
-    else
-        return element.length();
-}
-
-}  // namespace detail
 
 /// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation.
 /// @param element  index in the model's group of that type.
@@ -175,6 +156,8 @@ private:
 template <int Dimension = 3>
 class FixedCoordinate {
 public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
     /// @throws InvalidArgument for a component that does not exist or a value that is not finite.
     FixedCoordinate(NodeId node, Field field, int component, double value)
         : FixedCoordinate(node, field, component,
@@ -246,8 +229,10 @@ private:
 template <int Dimension = 3>
 class Pin {
 public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
     /// @throws InvalidArgument unless the place is finite.
-    Pin(MaterialPoint a, const Vector<double, Dimension>& place)
+    Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
         : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
         detail::require(place.allFinite(), "Pin: the place must be finite, got ",
                         detail::components(place));
@@ -303,6 +288,9 @@ private:
     detail::PointPair<Dimension> points_;
 };
 
+template <int Dimension>
+Pin(MaterialPoint, Vector<double, Dimension>) -> Pin<Dimension>;
+
 /// A massless link between two points, or a point and a place or a path: g = |P_a - P_b| - L(t), m.
 ///
 /// With n the unit vector from b to a, G = n^T W and its Hessian is W^T (I - n n^T) W/|P_a - P_b|.
@@ -310,13 +298,14 @@ private:
 template <int Dimension = 3>
 class Distance {
 public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
     /// @throws InvalidArgument unless the length is positive and the place finite.
-    Distance(MaterialPoint a, const Vector<double, Dimension>& place, double length)
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length)
         : Distance(
               detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
               length) {
-        detail::require(place.allFinite(), "Distance: the place must be finite, got ",
-                        detail::components(place));
+        require_place(place);
     }
 
     /// @throws InvalidArgument unless the length is positive, or if both are the same node.
@@ -328,15 +317,18 @@ public:
         : Distance(detail::PointPair<Dimension>(std::move(a), std::move(path)), length) {}
 
     /// A link whose length follows a motion, m.
+    /// @throws InvalidArgument unless the motion is complete, or if both are the same node.
     Distance(MaterialPoint a, MaterialPoint b, Motion length)
         : points_(std::move(a), std::move(b)), length_(std::move(length)) {
         length_.check("Distance");
     }
 
-    /// Drives the distance between two points, or of a point from a place, m.
-    Distance(MaterialPoint a, const Vector<double, Dimension>& place, Motion length)
+    /// A link to a place whose length follows a motion, m.
+    /// @throws InvalidArgument unless the place is finite and the motion complete.
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length)
         : points_(std::move(a), PointMotion<Dimension>::at_rest(place)),
           length_(std::move(length)) {
+        require_place(place);
         length_.check("Distance");
     }
 
@@ -383,6 +375,11 @@ public:
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 private:
+    static void require_place(const Vector<double, Dimension>& place) {
+        detail::require(place.allFinite(), "Distance: the place must be finite, got ",
+                        detail::components(place));
+    }
+
     Distance(detail::PointPair<Dimension> points, double length)
         : points_(std::move(points)),
           length_{[length](double) { return length; }, [](double) { return 0.0; },
@@ -402,6 +399,9 @@ private:
     detail::PointPair<Dimension> points_;
     Motion length_;
 };
+
+template <int Dimension, class Length>
+Distance(MaterialPoint, Vector<double, Dimension>, Length) -> Distance<Dimension>;
 
 template <int Dimension>
 void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
@@ -430,6 +430,9 @@ void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& 
 template <class Constraint>
 class Driven {
 public:
+    /// Of the models it belongs to; 0: any.
+    static constexpr int dimension = detail::dimension_of<Constraint>::value;
+
     /// @param motions  (equation, motion) pairs; m for an equation in m.
     /// @throws InvalidArgument for an equation that does not exist or a motion that is not
     ///         complete.

@@ -28,7 +28,7 @@
 
 namespace ancf {
 
-/// Where a load or a constraint is evaluated; local coordinates in the order of its coupling.
+/// Where a load is evaluated; local coordinates in the order of its coupling.
 struct LoadState {
     VectorX q;                ///< local coordinates, m and 1
     VectorX v;                ///< their rates
@@ -70,14 +70,6 @@ struct has_constant_force : std::false_type {};
 
 template <class T>
 struct has_constant_force<T, std::enable_if_t<T::constant_force>> : std::true_type {};
-
-/// The dimension of the models that a load belongs to; 0 for any.
-template <class T, class = void>
-struct load_dimension : std::integral_constant<int, 0> {};
-
-template <class T>
-struct load_dimension<T, std::enable_if_t<(T::dimension > 0)>>
-    : std::integral_constant<int, T::dimension> {};
 
 template <class T, class = void>
 struct settles : std::false_type {};

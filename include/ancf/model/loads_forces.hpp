@@ -10,6 +10,7 @@
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <utility>
 
@@ -23,7 +24,7 @@ public:
     static constexpr bool constant_force = true;  ///< it has no derivatives
 
     /// @throws InvalidArgument unless the force is finite.
-    Force(NodeId node, const Vector<double, Dimension>& force);
+    Force(NodeId node, const VectorArgument<Dimension>& force);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r}}; }
@@ -66,7 +67,10 @@ private:
 };
 
 template <int Dimension>
-Force<Dimension>::Force(NodeId node, const Vector<double, Dimension>& force)
+Force(NodeId, Vector<double, Dimension>) -> Force<Dimension>;
+
+template <int Dimension>
+Force<Dimension>::Force(NodeId node, const VectorArgument<Dimension>& force)
     : node_(node), force_(force) {
     detail::require(force.allFinite(), "Force: components must be finite, got ",
                     detail::components(force));

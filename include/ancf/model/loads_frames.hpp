@@ -17,6 +17,7 @@
 #include <ancf/model/node.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 namespace ancf {
 
@@ -36,7 +37,7 @@ public:
 
     /// @param moment  in global axes (space) or in (t, n, c) (frame), N m.
     /// @throws InvalidArgument unless the moment is finite.
-    Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment = Attachment::space);
+    Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment = Attachment::space);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {
@@ -45,7 +46,13 @@ public:
     }
 
     /// Takes the section of its node, where that has one; the model calls it.
-    void settle(const Layout& layout) { on_section_ = layout.index({node_, Field::r_z}) >= 0; }
+    /// @throws InvalidArgument for a node that carries no r_y.
+    void settle(const Layout& layout) {
+        detail::require(layout.index({node_, Field::r_y}) >= 0, "Moment: node ", node_.index,
+                        " carries no r_y; connect its elements before the moment is added, or take "
+                        "TangentMoment for a node of cables");
+        on_section_ = layout.index({node_, Field::r_z}) >= 0;
+    }
 
     /// Returns the generalised force on (r_y, r_z) or, before it is in a model and for a node
     /// without r_z, on (r_x, r_y), 6 x 1, N m.
@@ -82,7 +89,7 @@ public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the force is finite.
-    FollowerForce(NodeId node, const Vector<double, 3>& force);
+    FollowerForce(NodeId node, const VectorArgument<3>& force);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {
@@ -101,7 +108,7 @@ private:
     Vector<double, 3> force_;
 };
 
-inline Moment::Moment(NodeId node, const Vector<double, 3>& moment, Attachment attachment)
+inline Moment::Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment)
     : node_(node), moment_(moment), attachment_(attachment) {
     detail::require(moment.allFinite(), "Moment: components must be finite, got ",
                     detail::components(moment));
@@ -126,7 +133,7 @@ inline void Moment::evaluate(const LoadState& state, LoadResult& out) const {
     }
 }
 
-inline FollowerForce::FollowerForce(NodeId node, const Vector<double, 3>& force)
+inline FollowerForce::FollowerForce(NodeId node, const VectorArgument<3>& force)
     : node_(node), force_(force) {
     detail::require(force.allFinite(), "FollowerForce: components must be finite, got ",
                     detail::components(force));

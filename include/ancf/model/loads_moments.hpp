@@ -13,6 +13,7 @@
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <cmath>
 
@@ -34,7 +35,7 @@ public:
     /// @param moment  N m.
     /// @throws InvalidArgument for another field, an axis of no length, or a value that is not
     ///         finite.
-    SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis, double moment);
+    SlopeMoment(NodeId node, Field slope, const VectorArgument<3>& axis, double moment);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
@@ -88,7 +89,7 @@ public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the moment is finite.
-    TangentMoment(NodeId node, const Vector<double, 3>& moment);
+    TangentMoment(NodeId node, const VectorArgument<3>& moment);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}}; }
@@ -105,19 +106,10 @@ private:
     Vector<double, 3> moment_;
 };
 
-namespace detail {
-
-inline void require_slope(const char* load, Field slope) {
-    require(slope != Field::r && slope != Field::r_xx, load,
-            " acts on a slope r_x, r_y or r_z, got ", slope == Field::r ? "r" : "r_xx");
-}
-
-}  // namespace detail
-
-inline SlopeMoment::SlopeMoment(NodeId node, Field slope, const Vector<double, 3>& axis,
+inline SlopeMoment::SlopeMoment(NodeId node, Field slope, const VectorArgument<3>& axis,
                                 double moment)
     : node_(node), slope_(slope), axis_(axis), moment_(moment) {
-    detail::require_slope("SlopeMoment", slope);
+    detail::require_slope<3>("SlopeMoment", slope);
     const double length = detail::span(axis);
     detail::require(std::isfinite(length) && length > 0.0,
                     "SlopeMoment: the axis must have a length, got ", detail::components(axis));
@@ -147,7 +139,7 @@ inline void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const
 
 inline PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, double moment)
     : node_(node), slope_(slope), moment_(moment) {
-    detail::require_slope("PlanarSlopeMoment", slope);
+    detail::require_slope<2>("PlanarSlopeMoment", slope);
     detail::require_finite("PlanarSlopeMoment: moment", moment);
 }
 
@@ -166,7 +158,7 @@ inline void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out)
         -2.0 * scale * x * y;
 }
 
-inline TangentMoment::TangentMoment(NodeId node, const Vector<double, 3>& moment)
+inline TangentMoment::TangentMoment(NodeId node, const VectorArgument<3>& moment)
     : node_(node), moment_(moment) {
     detail::require(moment.allFinite(), "TangentMoment: components must be finite, got ",
                     detail::components(moment));

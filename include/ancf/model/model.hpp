@@ -17,6 +17,7 @@
 #include <ancf/model/state.hpp>
 #include <ancf/model/support.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -98,14 +99,15 @@ public:
     static_assert(((Elements::dimension == dimension) && ...),
                   "all elements of a model have the same dimension");
 
-    using Point = Vector<double, dimension>;   ///< a vector of space
-    using Slopes = Matrix<double, dimension>;  ///< columns r_x, r_y (and r_z)
+    using Point = Vector<double, dimension>;     ///< a vector of space
+    using Argument = VectorArgument<dimension>;  ///< a vector, also in braces
+    using Slopes = Matrix<double, dimension>;    ///< columns r_x, r_y (and r_z)
 
     /// Adds a node; it carries the vectors that the elements connected to it need.
     /// @param position   m.  @param slopes  columns r_x, r_y (and r_z) of the reference.
     /// @param curvature  r_xx of the reference, 1/m; elements of a quintic centre line have it.
     /// @throws InvalidArgument unless every value is finite.
-    NodeId add_node(const Point& position, const Slopes& slopes = Slopes::Identity(),
+    NodeId add_node(const Argument& position, const Slopes& slopes = Slopes::Identity(),
                     const Point& curvature = Point::Zero());
 
     /// Adds an element type's constant data for several equal elements to share.
@@ -129,7 +131,8 @@ public:
     /// @throws InvalidArgument for a node or component that does not exist.
     void fix(NodeId node, Field field, int component);
 
-    /// Drives one component of a vector; rate and acceleration are needed in dynamics only.
+    /// Drives one component of a vector; rate and acceleration are needed in dynamics only, where
+    /// they are taken as they are: they must be the value's derivatives.
     /// @throws InvalidArgument for a node or component that does not exist.
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
@@ -173,7 +176,7 @@ public:
 
     /// Sets the acceleration of gravity, m/s^2.
     /// @throws InvalidArgument unless every component is finite.
-    void set_gravity(const Point& gravity, Amplitude amplitude = {});
+    void set_gravity(const Argument& gravity, Amplitude amplitude = {});
 
     // What a scene holds ---------------------------------------------------------------------
 
@@ -267,14 +270,14 @@ public:
 
     /// Sets one vector of a node.
     /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
-    void set_value(NodeId node, Field field, const Point& value) {
+    void set_value(NodeId node, Field field, const Argument& value) {
         check_finite("set_value", node, field, value);
         state().q.template segment<dimension>(coordinate(node, field)) = value;
     }
 
     /// Sets the rate of one vector of a node.
     /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
-    void set_rate(NodeId node, Field field, const Point& rate) {
+    void set_rate(NodeId node, Field field, const Argument& rate) {
         check_finite("set_rate", node, field, rate);
         state().v.template segment<dimension>(coordinate(node, field)) = rate;
     }
@@ -344,7 +347,7 @@ private:
 };
 
 template <class... Elements>
-NodeId Model<Elements...>::add_node(const Point& position, const Slopes& slopes,
+NodeId Model<Elements...>::add_node(const Argument& position, const Slopes& slopes,
                                     const Point& curvature) {
     detail::require(position.allFinite(), "Model::add_node: the position must be finite, got ",
                     detail::components(position));
@@ -463,7 +466,7 @@ void Model<Elements...>::release(NodeId node, Field field) {
 template <class... Elements>
 template <class Load, std::enable_if_t<is_load_v<Load>, int>>
 void Model<Elements...>::add(Load load, Amplitude amplitude) {
-    constexpr int of = detail::load_dimension<Load>::value;
+    constexpr int of = detail::dimension_of<Load>::value;
     static_assert(of == 0 || of == dimension, "the load is of another dimension than the model");
     for (const NodeField& at : load.coupling()) check(at.node);
     if constexpr (detail::settles<Load>::value) load.settle(layout());
@@ -479,6 +482,10 @@ void Model<Elements...>::add(Load load, Amplitude amplitude) {
 template <class... Elements>
 template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int>>
 void Model<Elements...>::add(Constraint constraint) {
+    constexpr int of = detail::dimension_of<Constraint>::value;
+    static_assert(of == 0 || of == dimension,
+                  "the constraint is of another dimension than the model; in the plane write "
+                  "Pin<2>, Distance<2>, FixedCoordinate<2>");
     for (const NodeField& at : constraint.coupling()) check(at.node);
     detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
                     " has ", constraint.equations(), " equations, expected at least 1");
@@ -496,7 +503,7 @@ void Model<Elements...>::add_mass(NodeId node, double mass) {
 }
 
 template <class... Elements>
-void Model<Elements...>::set_gravity(const Point& gravity, Amplitude amplitude) {
+void Model<Elements...>::set_gravity(const Argument& gravity, Amplitude amplitude) {
     detail::require(gravity.allFinite(), "Model::set_gravity: components must be finite, got ",
                     detail::components(gravity));
     gravity_ = gravity;

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
 
+#include <type_traits>
 #include <vector>
 
 namespace ancf {
@@ -31,5 +33,27 @@ struct NodeField {
 
 /// The vectors that a load or a constraint acts on, in the order of its local coordinates.
 using Coupling = std::vector<NodeField>;
+
+namespace detail {
+
+/// @throws InvalidArgument unless the field is a slope: r_x, r_y or, in space, r_z.
+template <int Dimension>
+inline void require_slope(const char* user, Field field) {
+    require(field == Field::r_x || field == Field::r_y || (Dimension == 3 && field == Field::r_z),
+            user,
+            Dimension == 3 ? ": expected a slope r_x, r_y or r_z, got "
+                           : ": expected a slope r_x or r_y, got ",
+            to_string(field));
+}
+
+/// The dimension of the models that a load or a constraint belongs to; 0 for any.
+template <class T, class = void>
+struct dimension_of : std::integral_constant<int, 0> {};
+
+template <class T>
+struct dimension_of<T, std::enable_if_t<(T::dimension > 0)>>
+    : std::integral_constant<int, T::dimension> {};
+
+}  // namespace detail
 
 }  // namespace ancf

@@ -23,20 +23,9 @@ struct Support {
 
 /// What a clamp holds of a node.
 enum class Clamp {
-    full,       ///< position and slopes; a clamp says nothing of the curvature r_xx
+    full,       ///< position and slopes; with r_x as well as r_y held the shear strain is zero
+                ///< there, see docs/theory.md, "Section forces". Nothing of the curvature r_xx
     free_slope  ///< the same but r_x: the clamp of the paper's cantilevers
 };
-
-/// Returns the word for a field that messages use.
-[[nodiscard]] constexpr const char* to_string(Field field) noexcept {
-    switch (field) {
-        case Field::r: return "r";
-        case Field::r_x: return "r_x";
-        case Field::r_y: return "r_y";
-        case Field::r_z: return "r_z";
-        case Field::r_xx: return "r_xx";
-    }
-    return "unknown";
-}
 
 }  // namespace ancf

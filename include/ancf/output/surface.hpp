@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/section_forces.hpp>
+#include <ancf/element/transmitted_forces.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>
@@ -41,8 +42,8 @@ public:
     enum Array : std::size_t {
         place,         ///< reference length from the beam's start, m
         velocity,      ///< m/s
-        force,         ///< N, Q_y, Q_z of SectionForces, N
-        moment,        ///< T, M_y, M_z of SectionForces, N m
+        force,         ///< N, Q_y, Q_z of transmitted_forces, N
+        moment,        ///< T, M_y, M_z of transmitted_forces, N m
         axial_stress,  ///< second Piola-Kirchhoff stress S_xx at the point, Pa
         array_count
     };
@@ -52,7 +53,8 @@ public:
     /// Adds a beam as its model stands now.
     /// @param section   whose outline is drawn.
     /// @param stations  per element, at least 2.
-    /// @throws InvalidArgument for fewer stations or an outline of fewer than three corners.
+    /// @throws InvalidArgument for fewer stations, an outline of fewer than three corners, or a
+    ///         beam without elements.
     template <class Element, class... Elements>
     void add(const Model<Elements...>& model, const Beam<Element>& beam, const Section& section,
              int stations = 9);
@@ -86,12 +88,14 @@ private:
 namespace detail {
 
 template <class Element, class = void>
-struct HasSectionForces : std::false_type {};
+struct HasVelocity : std::false_type {};
 
 template <class Element>
-struct HasSectionForces<
-    Element, std::void_t<decltype(SectionForces(std::declval<const Element&>().section_forces(
-                 std::declval<const typename Element::Coordinates&>(), 0.0)))>> : std::true_type {};
+struct HasVelocity<Element,
+                   std::void_t<decltype(std::declval<const Element&>().velocity(
+                       std::declval<const typename Element::Coordinates&>(),
+                       std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
+    : std::true_type {};
 
 template <class Element, class = void>
 struct HasStress : std::false_type {};
@@ -117,6 +121,7 @@ void Surface::add(const Model<Elements...>& model, const Beam<Element>& beam,
                   const Section& section, int stations) {
     const int count = static_cast<int>(section.outline().size());
     detail::require(count >= 3, "Surface::add: an outline needs at least 3 corners, got ", count);
+    detail::require(!beam.elements.empty(), "Surface::add: the beam has no elements");
     const int first = static_cast<int>(points_.size());
     for_each_station(model, beam, stations, [&](const BeamStation<Element>& station) {
         add_points(station, section);
@@ -135,15 +140,14 @@ void Surface::add(const Model<Elements...>& model, const Beam<Element>& beam,
 
 template <class Element>
 void Surface::add_points(const BeamStation<Element>& station, const Section& section) {
-    SectionForces forces;
-    if constexpr (detail::HasSectionForces<Element>::value)
-        forces = station.element.section_forces(station.e, station.xi);
+    const SectionForces forces = transmitted_forces(station.element, station.e, station.xi);
     for (const SectionPoint& corner : section.outline()) {
         points_.push_back(station.position(corner.y, corner.z));
         append(place, {station.s, 0.0, 0.0});
         Vector<double, 3> speed = Vector<double, 3>::Zero();
-        speed.head<Element::dimension>() =
-            station.element.velocity(station.e, station.rate, station.xi, corner.y, corner.z);
+        if constexpr (detail::HasVelocity<Element>::value)
+            speed.head<Element::dimension>() =
+                station.element.velocity(station.e, station.rate, station.xi, corner.y, corner.z);
         append(velocity, speed);
         append(force, {forces.axial, forces.shear_y, forces.shear_z});
         append(moment, {forces.torque, forces.moment_y, forces.moment_z});

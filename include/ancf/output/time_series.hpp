@@ -8,8 +8,10 @@
 
 #pragma once
 
+#include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/element/section_forces.hpp>
+#include <ancf/element/transmitted_forces.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/layout.hpp>
@@ -49,7 +51,11 @@ public:
     /// The stream and the model outlive the series.
     TimeSeries(std::ostream& out, const Scene& model) : out_(out), model_(model) {}
 
-    /// Adds N, Q_y, Q_z, T, M_y, M_z of a section; N and N m.
+    // its quantities refer to it
+    TimeSeries(const TimeSeries&) = delete;
+    TimeSeries& operator=(const TimeSeries&) = delete;
+
+    /// Adds N, Q_y, Q_z, T, M_y, M_z of a section as transmitted_forces has them; N and N m.
     /// @param element  index in the group of its type.  @param xi  place along it, 0 to 1
     template <class Element = typename Scene::DefaultElement>
     void add_section_forces(const std::string& name, int element, double xi);
@@ -128,7 +134,7 @@ void TimeSeries<Scene>::add_section_forces(const std::string& name, int element,
         [this, element, xi](const State& state, Values& row) {
             const auto e = model_.template element_coordinates<Element>(element, state.q);
             const SectionForces f =
-                model_.template group<Element>().element(element).section_forces(e, xi);
+                transmitted_forces(model_.template group<Element>().element(element), e, xi);
             row.insert(row.end(),
                        {f.axial, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z});
         });
@@ -223,27 +229,12 @@ VectorX TimeSeries<Scene>::constraint_force(int constraint, const State& state) 
     return force;
 }
 
-/// A node's part of a generalised force: that on the position; the other vectors times theirs as
-/// moment.
 template <class Scene>
 void TimeSeries<Scene>::append_force(NodeId node, const State& state, const VectorX& force,
                                      Values& row) const {
-    constexpr int dimension = Scene::dimension;
-    const Layout& layout = model_.layout();
-    Vector<double, 3> sum = Vector<double, 3>::Zero(), moment = Vector<double, 3>::Zero();
-    for (int k = 0; k < field_count; ++k) {
-        const int first = layout.index({node, static_cast<Field>(k)});
-        if (first < 0) continue;
-        Vector<double, 3> part = Vector<double, 3>::Zero(), arm = Vector<double, 3>::Zero();
-        part.head<dimension>() = force.template segment<dimension>(first);
-        arm.head<dimension>() = state.q.template segment<dimension>(first);
-        if (static_cast<Field>(k) == Field::r)
-            sum = part;
-        else
-            moment += cross(arm, part);
-    }
-    row.insert(row.end(), sum.data(), sum.data() + 3);
-    row.insert(row.end(), moment.data(), moment.data() + 3);
+    const Resultant at = nodal_resultant(model_, state.q, force, node);
+    row.insert(row.end(), at.force.data(), at.force.data() + 3);
+    row.insert(row.end(), at.moment.data(), at.moment.data() + 3);
 }
 
 template <class Scene>

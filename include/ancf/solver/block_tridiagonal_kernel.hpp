@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include <ancf/element/compiler.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/types.hpp>

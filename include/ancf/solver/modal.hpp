@@ -9,12 +9,14 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/subspace.hpp>
 #include <ancf/types.hpp>
 
@@ -23,6 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,6 +64,7 @@ struct ModalReport {
                                  ///< nor max_iterations
     int iterations = 0;          ///< solutions with the whole subspace
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
+    std::string message = {};    ///< of a singular tangent: what moves without stiffness
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
@@ -72,7 +76,7 @@ struct ModalReport {
 ///         does not suit.
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
-///        from the modes sought alone. Unsymmetric load stiffness is symmetrised.
+///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
 template <class Scene, class LinearSolver>
 [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                                         const ModalOptions& options = {});
@@ -171,6 +175,16 @@ Status factorise(const Assembly<Scene>& assembly, const SparseMatrix& A, LinearS
                                                                        : Status::converged;
 }
 
+/// Returns a report with the cause of a singular A.
+template <class Scene, class LinearSolver>
+ModalReport with_cause(ModalReport report, const Scene& model, const Assembly<Scene>& assembly,
+                       const SparseMatrix& A, LinearSolver& solver) {
+    if (report.status == Status::singular)
+        report.message =
+            singular_cause(model.layout(), assembly.numbering(), Scene::dimension, A, solver);
+    return report;
+}
+
 /// Finds the modes of a factorised A and turns th into values.
 template <class Scene, class LinearSolver, class Value>
 ModalReport modes_of(const Assembly<Scene>& assembly, const SparseMatrix& A, const SparseMatrix& B,
@@ -222,13 +236,21 @@ ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalO
         return {fault->status, {}, 0, fault};
     if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix mass = assembly.mass();
-    const SparseMatrix A = assembly.tangent() - options.shift * mass;
+    SparseMatrix A = assembly.tangent() - options.shift * mass;
+    if (LinearSolver::storage == Storage::full) detail::symmetrise(A);
     if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return {status, {}, 0, {}};
-    return detail::modes_of(assembly, A, mass, solver, options, [&](double th, double& scale) {
+        return {status,
+                {},
+                0,
+                {},
+                detail::singular_cause(model.layout(), assembly.numbering(), Scene::dimension, A,
+                                       solver)};
+    const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
-    });
+    };
+    return detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, value), model,
+                              assembly, A, solver);
 }
 
 template <class Scene, class LinearSolver>
@@ -240,14 +262,21 @@ ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const Modal
     if (const auto fault = deflected.evaluate(0.0, model.state().q))
         return {fault->status, {}, 0, fault};
     if (assembly.numbering().free_coordinates() == 0) return {};
-    const SparseMatrix unloaded = assembly.tangent();
+    SparseMatrix unloaded = assembly.tangent();
+    if (LinearSolver::storage == Storage::full) detail::symmetrise(unloaded);
     if (const Status status = detail::factorise(assembly, unloaded, solver);
         status != Status::converged)
-        return {status, {}, 0, {}};
+        return {status,
+                {},
+                0,
+                {},
+                detail::singular_cause(model.layout(), assembly.numbering(), Scene::dimension,
+                                       unloaded, solver)};
     deflected.respond(solver);
     SparseMatrix change;
     if (const auto fault = deflected.change(unloaded, change)) return {fault->status, {}, 0, fault};
-    const SparseMatrix B = -change;
+    SparseMatrix B = -change;
+    if (LinearSolver::storage == Storage::full) detail::symmetrise(B);
     return detail::modes_of(assembly, unloaded, B, solver, options,
                             [](double th, double&) { return 1.0 / th; });
 }

@@ -81,7 +81,8 @@ struct PathOptions {
     bool critical_points = true;         ///< find them
 
     std::optional<double> last_factor;  ///< stop when the load factor passes it, and land on it
-    /// Called at every point, the last included; returning false ends the path there.
+    /// Called at every point, the last included; returning false ends the path there,
+    /// with status stopped.
     std::function<bool(const PathPoint& point, const State& state)> progress;
 
     /// First direction, all coordinates; empty: along the load. A mode of a CriticalPoint switches
@@ -101,7 +102,8 @@ struct PathOptions {
 
 /// What a followed path reports.
 struct PathReport {
-    /// Or diverged: the smallest step failed; max_iterations: points; singular, degenerate or
+    /// converged: landed on last_factor; stopped: by the callback. Or diverged: the smallest step
+    /// failed; max_iterations: points; singular, degenerate or
     /// not_finite: the path cannot start in this state.
     Status status = Status::converged;
     std::vector<PathPoint> points;        ///< in order

@@ -93,7 +93,8 @@ public:
             here = std::move(next);
             const bool ended =
                 options_.progress && !options_.progress(report_.points.back(), here.state);
-            if (landing || ended) return finish(Status::converged, here);
+            if (landing || ended)
+                return finish(landing ? Status::converged : Status::stopped, here);
         }
         return finish(Status::max_iterations, here);
     }
@@ -379,7 +380,8 @@ private:
     }
 
     [[nodiscard]] bool passes(double from, double to) const {
-        return (*options_.last_factor - from) * (*options_.last_factor - to) <= 0.0 && from != to;
+        const double last = *options_.last_factor;
+        return from != last && (last - from) * (last - to) <= 0.0;  // a path may start at it
     }
 
     [[nodiscard]] static bool turns(const Point& a, const Point& b) {

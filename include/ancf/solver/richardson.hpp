@@ -25,7 +25,7 @@ struct Convergence {
     std::array<double, 3> values;  ///< of each mesh
     double order = 0.0;            ///< p; 0 where the values do not settle
     double estimate = 0.0;         ///< the limit; the finest value where they do not settle
-    double error = 0.0;            ///< estimated error of the finest value, absolute; NaN with one
+    double error = 0.0;            ///< estimated error of the finest value, absolute; NaN of NaN
     bool settles = false;          ///< whether differences have one sign and shrink
 };
 

@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ancf {
@@ -39,11 +40,12 @@ struct StaticsOptions {
     int mixed_iterations = 25;              ///< the same before a step is repeated as plain
     double residual_tolerance = 1e-9;       ///< relative to loads and reactions
     double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely,
-                                            ///< r_xx relative to the size's inverse; 1e-3 where
-                                            ///< the residual is at its round-off
+                                            ///< r_xx times the elements' mean length; 1e-3
+                                            ///< where the residual is at its round-off
     bool line_search = false;               ///< halve corrections that double the residual
     bool adaptive = false;                  ///< halve a step that fails, widen one that does well
-    double min_step = 1e-4;                 ///< smallest load step of an adaptive run
+    double min_step = 1e-4;                 ///< smallest step of an adaptive run, as a part of
+                                            ///< the way from first_factor to last_factor
     double first_factor = 0.0;              ///< load factor of the state that the model is in
     double last_factor = 1.0;               ///< load factor to reach
 
@@ -73,6 +75,7 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
+    std::string message;                ///< of a singular tangent: what moves without stiffness
     /// In the state that the model is left in, an element so short that its law softens: an
     /// equilibrium with it need not be the one that smaller load steps lead to. CrossSectionBeam
     /// tells, with any centre line.

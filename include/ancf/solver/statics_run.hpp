@@ -12,6 +12,7 @@
 #include <ancf/model/model.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/stability.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/solver/turning.hpp>
@@ -241,6 +242,9 @@ private:
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
+        if (report_.status == Status::singular)
+            report_.message = singular_cause(model_.layout(), numbering, Scene::dimension,
+                                             assembly_.tangent(), solver_);
         report_.imbalance = resultant(
             model_, state.q,
             assembly_.external_force() - assembly_.constraint_force() + report_.reactions);

@@ -45,7 +45,8 @@ public:
         }
         vectors = std::move(start);
         VectorX last = VectorX::Zero(count);
-        for (iterations = 1; iterations <= max_iterations; ++iterations) {
+        for (iterations = 0; iterations < max_iterations;) {
+            ++iterations;
             const MatrixX image = product(B_, vectors);
             VectorX column;
             for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
@@ -60,6 +61,7 @@ public:
                  (tolerance + noise(wanted.size()).array()) * wanted.array().abs())
                     .all())
                 return Status::converged;
+            if (width == free && iterations > 1) return Status::converged;  // they span all
             last = wanted;
         }
         return Status::max_iterations;

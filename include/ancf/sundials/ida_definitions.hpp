@@ -310,10 +310,7 @@ void IdaRun<Scene>::fail(int code) {
     if (code == IDA_TOO_MUCH_WORK)
         message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
     if (!context_.message().empty()) message += ": " + context_.message();
-    if (report_.fault)
-        message +=
-            ancf::detail::joined({"; element ", report_.fault->element, " of group ",
-                                  report_.fault->group, " is ", to_string(report_.fault->status)});
+    if (report_.fault) message += "; " + ancf::detail::fault_text(*report_.fault);
 }
 
 template <class Scene>
@@ -329,8 +326,7 @@ void IdaRun<Scene>::finish() {
     IDAGetNumLinSolvSetups(ida, &report_.factorisations);
     report_.code = code_name(code_);
     report_.time = time_;
-    (void)problem_.project(time_, q_, v_);
-    problem_.store(time_, q_, v_, lambda_);
+    ancf::detail::store_end(problem_, {time_, q_, v_, lambda_}, report_);
 }
 
 }  // namespace detail

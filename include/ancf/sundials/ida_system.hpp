@@ -103,7 +103,7 @@ private:
         lambda_ = lambda(y);
         mu_ = mu(y);
         const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
-        fault_ = fault;
+        if (fault) fault_ = fault;  // kept: the attempts that follow may stay before it
         return !fault;
     }
 
