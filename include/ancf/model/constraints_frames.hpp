@@ -10,6 +10,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/model/slope.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 

@@ -15,6 +15,7 @@
 #include <ancf/model/constraints_motion.hpp>
 #include <ancf/model/constraints_points.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/model/slope.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>

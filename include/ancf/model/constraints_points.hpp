@@ -288,6 +288,7 @@ private:
     detail::PointPair<Dimension> points_;
 };
 
+/// A pin's dimension is that of its place.
 template <int Dimension>
 Pin(MaterialPoint, Vector<double, Dimension>) -> Pin<Dimension>;
 
@@ -400,6 +401,7 @@ private:
     Motion length_;
 };
 
+/// A link's dimension is that of its place.
 template <int Dimension, class Length>
 Distance(MaterialPoint, Vector<double, Dimension>, Length) -> Distance<Dimension>;
 

@@ -66,6 +66,7 @@ private:
     VectorX force_;
 };
 
+/// A force's dimension is that of its vector.
 template <int Dimension>
 Force(NodeId, Vector<double, Dimension>) -> Force<Dimension>;
 

@@ -12,6 +12,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/model/slope.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
-#include <ancf/error.hpp>
 
 #include <type_traits>
 #include <vector>
@@ -35,16 +34,6 @@ struct NodeField {
 using Coupling = std::vector<NodeField>;
 
 namespace detail {
-
-/// @throws InvalidArgument unless the field is a slope: r_x, r_y or, in space, r_z.
-template <int Dimension>
-inline void require_slope(const char* user, Field field) {
-    require(field == Field::r_x || field == Field::r_y || (Dimension == 3 && field == Field::r_z),
-            user,
-            Dimension == 3 ? ": expected a slope r_x, r_y or r_z, got "
-                           : ": expected a slope r_x or r_y, got ",
-            to_string(field));
-}
 
 /// The dimension of the models that a load or a constraint belongs to; 0 for any.
 template <class T, class = void>
