@@ -19,6 +19,7 @@
 #include <ancf/model/constraints_points.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <array>
 #include <cmath>
@@ -257,7 +258,7 @@ public:
     /// @param axis  in global components, as the model stands.
     /// @throws InvalidArgument for an axis of no length, equal nodes or a node without a frame.
     template <class Scene>
-    Revolute(const Scene& model, const FrameAt& a, const FrameAt& b, const Vector<double, 3>& axis)
+    Revolute(const Scene& model, const FrameAt& a, const FrameAt& b, const VectorArgument<3>& axis)
         : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::frame(model, b), true) {
         hold(axis);
@@ -267,7 +268,7 @@ public:
     /// @param axis  in global components, as the model stands.
     /// @throws InvalidArgument for an axis of no length or a node without a frame.
     template <class Scene>
-    Revolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis)
+    Revolute(const Scene& model, const FrameAt& a, const VectorArgument<3>& axis)
         : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::space(model, a.node), true) {
         hold(axis);
@@ -315,7 +316,7 @@ public:
     ///         or a node without a frame.
     template <class Scene>
     DrivenRevolute(const Scene& model, const FrameAt& a, const FrameAt& b,
-                   const Vector<double, 3>& axis, Motion angle)
+                   const VectorArgument<3>& axis, Motion angle)
         : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::frame(model, b), true) {
         hold(axis, std::move(angle));
@@ -327,7 +328,7 @@ public:
     /// @throws InvalidArgument for an axis of no length, a motion that is not complete or a node
     ///         without a frame.
     template <class Scene>
-    DrivenRevolute(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis,
+    DrivenRevolute(const Scene& model, const FrameAt& a, const VectorArgument<3>& axis,
                    Motion angle)
         : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
                      detail::JointSide::space(model, a.node), true) {
@@ -351,7 +352,7 @@ public:
     ///         frame.
     template <class Scene>
     Universal(const Scene& model, const FrameAt& a, const FrameAt& b,
-              const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b)
+              const VectorArgument<3>& axis_of_a, const VectorArgument<3>& axis_of_b)
         : FrameJoint("universal joint", detail::JointSide::frame(model, a),
                      detail::JointSide::frame(model, b), true) {
         hold(axis_of_a, axis_of_b);
@@ -360,8 +361,8 @@ public:
     /// A universal joint to space.
     /// @throws InvalidArgument for axes of no length or parallel, or a node without a frame.
     template <class Scene>
-    Universal(const Scene& model, const FrameAt& a, const Vector<double, 3>& axis_of_a,
-              const Vector<double, 3>& axis_of_space)
+    Universal(const Scene& model, const FrameAt& a, const VectorArgument<3>& axis_of_a,
+              const VectorArgument<3>& axis_of_space)
         : FrameJoint("universal joint", detail::JointSide::frame(model, a),
                      detail::JointSide::space(model, a.node), true) {
         hold(axis_of_a, axis_of_space);

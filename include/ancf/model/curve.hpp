@@ -15,6 +15,7 @@
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -95,8 +96,8 @@ auto beam_through(Model<Elements...>& model, const Material& material, const Sec
 /// @throws InvalidArgument for a radius or an angle that is not positive, or parallel directions.
 template <class Element = void, class... Elements, class... Options>
 auto arc(Model<Elements...>& model, const Material& material, const Section& section,
-         const Vector<double, 3>& from, const Vector<double, 3>& tangent,
-         const Vector<double, 3>& normal, double radius, double angle, int elements,
+         const VectorArgument<3>& from, const VectorArgument<3>& tangent,
+         const VectorArgument<3>& normal, double radius, double angle, int elements,
          Options&&... options) {
     detail::require_positive("arc: radius", radius);
     detail::require_positive("arc: angle", angle);
@@ -120,7 +121,7 @@ auto arc(Model<Elements...>& model, const Material& material, const Section& sec
 /// @throws InvalidArgument for a radius that is not positive or an angle of zero.
 template <class Element = void, class... Elements, class... Options>
 auto arc(Model<Elements...>& model, const Material& material, const Section& section,
-         const Vector<double, 2>& from, const Vector<double, 2>& tangent, double radius,
+         const VectorArgument<2>& from, const VectorArgument<2>& tangent, double radius,
          double angle, int elements, Options&&... options) {
     detail::require_positive("arc: radius", radius);
     detail::require(std::isfinite(angle) && angle != 0.0, "arc: the angle must not be zero, got ",
@@ -149,8 +150,8 @@ auto arc(Model<Elements...>& model, const Material& material, const Section& sec
 /// @throws InvalidArgument for a radius or turns that are not positive, or parallel directions.
 template <class Element = void, class... Elements, class... Options>
 auto helix(Model<Elements...>& model, const Material& material, const Section& section,
-           const Vector<double, 3>& centre, const Vector<double, 3>& axis,
-           const Vector<double, 3>& outward, double radius, double pitch, double turns,
+           const VectorArgument<3>& centre, const VectorArgument<3>& axis,
+           const VectorArgument<3>& outward, double radius, double pitch, double turns,
            int elements, Options&&... options) {
     detail::require_positive("helix: radius", radius);
     detail::require_finite("helix: pitch", pitch);
@@ -184,7 +185,7 @@ auto helix(Model<Elements...>& model, const Material& material, const Section& s
 /// @throws InvalidArgument for fewer than two points, points that coincide, or parallel directions.
 template <class Element = void, class... Elements, class... Options>
 auto spline(Model<Elements...>& model, const Material& material, const Section& section,
-            const std::vector<Vector<double, 3>>& through, const Vector<double, 3>& y_axis,
+            const std::vector<Vector<double, 3>>& through, const VectorArgument<3>& y_axis,
             Options&&... options) {
     const std::size_t count = through.size();
     detail::require(count >= 2, "spline: at least two points are needed, got ", count);

@@ -44,18 +44,65 @@ struct FreeComponent {
     return all;
 }
 
-/// Returns the place of a diagonal entry among the values of a compressed matrix; -1: none.
-[[nodiscard]] inline int diagonal_place(const SparseMatrix& matrix, int column) {
-    for (int k = matrix.outerIndexPtr()[column]; k < matrix.outerIndexPtr()[column + 1]; ++k)
-        if (matrix.innerIndexPtr()[k] == column) return k;
-    return -1;
+/// Returns the places of the diagonal entries among the values of a compressed matrix; -1: none.
+[[nodiscard]] inline std::vector<int> diagonal_places(const SparseMatrix& matrix) {
+    std::vector<int> places(static_cast<std::size_t>(matrix.cols()), -1);
+    for (int j = 0; j < matrix.cols(); ++j)
+        for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
+            if (matrix.innerIndexPtr()[k] == j) places[static_cast<std::size_t>(j)] = k;
+    return places;
+}
+
+/// Adds springs to the diagonal, a part of the stiffest entry of the same unit; returns them.
+[[nodiscard]] inline VectorX add_springs(const std::vector<FreeComponent>& all, double part,
+                                         SparseMatrix& matrix) {
+    const std::vector<int> places = diagonal_places(matrix);
+    const auto entry = [&](const FreeComponent& c) {
+        return places[static_cast<std::size_t>(c.equation)];
+    };
+    double stiffest[3] = {0.0, 0.0, 0.0};
+    const auto unit_of = [](const FreeComponent& c) { return length_power(c.field) + 1; };
+    for (const FreeComponent& c : all) {
+        double& most = stiffest[unit_of(c)];
+        if (entry(c) >= 0) most = std::max(most, std::abs(matrix.valuePtr()[entry(c)]));
+    }
+    VectorX springs = VectorX::Zero(matrix.cols());
+    for (const FreeComponent& c : all) {
+        const double unit = stiffest[unit_of(c)];
+        springs[c.equation] = unit > 0.0 ? part * unit : part;
+        if (entry(c) >= 0) matrix.valuePtr()[entry(c)] += springs[c.equation];
+    }
+    return springs;
+}
+
+/// Returns diag(a) b.
+[[nodiscard]] inline VectorX entrywise(const VectorX& a, const VectorX& b) {
+    VectorX product = a;
+    for (Eigen::Index k = 0; k < a.size(); ++k) product[k] *= b[k];
+    return product;
+}
+
+/// Finds the softest mode of a matrix with springs, factorised by the solver, by inverse iteration.
+/// @param mode  the start, and the result of unit spring energy.
+/// @return      the springs' part in the mode's energy: 1 where nothing else resists it.
+template <class LinearSolver>
+[[nodiscard]] double softest_mode(const LinearSolver& solver, const VectorX& springs,
+                                  VectorX& mode) {
+    double quotient = 0.0;
+    VectorX next;
+    for (int sweep = 0; sweep < 5; ++sweep) {
+        const VectorX image = entrywise(springs, mode);
+        solver.solve(image, next);
+        quotient = image.dot(next) / mode.dot(image);
+        mode = next / std::sqrt(entrywise(springs, next).dot(next));
+    }
+    return quotient;
 }
 
 /// Returns in words why a tangent cannot be factorised; empty where that does not show.
 ///
 /// Weak springs at every coordinate make a tangent regular whose singular motions no constraint
-/// holds; inverse iteration then finds the softest one. Where springs do not help, constraints
-/// repeat each other.
+/// holds; the softest one is then sought. Where springs do not help, constraints repeat each other.
 /// @param solver  analysed for the matrix; it is left with another factorisation.
 template <class LinearSolver>
 [[nodiscard]] std::string singular_cause(const Layout& layout, const Numbering& numbering,
@@ -63,49 +110,23 @@ template <class LinearSolver>
                                          LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
     const std::vector<FreeComponent> all = free_components(layout, numbering, dimension);
-    double stiffest[3] = {0.0, 0.0, 0.0};  // of each unit
-    const auto unit_of = [](const FreeComponent& c) { return length_power(c.field) + 1; };
-    for (const FreeComponent& c : all)
-        if (const int place = diagonal_place(tangent, c.equation); place >= 0)
-            stiffest[unit_of(c)] =
-                std::max(stiffest[unit_of(c)], std::abs(tangent.valuePtr()[place]));
     for (const double part : {1e-12, 1e-9, 1e-6}) {
         SparseMatrix firm = tangent;
-        VectorX spring = VectorX::Zero(numbering.unknowns());
-        for (const FreeComponent& c : all) {
-            const double unit = stiffest[unit_of(c)];
-            spring[c.equation] = unit > 0.0 ? part * unit : part;
-            if (const int place = diagonal_place(firm, c.equation); place >= 0)
-                firm.valuePtr()[place] += spring[c.equation];
-        }
+        const VectorX springs = add_springs(all, part, firm);
         if (solver.factorize(firm).status != Status::converged) continue;
-        VectorX mode = VectorX::Zero(numbering.unknowns()), image, next;
-        for (std::size_t k = 0; k < all.size(); ++k)
+        VectorX mode = VectorX::Zero(numbering.unknowns());
+        for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit
             mode[all[k].equation] = std::cos(static_cast<double>(k * k));
-        const auto weighted = [&](const VectorX& x) {
-            VectorX product = spring;
-            for (Eigen::Index k = 0; k < x.size(); ++k) product[k] *= x[k];
-            return product;
-        };
-        double quotient = 0.0;  // of spring energy in the whole: 1 without any stiffness
-        for (int sweep = 0; sweep < 5; ++sweep) {
-            image = weighted(mode);
-            solver.solve(image, next);
-            if (!next.allFinite()) return "";
-            const VectorX after = weighted(next);
-            quotient = image.dot(next) / mode.dot(image);
-            mode = next / std::sqrt(after.dot(next));
-        }
-        if (!(quotient > 0.5)) return "";
-        const auto size = [&](const FreeComponent& c) {
-            return std::sqrt(spring[c.equation]) * std::abs(mode[c.equation]);
+        if (!(softest_mode(solver, springs, mode) > 0.5)) return "";
+        const auto energy = [&](const FreeComponent& c) {
+            return springs[c.equation] * mode[c.equation] * mode[c.equation];
         };
         const FreeComponent most = *std::max_element(
             all.begin(), all.end(),
-            [&](const FreeComponent& a, const FreeComponent& b) { return size(a) < size(b); });
-        const char* const names[] = {"x", "y", "z"};
+            [&](const FreeComponent& a, const FreeComponent& b) { return energy(a) < energy(b); });
+        const char* const axes[] = {"x", "y", "z"};
         return joined({"a motion without stiffness moves ", to_string(most.field), " of node ",
-                       most.node, " most, along ", names[most.component]});
+                       most.node, " most, along ", axes[most.component]});
     }
     return numbering.multipliers() > 0 ? "constraints repeat each other or a support" : "";
 }
