@@ -13,7 +13,6 @@
 #include <ancf/element/section_forces.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <type_traits>
 
 namespace ancf {

@@ -64,6 +64,8 @@ template <class T>
 inline constexpr bool is_constraint_v = is_constraint<T>::value;
 
 /// A constraint of any type.
+///
+/// One for models of one dimension declares `static constexpr int dimension`.
 class AnyConstraint {
 public:
     /// Holds a copy of the constraint.

@@ -14,7 +14,6 @@
 #include <ancf/element/transmitted_forces.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/model/state.hpp>
