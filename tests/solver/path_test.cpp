@@ -7,7 +7,9 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/model/beam.hpp>
+#include <ancf/model/constraints_planar.hpp>
 #include <ancf/model/constraints_points.hpp>
+#include <ancf/model/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
@@ -18,6 +20,7 @@
 #include <support/instances/planar.hpp>
 #include <support/instances/solvers.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -454,6 +457,158 @@ TEST_CASE("path: close bifurcations of a column are told apart or counted", "[pa
     // about one axis the load is as width^3 height, about the other as width height^3
     CHECK(report.critical[1].factor / report.critical[0].factor ==
           Approx(1.02 * 1.02).epsilon(1e-4));
+}
+
+/// Watches the angle between successive steps: the cosine is -1 where a path travels back.
+class Turns {
+public:
+    void see(const ancf::VectorX& q) {
+        if (last_.size() > 0) {
+            const ancf::VectorX step = q - last_;
+            if (before_.size() > 0) {
+                least_ = std::min(least_, step.dot(before_) / (step.norm() * before_.norm()));
+                ++seen_;
+            }
+            before_ = step;
+        }
+        last_ = q;
+    }
+    [[nodiscard]] double least() const { return least_; }
+    [[nodiscard]] int seen() const { return seen_; }
+
+private:
+    ancf::VectorX last_, before_;
+    double least_ = 1.0;
+    int seen_ = 0;
+};
+
+using Planar = ancf::CrossSectionBeam<2>;
+
+ancf::CrossSectionOptions mixed() {
+    ancf::CrossSectionOptions options;
+    options.rule = ancf::Rule::mixed();
+    return options;
+}
+
+ancf::Section section_of(double area, double second) {
+    ancf::Moments moments;
+    moments.area = area;
+    moments.yy = moments.zz = second;
+    return ancf::Section::from_moments(moments).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
+}
+
+TEST_CASE("path: circular arches are followed without a turn back", "[path]") {
+    // radius 100, EA 1e8, EI 1e6, its second end hinged; the first one clamped
+    struct Arch {
+        int elements;
+        double degrees, first_step;
+    };
+    const double unit = GENERATE(1.0, 1e-6);  // of length
+    // the first six turned back before points aside of the path were refused; in front of the last
+    // two lie real turns of more than a right angle between steps
+    const Arch arches[] = {{8, 120, 0.3}, {12, 60, 0.02}, {12, 120, 0.02}, {16, 60, 0.02},
+                           {24, 60, 0.3}, {24, 60, 0.02}, {16, 215, 0.1},  {8, 215, 0.3}};
+    int checked = 0;
+    for (const Arch& one : arches) {
+        INFO(one.elements << " elements, " << one.degrees << " degrees, first step "
+                          << one.first_step << ", unit " << unit);
+        ancf::Model<Planar> scene;
+        const double half = one.degrees * ancf::pi / 360.0;
+        const auto beam = ancf::arc(scene, ancf::Material::isotropic(1e8, 0.0, 1.0),
+                                    section_of(unit * unit, 0.01 * std::pow(unit, 4)), {0, 0},
+                                    {std::cos(half), std::sin(half)}, 100.0 * unit, -2.0 * half,
+                                    one.elements, mixed());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.pin(beam.last());
+        const double load = (one.degrees < 100 ? 3600.0 : 900.0) * unit * unit;
+        scene.add(ancf::Force<2>(beam.node(one.elements / 2), {0, -load}));
+        ancf::EigenLdlt solver;
+        ancf::PathOptions options;
+        options.first_step = one.first_step;
+        options.max_points = 100;
+        Turns turns;
+        options.progress = [&](const ancf::PathPoint& point, const ancf::State& state) {
+            turns.see(state.q);
+            return std::abs(point.factor) < 10.0;
+        };
+        const auto report = ancf::follow_path(scene, solver, options);
+        CHECK(turns.seen() >= 40);
+        CHECK(turns.least() > 0.0);
+        CHECK(report.critical.size() >= 1);
+        ++checked;
+    }
+    CHECK(checked == 8);
+}
+
+TEST_CASE("path: Lee's frame of five elements a leg does not travel back", "[path]") {
+    // Green's strain; docs/hard-cases.md
+    ancf::Model<Planar> scene;
+    const auto section = section_of(6.0, 2.0);
+    const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
+    const auto column = ancf::straight_beam(scene, material, section, {0, 0}, {0, 120}, 5, mixed());
+    const auto beam =
+        ancf::straight_beam(scene, material, section, {0, 120}, {120, 120}, 5, mixed());
+    scene.pin(column.first());
+    scene.pin(beam.last());
+    scene.add(ancf::PlanarWeld(scene, column.last(), beam.first(), Field::r_y));
+    scene.add(ancf::Force<2>(beam.node(1), {0, -1e4}));
+    ancf::EigenLu solver;
+    ancf::PathOptions options;
+    options.first_step = 0.1;
+    options.max_points = 400;
+    Turns turns;
+    options.progress = [&](const ancf::PathPoint& point, const ancf::State& state) {
+        turns.see(state.q);
+        return point.factor < 2.0;
+    };
+    const auto report = ancf::follow_path(scene, solver, options);
+    REQUIRE(report.status == Status::stopped);
+    CHECK(turns.least() > 0.5);  // 0.88
+    REQUIRE(report.critical.size() == 2);
+    // of this mesh, as smaller steps find them; Reissner's are 18545 and -9392
+    CHECK(1e4 * report.critical[0].factor == Approx(18495.106).epsilon(1e-6));
+    CHECK(1e4 * report.critical[1].factor == Approx(-9265.682).epsilon(1e-6));
+}
+
+TEST_CASE("path: it passes the crest of a load that falls again with its factor", "[path]") {
+    Truss truss;
+    const auto left = truss.add_node({-1, 0, 0});
+    const auto right = truss.add_node({1, 0, 0});
+    const auto top = truss.add_node({0, 0.5, 0});
+    const int bar = truss.add_prototype(Bar(axial_stiffness, 1.0, std::sqrt(1.25)));
+    truss.connect(bar, left, top);
+    truss.connect(bar, right, top);
+    truss.pin(left);
+    truss.pin(right);
+    truss.fix(top, Field::r, 2);
+    truss.add(ancf::Force(top, {0, -1, 0}), [](double factor) { return std::sin(factor); });
+    const ancf::State start = truss.state();
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.control = ancf::PathControl::spherical;
+    options.first_step = 0.3;
+    options.last_factor = 2.0 * ancf::pi;
+    double before = 0.0;
+    options.progress = [&](const ancf::PathPoint& point, const ancf::State&) {
+        CHECK(point.factor > before);
+        before = point.factor;
+        return true;
+    };
+    const auto report = ancf::follow_path(truss, solver, options);
+    CHECK(report.points.size() >= 5);
+    SECTION("by coordinates and factor") {
+        REQUIRE(report.status == Status::converged);
+        CHECK(truss.position(apex)[1] == Approx(0.5).epsilon(1e-9));  // back at the start
+    }
+    SECTION("which coordinates alone do not tell from travelling back") {
+        truss.state() = start;
+        before = 0.0;
+        options.control = ancf::PathControl::cylindrical;
+        const auto stuck = ancf::follow_path(truss, solver, options);
+        CHECK(stuck.status == Status::diverged);
+        CHECK(stuck.failure != Status::converged);
+        CHECK(stuck.points.back().factor < 0.5 * ancf::pi);
+    }
 }
 
 TEST_CASE("path: displacement control passes the limit point of the load", "[path]") {

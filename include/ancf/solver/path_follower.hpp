@@ -3,7 +3,8 @@
 
 /// @file
 /// The algorithm behind follow_path: predictor along the tangent, Newton's method on the bordered
-/// system, bisection of steps in which the number of negative pivots changes or the load turns.
+/// system, a check that the point found lies ahead, bisection of steps in which the number of
+/// negative pivots changes or the load turns.
 
 #pragma once
 
@@ -260,8 +261,8 @@ private:
         if (corrected.failed()) return corrected;
         Outcome outcome = prepare(point);
         outcome.iterations = corrected.iterations;
-        if (!outcome.failed()) orient(from, point);
-        return outcome;
+        if (outcome.failed() || orient(from, point)) return outcome;
+        return Outcome::of(Status::diverged);
     }
 
     // Moves a point behind the last load factor onto it; fails where that leaves the step.
@@ -281,13 +282,25 @@ private:
         at.tangent_f = -at.tangent_f;
     }
 
-    // Keeps the direction of travel through limit and bifurcation points.
-    void orient(const Point& from, Point& to) const {
-        if (controlled_ >= 0) return;
+    // Keeps the direction of travel through limit and bifurcation points. Returns whether the
+    // increment is within 60 degrees of the path's direction at both ends: a sphere also meets the
+    // path behind its centre, and beyond a right angle the direction at the end has no sense.
+    [[nodiscard]] bool orient(const Point& from, Point& to) const {
+        if (controlled_ >= 0)
+            return branching_ || length(from, to) * step_ > 0.0;  // a landing may lie behind
+        constexpr double least = 0.5;                             // cosine
         const VectorX moved = free_difference(from, to);
-        const double along =
-            product(moved, to.tangent_u) + psi_ * psi_ * (to.factor - from.factor) * to.tangent_f;
-        if (along < 0.0) reverse(to);
+        const double change = to.factor - from.factor;
+        const double cosine = alignment(moved, change, to);
+        if (cosine < 0.0) reverse(to);
+        // a branch has its direction from the step along its mode
+        return branching_ || (alignment(moved, change, from) >= least && std::abs(cosine) >= least);
+    }
+
+    // Returns the cosine between an increment and the direction of the path, which has unit length.
+    [[nodiscard]] double alignment(const VectorX& moved, double change, const Point& at) const {
+        const double along = product(moved, at.tangent_u) + psi_ * psi_ * change * at.tangent_f;
+        return along / std::hypot(std::sqrt(product(moved, moved)), psi_ * change);
     }
 
     // Returns the length of an increment as the control measures it; signed for a displacement.
