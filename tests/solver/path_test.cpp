@@ -504,8 +504,7 @@ TEST_CASE("path: circular arches are followed without a turn back", "[path]") {
         double degrees, first_step;
     };
     const double unit = GENERATE(1.0, 1e-6);  // of length
-    // the first six turned back before points aside of the path were refused; in front of the last
-    // two lie real turns of more than a right angle between steps
+    // Newton's method lands behind the last point of the first six, in one unit or the other
     const Arch arches[] = {{8, 120, 0.3}, {12, 60, 0.02}, {12, 120, 0.02}, {16, 60, 0.02},
                            {24, 60, 0.3}, {24, 60, 0.02}, {16, 215, 0.1},  {8, 215, 0.3}};
     int checked = 0;
