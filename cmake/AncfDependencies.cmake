@@ -76,6 +76,29 @@ macro(_ancf_find_suitesparse)
     endif()
 endmacro()
 
+# Sets RESULT to whether a target that ancf::sundials links names LIBRARY, itself or through others.
+function(_ancf_sundials_names library result)
+    set(waiting SUNDIALS::ida SUNDIALS::nvecserial SUNDIALS::sunmatrixsparse SUNDIALS::sunlinsolklu SUNDIALS::core)
+    set(names)
+    while(waiting)
+        list(POP_FRONT waiting name)
+        if(name IN_LIST names)
+            continue()
+        endif()
+        list(APPEND names "${name}")
+        if(TARGET "${name}")
+            get_target_property(linked "${name}" INTERFACE_LINK_LIBRARIES)
+            string(REGEX REPLACE "\\$<LINK_ONLY:([^>]*)>" "\\1" linked "${linked}") # a static library
+            list(APPEND waiting ${linked})
+        endif()
+    endwhile()
+    if(library IN_LIST names)
+        set(${result} TRUE PARENT_SCOPE)
+    else()
+        set(${result} FALSE PARENT_SCOPE)
+    endif()
+endfunction()
+
 macro(_ancf_find_sundials)
     # A SUNDIALS with OpenMP vectors asks for OpenMP even where nobody uses them and leaves half of its targets
     # undefined when the compiler has none. An empty stand-in keeps the serial parts usable.
@@ -87,6 +110,13 @@ macro(_ancf_find_sundials)
     endif()
     find_package(SUNDIALS QUIET CONFIG COMPONENTS ida nvecserial sunmatrixsparse sunlinsolklu)
     set(ancf_sundials_FOUND FALSE)
+    # A SUNDIALS with MPI names MPI::MPI_C, which FindMPI makes only where the language C is enabled. What it finds for
+    # C++ serves as well.
+    _ancf_sundials_names(MPI::MPI_C _ancf_with_mpi)
+    if(_ancf_with_mpi AND NOT TARGET MPI::MPI_C AND TARGET MPI::MPI_CXX)
+        add_library(MPI::MPI_C INTERFACE IMPORTED)
+        set_target_properties(MPI::MPI_C PROPERTIES INTERFACE_LINK_LIBRARIES MPI::MPI_CXX)
+    endif()
     if(SUNDIALS_VERSION AND SUNDIALS_VERSION VERSION_LESS 6.4)
         ancf_explain(sundials
             "ancf's component sundials needs SUNDIALS 6.4 or newer, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR}."
@@ -95,6 +125,10 @@ macro(_ancf_find_sundials)
         ancf_explain(sundials
             "ancf's component sundials needs SUNDIALS with IDA and KLU, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR} without them."
             libsundials-dev sundials-devel sundials sundials)
+    elseif(_ancf_with_mpi AND NOT TARGET MPI::MPI_C)
+        ancf_explain(sundials
+            "ancf's component sundials needs MPI for C++, which was not found: SUNDIALS ${SUNDIALS_VERSION} in ${SUNDIALS_DIR} was built with it."
+            mpi-default-dev openmpi-devel open-mpi openmpi)
     elseif(NOT SUNDIALS_FOUND)
         ancf_explain(sundials
             "ancf's component sundials needs IDA of SUNDIALS 6.4 or newer, built with KLU, which was not found."

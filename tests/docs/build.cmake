@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Configures and builds the documentation of SOURCE below BINARY; a warning of Doxygen is an error.
+# Configures and builds the documentation of SOURCE below BINARY; a warning of Doxygen is an error. GENERATOR and
+# MAKE_PROGRAM are those of this build: another may be missing, or have been used before.
 
-execute_process(COMMAND ${CMAKE_COMMAND} -S "${SOURCE}" -B "${BINARY}" -DANCF_BUILD_TESTS=OFF -DANCF_BUILD_EXAMPLES=OFF
-    -DANCF_BUILD_BENCH=OFF -DANCF_BUILD_DOCS=ON OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --fresh -S "${SOURCE}" -B "${BINARY}" -G "${GENERATOR}"
+    -DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM} -DCMAKE_CXX_COMPILER=${COMPILER} -DANCF_BUILD_TESTS=OFF
+    -DANCF_BUILD_EXAMPLES=OFF -DANCF_BUILD_BENCH=OFF -DANCF_BUILD_DOCS=ON OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build "${BINARY}" --target docs COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB pages "${BINARY}/docs/html/*.html")
 list(LENGTH pages count)

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/sundials/index.hpp>
 #include <ancf/types.hpp>
 
 #include <ida/ida.h>
@@ -97,16 +98,22 @@ using LinearSolverOwner =
 using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;  ///< owns the memory of IDA
 
 /// Returns a vector of zeros.
+/// @throws InvalidArgument where SUNDIALS cannot count so far: see checked_index
 [[nodiscard]] inline VectorOwner make_vector(const Context& context, Eigen::Index size) {
-    VectorOwner vector(detail::made(N_VNew_Serial(size, context.get())));
+    const auto length = detail::checked_index(size, "unknowns");
+    VectorOwner vector(detail::made(N_VNew_Serial(length, context.get())));
     N_VConst(0.0, vector.get());
     return vector;
 }
 
 /// Returns an empty sparse matrix in compressed columns.
+/// @throws InvalidArgument where SUNDIALS cannot count so far: see checked_index
 [[nodiscard]] inline MatrixOwner make_matrix(const Context& context, Eigen::Index size,
                                              Eigen::Index values) {
-    return MatrixOwner(detail::made(SUNSparseMatrix(size, size, values, CSC_MAT, context.get())));
+    const auto length = detail::checked_index(size, "unknowns");
+    const auto entries = detail::checked_index(values, "entries of the Jacobian");
+    return MatrixOwner(
+        detail::made(SUNSparseMatrix(length, length, entries, CSC_MAT, context.get())));
 }
 
 /// Returns KLU for the size of a matrix and a vector.

@@ -15,6 +15,7 @@
 
 #pragma once
 
+#include <ancf/sundials/index.hpp>
 #include <ancf/types.hpp>
 
 #include <sundials/sundials_types.h>
@@ -45,6 +46,7 @@ struct JacobianParts {
 class JacobianMap {
 public:
     /// @param pattern  n + m square, compressed, rows ascending.
+    /// @throws InvalidArgument where SUNDIALS cannot count the entries of J.
     JacobianMap(const SparseMatrix& pattern, int n, Form form);
 
     [[nodiscard]] Eigen::Index size() const noexcept {
@@ -63,7 +65,10 @@ private:
     void append(const SparseMatrix& pattern, int column, int from, int to, int shift,
                 std::vector<sunindextype>& place);
     void append_unit(int row) { inner_.push_back(row); }
-    void close_column() { outer_.push_back(static_cast<sunindextype>(inner_.size())); }
+    void close_column() {
+        const auto entries = static_cast<std::ptrdiff_t>(inner_.size());
+        outer_.push_back(checked_index(entries, "entries of the Jacobian"));
+    }
 
     int n_;
     Form form_;
@@ -82,7 +87,7 @@ inline void JacobianMap::append(const SparseMatrix& pattern, int column, int fro
         const int row = pattern.innerIndexPtr()[k];
         if (row < from || row >= to) continue;
         place[static_cast<std::size_t>(k)] = static_cast<sunindextype>(inner_.size());
-        inner_.push_back(row + shift);
+        inner_.push_back(static_cast<sunindextype>(row) + shift);
     }
 }
 
@@ -91,6 +96,7 @@ inline JacobianMap::JacobianMap(const SparseMatrix& pattern, int n, Form form)
     const int all = static_cast<int>(pattern.cols());
     const int m = all - n;
     const bool stabilised = form == Form::gear_gupta_leimkuhler;
+    static_cast<void>(checked_index(2 * pattern.cols(), "unknowns"));  // and so every row of J fits
     const auto count = static_cast<std::size_t>(pattern.nonZeros());
     motion_.assign(count, -1);
     rate_.assign(count, -1);
