@@ -25,9 +25,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -150,7 +152,7 @@ private:
     double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
 
     SparseMatrix system_;
-    VectorX stiffness_scale_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
 };
 
@@ -169,7 +171,7 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
       gamma_(0.5 + af_ - am_),
       offset_(am_ - af_),
       system_(problem.mass()),
-      stiffness_scale_(system_.nonZeros()) {
+      stiff_(static_cast<std::size_t>(system_.nonZeros())) {
     beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
     beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
     gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
@@ -177,7 +179,7 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiffness_scale_[k] = j < n && system_.innerIndexPtr()[k] < n ? 1.0 : 0.0;
+            stiff_[static_cast<std::size_t>(k)] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
 }
 
@@ -371,8 +373,9 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
     const double* tangent = problem_.tangent().valuePtr();
     const double* damping = problem_.damping().valuePtr();
     double* system = system_.valuePtr();
+    const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
     for (Eigen::Index k = 0; k < system_.nonZeros(); ++k)
-        system[k] = mass[k] + (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_[k]) * tangent[k] +
+        system[k] = mass[k] + (stiff_[static_cast<std::size_t>(k)] != 0 ? share : 1.0) * tangent[k] +
                     h * gamma_hat_ * damping[k];
     ++report_.jacobians;
     ++report_.factorisations;
