@@ -146,6 +146,7 @@ private:
 
     Point now_, next_;
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
+    double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
     double width_ = 0.0;                              // step that now_.algorithmic belongs to
     MotionPoint linearised_;                          // where the factorised matrix was evaluated
@@ -187,7 +188,7 @@ template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
-    while (schedule_.end - now_.time > 1e-9 * step_ && advance()) {
+    while (schedule_.end - now_.time > 1e-9 * std::min(step_, whole_) && advance()) {
         std::swap(now_, next_);
         if (recorder_.step(next_, now_)) continue;
         fail(Status::stopped, "the progress callback asked to stop");
@@ -209,15 +210,16 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
     static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
     now_.acceleration = now_.algorithmic = start.acceleration;
     origin_ = start.time;
-    step_ = width_ =
-        options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
+    whole_ = schedule_.end - start.time;
+    step_ = options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
+    width_ = whole_ > 0.0 ? std::min(step_, whole_) : step_;
     if (!memory.empty()) {
         recall(memory);
     } else if (offset_ != 0.0) {
         // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
         VectorX jerk;
-        if (problem_.jerk(start, 1e-3 * step_, jerk) == Status::converged)
-            now_.algorithmic += offset_ * step_ * jerk;
+        if (problem_.jerk(start, 1e-3 * width_, jerk) == Status::converged)
+            now_.algorithmic += offset_ * width_ * jerk;
         report_.evaluations += 4;
     }
     next_ = now_;
@@ -438,7 +440,7 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
     require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
             memory.integrator);
     const VectorX& scalars = memory.get("scalars", 9);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
             "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
     require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],
