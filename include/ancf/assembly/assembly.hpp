@@ -68,6 +68,13 @@ struct Fault {
     int element;    ///< index in that group
 };
 
+/// The potential of a load that works through an angle.
+struct AnglePotential {
+    double scale;   ///< of the load, 1
+    double value;   ///< at unit scale, of the angle between -pi and pi, J
+    double period;  ///< at unit scale, of one turn, J
+};
+
 namespace detail {
 
 /// Returns a fault in words.
@@ -162,6 +169,10 @@ public:
 
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
+    /// Returns what of it comes from angles, in the order of the loads.
+    [[nodiscard]] const std::vector<AnglePotential>& angle_potentials() const noexcept {
+        return angles_;
+    }
     /// Returns the tangent, in the pattern.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept { return tangent_; }
     /// Returns -dQ/dv, in the pattern.
@@ -304,6 +315,7 @@ private:
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
     mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
+    std::vector<AnglePotential> angles_;
     SparseMatrix tangent_, damping_;
 };
 

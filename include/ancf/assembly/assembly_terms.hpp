@@ -39,7 +39,7 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
         result.force.setZero(size);
         result.stiffness.setZero(rows, rows);
         result.damping.setZero(rows, rows);
-        result.potential = 0.0;
+        result.potential = result.period = 0.0;
         load.evaluate(local, result);
         const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
         detail::require(
@@ -52,12 +52,14 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
 
 template <class Scene>
 void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
+    angles_.clear();
     for_each_load(
         at.q, at.v, at.instant.time, request != Request::force,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = load.scale(at.instant);
             const int size = static_cast<int>(coordinates.size());
             load_potential_ += scale * result.potential;
+            if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
             for (int i = 0; i < size; ++i)
                 external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
             if (request == Request::force || result.stiffness.size() == 0) return;

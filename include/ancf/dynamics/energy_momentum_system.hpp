@@ -260,16 +260,19 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
         gather(middle_, place.at, middle_q);
         const VectorX rate = change / h_;
         LoadResult result = evaluate(load, middle_q, rate);
-        if (result.potential != 0.0) {
+        if (result.potential != 0.0 || result.period > 0.0) {
             // a conservative load does the work by which its potential falls
             gather(q1, place.at, end);
             const double later = evaluate(load, end, rate).potential;
             gather(q0_, place.at, end);
             const double earlier = evaluate(load, end, rate).potential;
-            const double rest = earlier - later - result.force.dot(change);
-            if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
+            const double work = result.force.dot(change);
+            double fall = earlier - later;
+            if (result.period > 0.0)  // an angle that passes pi
+                fall -= result.period * std::round((fall - work) / result.period);
+            if (std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                 correct_gradient<Scene::dimension>(
-                    earlier - later, middle_q, change, false,
+                    fall, middle_q, change, false,
                     [&](int i) { return place.power[static_cast<std::size_t>(i)]; }, length_,
                     result.force);
         }

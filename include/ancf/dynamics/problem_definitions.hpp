@@ -234,6 +234,7 @@ Start DynamicProblem<Scene>::start() {
     numbering().gather_free(state.v, start.v);
     start.acceleration.setZero(size());
     start.multipliers.setZero(multipliers());
+    angles_.clear();
     full_q_ = state.q;
     full_v_.setZero(state.v.size());
     full_a_.setZero(state.v.size());
@@ -371,7 +372,17 @@ template <class Scene>
 Energies DynamicProblem<Scene>::energies(double t, const VectorX& q, const VectorX& v,
                                          const VectorX& lambda) {
     (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
-    return energies();
+    Energies result = energies();
+    const std::vector<AnglePotential>& found = assembly_.angle_potentials();
+    const bool first = angles_.size() != found.size();
+    if (first) angles_.assign(found.size(), 0.0);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto& [scale, value, period] = found[k];
+        const double turns = first ? 0.0 : std::round((angles_[k] - value) / period);
+        if (std::isfinite(turns)) angles_[k] = value + turns * period;
+        result.potential += scale * turns * period;
+    }
+    return result;
 }
 
 template <class Scene>
