@@ -182,6 +182,10 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
+    /// Returns what failed in the last evaluation, in words: the element, or the load or constraint
+    /// whose values are no numbers.
+    [[nodiscard]] std::string describe(const Fault& fault) const;
+
     /// Returns the first element so short that its law softens; CrossSectionBeam tells, with any
     /// centre line.
     /// @throws InvalidArgument for a q of another size.
@@ -316,6 +320,7 @@ private:
     mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
     std::vector<AnglePotential> angles_;
+    int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };
 

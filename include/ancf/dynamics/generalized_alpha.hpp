@@ -129,7 +129,7 @@ private:
     void fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
-        if (report_.fault) report_.message += "; " + fault_text(*report_.fault);
+        if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
     }
 
     DynamicProblem<Scene>& problem_;

@@ -310,7 +310,7 @@ void IdaRun<Scene>::fail(int code) {
     if (code == IDA_TOO_MUCH_WORK)
         message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
     if (!context_.message().empty()) message += ": " + context_.message();
-    if (report_.fault) message += "; " + ancf::detail::fault_text(*report_.fault);
+    if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
 }
 
 template <class Scene>
