@@ -164,6 +164,10 @@ public:
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
     /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
+    /// Returns by how much each g changes, to first order, where every position changes by `length`,
+    /// every slope by 1 and every r_xx by 1/length, the largest effect of one of them: what a
+    /// violation compares with, in any unit.
+    [[nodiscard]] VectorX violation_scale(double length) const;
     /// Returns U, J; after Request::force it is computed when first asked for.
     [[nodiscard]] double strain_energy() const;
 
@@ -311,10 +315,12 @@ private:
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
     std::vector<std::vector<int>> load_coordinates_;
     std::vector<std::vector<int>> constraint_coordinates_;
-    Revision revision_;  // of the model that this is set up for
-    VectorX gravity_;    // force of gravity at unit scale
+    std::vector<std::vector<int>> constraint_powers_;  // of a length, per coordinate
+    Revision revision_;                                // of the model that this is set up for
+    VectorX gravity_;                                  // force of gravity at unit scale
 
     VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
+    std::vector<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
     VectorX force_q_;                   // coordinates of the last evaluation of forces alone
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
     mutable double strain_energy_ = 0.0;

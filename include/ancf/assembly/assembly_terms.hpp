@@ -106,6 +106,7 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
     violation_rate_.setZero(numbering_.multipliers());
     convection_.setZero(numbering_.multipliers());
     faulty_constraint_ = -1;
+    steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
     ConstraintState local;
     ConstraintResult result;
     local.time = at.instant.time;
@@ -137,9 +138,25 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
             for (int e = 0; e < equations; ++e)
                 constraint_[coordinates[static_cast<std::size_t>(i)]] +=
                     result.jacobian(e, i) * local.multipliers[e];
+        for (Eigen::Index i = 0; i < size; ++i)
+            for (int e = 0; e < equations; ++e) {
+                const int power = constraint_powers_[k][static_cast<std::size_t>(i)];
+                double& most = steepest_[static_cast<std::size_t>(first + e)]
+                                        [static_cast<std::size_t>(power + 1)];
+                most = std::max(most, std::abs(result.jacobian(e, i)));
+            }
         if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
         first += equations;
     }
+}
+
+template <class Scene>
+VectorX Assembly<Scene>::violation_scale(double length) const {
+    VectorX scale(numbering_.multipliers());
+    for (std::size_t e = 0; e < steepest_.size(); ++e)
+        scale[static_cast<Eigen::Index>(e)] =
+            std::max({steepest_[e][0] / length, steepest_[e][1], steepest_[e][2] * length});
+    return scale;
 }
 
 template <class Scene>
