@@ -138,9 +138,9 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
     using Point = Vector<double, dimension>;
     const State& state = problem_.model().state();
     const int equations = constraint.equations();
+    ConstraintResult out;
     const auto value = [&](const VectorX& q) {
         ConstraintState at{q, VectorX::Zero(q.size()), VectorX::Zero(equations), state.time};
-        ConstraintResult out;
         out.reset(equations, q.size());
         constraint.evaluate(at, out);
         return out.violation;
@@ -165,7 +165,13 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
                 for (int j = 0; j < dimension; ++j) moved[first + i] += turn(i, j) * q[first + j];
             }
         }
-        if (!((value(moved) - rest).norm() <= 1e-10 * std::max(1.0, moved.norm()))) return false;
+        const VectorX change = value(moved) - rest;
+        for (int e = 0; e < equations; ++e) {
+            double size = 0.0;  // of the terms that cancel
+            for (Eigen::Index j = 0; j < moved.size(); ++j)
+                size += std::abs(out.jacobian(e, j) * moved[j]);
+            if (!(std::abs(change[e]) <= 1e-10 * size)) return false;
+        }
     }
     return true;
 }

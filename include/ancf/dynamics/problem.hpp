@@ -32,7 +32,8 @@ namespace ancf {
 /// What to do with constraints that repeat each other.
 enum class Redundancy {
     refuse,       ///< the start has Status::redundant and names them
-    minimum_norm  ///< one of them is left out; reported multipliers have the least norm
+    minimum_norm  ///< one of them is left out; reported multipliers have the least norm, each
+                  ///< measured by what the scene's size makes of its equation
 };
 
 /// How a problem is set up.
