@@ -164,9 +164,10 @@ public:
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
     /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
-    /// Returns by how much each g changes, to first order, where every position changes by `length`,
-    /// every slope by 1 and every r_xx by 1/length, the largest effect of one of them: what a
-    /// violation compares with, in any unit.
+    /// Returns what one coordinate can make of each g, to first order: a position that changes by
+    /// `length`, a slope by 1, an r_xx by 1/length. A violation compares with that in any unit.
+    /// @param length  m, positive.
+    /// @return one entry per equation of the last evaluation, in the unit of its g.
     [[nodiscard]] VectorX violation_scale(double length) const;
     /// Returns U, J; after Request::force it is computed when first asked for.
     [[nodiscard]] double strain_energy() const;

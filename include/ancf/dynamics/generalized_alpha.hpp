@@ -376,9 +376,10 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
     const double* damping = problem_.damping().valuePtr();
     double* system = system_.valuePtr();
     const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
+    const char* stiff = stiff_.data();
     for (Eigen::Index k = 0; k < system_.nonZeros(); ++k)
-        system[k] = mass[k] + (stiff_[static_cast<std::size_t>(k)] != 0 ? share : 1.0) * tangent[k] +
-                    h * gamma_hat_ * damping[k];
+        system[k] =
+            mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;

@@ -66,8 +66,8 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-/// L U of any square matrix with partial pivoting, rows scaled first: so that the order of pivots of
-/// a scene's tangent depends on no unit.
+/// L U of any square matrix with partial pivoting, rows scaled first: the order of pivots of a
+/// scene's tangent depends on no unit.
 template <class Ordering>
 class EigenLuWith {
 public:
