@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace {
+namespace short_runs_test {
 
 using namespace ancf::test;
 using ancf::Status;
@@ -50,8 +50,6 @@ void check_run(const Integrator& integrator, double duration) {
     }
     CHECK(moved == 2);
 }
-
-}  // namespace
 
 TEST_CASE("A run far shorter than its step moves to its end and shows the way", "[dynamics]") {
     ancf::GeneralizedAlphaOptions adaptive;
@@ -99,3 +97,5 @@ TEST_CASE("Equal intervals longer than the run still have both ends", "[dynamics
         CHECK(schedule.times == std::vector<double>{2.0, 2.0 + 1e-3});
     }
 }
+
+}  // namespace short_runs_test

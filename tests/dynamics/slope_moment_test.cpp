@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace {
+namespace slope_moment_test {
 
 using ancf::Field;
 using Scene = ancf::Model<ancf::Cable<2>>;
@@ -35,8 +35,6 @@ ancf::Schedule until(double end) {
     schedule.end = end;
     return schedule;
 }
-
-}  // namespace
 
 TEST_CASE("PlanarSlopeMoment: energy-momentum keeps the energy of a strip that it bends",
           "[dynamics][load]") {
@@ -76,3 +74,5 @@ TEST_CASE("PlanarSlopeMoment: its potential counts the turns of a free strip", "
     // it damps the vibrations that the sudden load starts; 6e-3 measured
     check(ancf::GeneralizedAlpha(), 1e-2);
 }
+
+}  // namespace slope_moment_test
