@@ -117,9 +117,10 @@ double ConvergenceMonitor::violation(const Assembly& assembly) const {
     double sum = 0.0;
     for (Eigen::Index k = 0; k < scale.size(); ++k) {
         const double value = assembly.violation()[k];
+        if (value == 0.0) continue;
         // what no coordinate changes is violated as a whole
-        const double share = scale[k] > 0.0 || value == 0.0 ? value / scale[k] : 1.0;
-        if (value != 0.0) sum += share * share;
+        const double share = scale[k] > 0.0 || std::isnan(value) ? value / scale[k] : 1.0;
+        sum += share * share;
     }
     return std::sqrt(sum);
 }
