@@ -184,6 +184,45 @@ inline void symmetrise(SparseMatrix& A) {
     return true;
 }
 
+/// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of
+/// two that the units of lengths, masses and times multiply, up to one factor for all, by powers of
+/// two that are exact.
+///
+/// That is 2^-floor((e_i - e_0)/2), e the exponent of a_ii; of rows without a diagonal, which are
+/// constraints, 2^e_0 over their largest scaled entry.
+[[nodiscard]] inline VectorX unit_scales(const SparseMatrix& matrix) {
+    const auto size = static_cast<int>(matrix.cols());
+    const auto for_each_entry = [&](const auto& visit) {
+        for (int j = 0; j < size; ++j)
+            for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
+                if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
+                    visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
+    };
+    const auto power = [](int exponent) {
+        return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
+    };
+    VectorX scales = VectorX::Zero(size);
+    int first = 0;
+    bool found = false;
+    for_each_entry([&](int i, int j, double value) {
+        if (i != j) return;
+        const int exponent = std::ilogb(value);
+        if (!found) first = exponent;
+        found = true;
+        const int apart = exponent - first;
+        scales[i] = power(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
+    });
+    VectorX largest = VectorX::Zero(size);
+    for_each_entry([&](int i, int j, double value) {
+        if (scales[i] == 0.0) largest[i] = std::max(largest[i], value * scales[j]);
+        if (scales[j] == 0.0) largest[j] = std::max(largest[j], value * scales[i]);
+    });
+    for (int i = 0; i < size; ++i)
+        if (scales[i] == 0.0)
+            scales[i] = largest[i] > 0.0 ? power(first - std::ilogb(largest[i])) : 1.0;
+    return scales;
+}
+
 /// Returns the lower half of a compressed matrix, with its zeros.
 [[nodiscard]] inline SparseMatrix lower_half(const SparseMatrix& A) {
     const auto size = static_cast<int>(A.cols());

@@ -133,6 +133,32 @@ TEST_CASE("SlopeMoment: the work over one turn of a normal slope is 2 pi m", "[l
     CHECK(work == Approx(6.0 * ancf::pi).epsilon(1e-12));
 }
 
+TEST_CASE("moments on one slope: the force is the derivative of the potential", "[load]") {
+    const auto seed = GENERATE(range(0U, 50U));
+    INFO("seed " << seed);
+    ancf::test::Random random(seed);
+    // central differences: h^2 and eps/h, 3e-10 measured
+    constexpr double h = 1e-5, close = 1e-8;
+    const auto check = [&](const auto& load, const auto& slope, double moment) {
+        const auto here = evaluate(load, slope);
+        CHECK(here.period == Approx(2.0 * ancf::pi * moment).epsilon(1e-15));
+        for (int k = 0; k < slope.size(); ++k) {
+            auto less = slope, more = slope;
+            less[k] -= h;
+            more[k] += h;
+            // where the step passes the end of the angle, the period tells
+            const double fall = std::remainder(
+                evaluate(load, less).potential - evaluate(load, more).potential, here.period);
+            CHECK(fall / (2.0 * h) == Approx(here.force[k]).margin(close));
+        }
+    };
+    const Vector6 slopes = random_slopes(random);
+    check(ancf::SlopeMoment(NodeId{0}, Field::r_y, random.direction<3>(), -2.5),
+          Vector3(slopes.tail<3>()), 2.5);
+    check(ancf::PlanarSlopeMoment(NodeId{0}, Field::r_x, 1.5),
+          ancf::Vector<double, 2>(slopes.head<2>()), 1.5);
+}
+
 TEST_CASE("Force: its potential falls by the work it does", "[load]") {
     const ancf::Force load(NodeId{0}, {1.0, -2.0, 3.0});
     const auto at_origin = evaluate(load, Vector3::Zero());

@@ -349,7 +349,19 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         Chain chain = make_chain();
         chain.add(ancf::Force({2}, {1.0, 0.0, 0.0}),
                   [](double) { return std::numeric_limits<double>::quiet_NaN(); });
-        CHECK(solve(chain).status == Status::not_finite);
+        const auto report = solve(chain);
+        CHECK(report.status == Status::not_finite);
+        CHECK(report.message == "the force of load 0 is not finite");
+    }
+    SECTION("a link between points that coincide") {
+        Chain chain = make_chain();
+        chain.add(ancf::Pin<3>(ancf::NodeId{1}, {1.0, 0.0, 0.0}));
+        chain.add(ancf::Distance<3>(ancf::NodeId{2}, {2.0, 0.0, 0.0}, 0.5));
+        const auto report = solve(chain);
+        CHECK(report.status == Status::not_finite);
+        CHECK(report.message ==
+              "the direction of constraint 1 (distance between node 2 and a point of space) is not "
+              "finite: do points coincide?");
     }
     SECTION("a moment about the slope it acts on") {
         Scene scene;
@@ -359,7 +371,9 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         scene.clamp(beam.first());
         scene.add(ancf::SlopeMoment(beam.last(), Field::r_z, {0, 0, 2}, 1.0));
         const ancf::VectorX before = scene.state().q;
-        CHECK(solve(scene).status == Status::not_finite);
+        const auto report = solve(scene);
+        CHECK(report.status == Status::not_finite);
+        CHECK(report.message == "the force of load 0 is not finite");
         CHECK(scene.state().q == before);
     }
     SECTION("a slope of no length") {
@@ -370,6 +384,7 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         CHECK(report.status == Status::degenerate);
         REQUIRE(report.fault);
         CHECK(report.fault->element == 0);
+        CHECK(report.message == "element 0 of group 0 is degenerate");
     }
     SECTION("too few iterations") {
         Scene scene = make_cantilever();
@@ -379,6 +394,9 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         const auto report = solve(scene, options);
         CHECK(report.status == Status::max_iterations);
         CHECK(report.iterations() == 2);
+        CHECK_THAT(report.message,
+                   ContainsSubstring("the step to load factor 1 failed after 2 iterations, the "
+                                     "last relative residual was "));
     }
 }
 

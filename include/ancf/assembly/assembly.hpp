@@ -68,6 +68,13 @@ struct Fault {
     int element;    ///< index in that group
 };
 
+/// The potential of a load that works through an angle.
+struct AnglePotential {
+    double scale;   ///< of the load, 1
+    double value;   ///< at unit scale, of the angle between -pi and pi, J
+    double period;  ///< at unit scale, of one turn, J
+};
+
 namespace detail {
 
 /// Returns a fault in words.
@@ -157,11 +164,20 @@ public:
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
     /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
+    /// Returns what one coordinate can make of each g, to first order: a position that changes by
+    /// `length`, a slope by 1, an r_xx by 1/length. A violation compares with that in any unit.
+    /// @param length  m, positive.
+    /// @return one entry per equation of the last evaluation, in the unit of its g.
+    [[nodiscard]] VectorX violation_scale(double length) const;
     /// Returns U, J; after Request::force it is computed when first asked for.
     [[nodiscard]] double strain_energy() const;
 
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
+    /// Returns what of it comes from angles, in the order of the loads.
+    [[nodiscard]] const std::vector<AnglePotential>& angle_potentials() const noexcept {
+        return angles_;
+    }
     /// Returns the tangent, in the pattern.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept { return tangent_; }
     /// Returns -dQ/dv, in the pattern.
@@ -170,6 +186,10 @@ public:
     /// Returns the first element whose coordinates are not finite or not admissible.
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
+
+    /// Returns what failed in the last evaluation, in words: the element, or the load or constraint
+    /// whose values are no numbers.
+    [[nodiscard]] std::string describe(const Fault& fault) const;
 
     /// Returns the first element so short that its law softens; CrossSectionBeam tells, with any
     /// centre line.
@@ -296,14 +316,18 @@ private:
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
     std::vector<std::vector<int>> load_coordinates_;
     std::vector<std::vector<int>> constraint_coordinates_;
-    Revision revision_;  // of the model that this is set up for
-    VectorX gravity_;    // force of gravity at unit scale
+    std::vector<std::vector<int>> constraint_powers_;  // of a length, per coordinate
+    Revision revision_;                                // of the model that this is set up for
+    VectorX gravity_;                                  // force of gravity at unit scale
 
     VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
+    std::vector<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
     VectorX force_q_;                   // coordinates of the last evaluation of forces alone
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
     mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
+    std::vector<AnglePotential> angles_;
+    int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };
 

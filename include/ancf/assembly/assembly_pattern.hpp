@@ -74,8 +74,13 @@ template <class Scene>
 void Assembly<Scene>::list_coordinates() {
     for (const ScaledLoad& load : model_.loads())
         load_coordinates_.push_back(coordinates_of(load.load.coupling(), "load"));
-    for (const AnyConstraint& constraint : model_.constraints())
-        constraint_coordinates_.push_back(coordinates_of(constraint.coupling(), "constraint"));
+    for (const AnyConstraint& constraint : model_.constraints()) {
+        const Coupling coupling = constraint.coupling();
+        constraint_coordinates_.push_back(coordinates_of(coupling, "constraint"));
+        std::vector<int>& powers = constraint_powers_.emplace_back();
+        for (const NodeField& at : coupling)
+            powers.insert(powers.end(), Scene::dimension, length_power(at.field));
+    }
 }
 
 template <class Scene>

@@ -39,7 +39,7 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
         result.force.setZero(size);
         result.stiffness.setZero(rows, rows);
         result.damping.setZero(rows, rows);
-        result.potential = 0.0;
+        result.potential = result.period = 0.0;
         load.evaluate(local, result);
         const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
         detail::require(
@@ -52,12 +52,19 @@ void Assembly<Scene>::for_each_load(const VectorX& q, const VectorX& v, double t
 
 template <class Scene>
 void Assembly<Scene>::add_loads(const Configuration& at, Request request) {
+    angles_.clear();
+    faulty_load_ = -1;
+    int place = -1;
     for_each_load(
         at.q, at.v, at.instant.time, request != Request::force,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = load.scale(at.instant);
             const int size = static_cast<int>(coordinates.size());
+            ++place;
             load_potential_ += scale * result.potential;
+            if (faulty_load_ < 0 && !(std::isfinite(scale) && result.force.allFinite()))
+                faulty_load_ = place;
+            if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
             for (int i = 0; i < size; ++i)
                 external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
             if (request == Request::force || result.stiffness.size() == 0) return;
@@ -98,6 +105,8 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
     violation_.setZero(numbering_.multipliers());
     violation_rate_.setZero(numbering_.multipliers());
     convection_.setZero(numbering_.multipliers());
+    faulty_constraint_ = -1;
+    steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
     ConstraintState local;
     ConstraintResult result;
     local.time = at.instant.time;
@@ -122,13 +131,32 @@ void Assembly<Scene>::add_constraints(const Configuration& at, Request request) 
         violation_.segment(first, equations) = result.violation;
         violation_rate_.segment(first, equations) = result.rate;
         convection_.segment(first, equations) = result.convection;
+        if (faulty_constraint_ < 0 &&
+            !(result.violation.allFinite() && result.jacobian.allFinite()))
+            faulty_constraint_ = static_cast<int>(k);
         for (Eigen::Index i = 0; i < size; ++i)
             for (int e = 0; e < equations; ++e)
                 constraint_[coordinates[static_cast<std::size_t>(i)]] +=
                     result.jacobian(e, i) * local.multipliers[e];
+        for (Eigen::Index i = 0; i < size; ++i)
+            for (int e = 0; e < equations; ++e) {
+                const int power = constraint_powers_[k][static_cast<std::size_t>(i)];
+                double& most = steepest_[static_cast<std::size_t>(first + e)]
+                                        [static_cast<std::size_t>(power + 1)];
+                most = std::max(most, std::abs(result.jacobian(e, i)));
+            }
         if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
         first += equations;
     }
+}
+
+template <class Scene>
+VectorX Assembly<Scene>::violation_scale(double length) const {
+    VectorX scale(numbering_.multipliers());
+    for (std::size_t e = 0; e < steepest_.size(); ++e)
+        scale[static_cast<Eigen::Index>(e)] =
+            std::max({steepest_[e][0] / length, steepest_[e][1], steepest_[e][2] * length});
+    return scale;
 }
 
 template <class Scene>
@@ -174,6 +202,20 @@ std::optional<Fault> Assembly<Scene>::inspect(const VectorX& q) const {
     });
     if (!found) return std::nullopt;
     return Fault{status, found->group, found->element};
+}
+
+template <class Scene>
+std::string Assembly<Scene>::describe(const Fault& fault) const {
+    if (fault.element >= 0) return detail::fault_text(fault);
+    if (faulty_load_ >= 0)
+        return detail::joined({"the force of load ", faulty_load_, " is not finite"});
+    if (faulty_constraint_ >= 0) {
+        const auto at = static_cast<std::size_t>(faulty_constraint_);
+        return detail::joined({"the direction of constraint ", faulty_constraint_, " (",
+                               model_.constraints()[at].name(),
+                               ") is not finite: do points coincide?"});
+    }
+    return detail::fault_text(fault);
 }
 
 template <class Scene>

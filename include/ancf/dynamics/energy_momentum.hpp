@@ -136,7 +136,8 @@ void EnergyMomentumRun<Scene, LinearSolver>::run(const Memory& memory) {
     next_ = now_;
     recorder_.start(now_);
     bool going = true;
-    while (going && schedule_.end - now_.time > 1e-9 * options_.step) {
+    const double least = 1e-9 * std::min(options_.step, schedule_.end - now_.time);
+    while (going && schedule_.end - now_.time > least) {
         const double grid = origin_ + (count_ + 1.0) * options_.step;
         if (schedule_.end >= grid - 1e-9 * options_.step) {
             going = advance(grid, options_.step);
@@ -273,7 +274,7 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
     require(memory.integrator == "energy_momentum", "EnergyMomentum: the memory is that of ",
             memory.integrator);
     const VectorX& scalars = memory.get("scalars", 8);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
             "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
     problem_.set_length_scale(scalars[7]);

@@ -138,9 +138,9 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
     using Point = Vector<double, dimension>;
     const State& state = problem_.model().state();
     const int equations = constraint.equations();
+    ConstraintResult out;
     const auto value = [&](const VectorX& q) {
         ConstraintState at{q, VectorX::Zero(q.size()), VectorX::Zero(equations), state.time};
-        ConstraintResult out;
         out.reset(equations, q.size());
         constraint.evaluate(at, out);
         return out.violation;
@@ -165,7 +165,13 @@ bool EnergyMomentumSystem<Scene>::is_invariant(const AnyConstraint& constraint,
                 for (int j = 0; j < dimension; ++j) moved[first + i] += turn(i, j) * q[first + j];
             }
         }
-        if (!((value(moved) - rest).norm() <= 1e-10 * std::max(1.0, moved.norm()))) return false;
+        const VectorX change = value(moved) - rest;
+        for (int e = 0; e < equations; ++e) {
+            double size = 0.0;  // of the terms that cancel
+            for (Eigen::Index j = 0; j < moved.size(); ++j)
+                size += std::abs(out.jacobian(e, j) * moved[j]);
+            if (!(std::abs(change[e]) <= 1e-10 * size)) return false;
+        }
     }
     return true;
 }
@@ -260,16 +266,19 @@ void EnergyMomentumSystem<Scene>::add_loads(const VectorX& q1, bool matrix) {
         gather(middle_, place.at, middle_q);
         const VectorX rate = change / h_;
         LoadResult result = evaluate(load, middle_q, rate);
-        if (result.potential != 0.0) {
+        if (result.potential != 0.0 || result.period > 0.0) {
             // a conservative load does the work by which its potential falls
             gather(q1, place.at, end);
             const double later = evaluate(load, end, rate).potential;
             gather(q0_, place.at, end);
             const double earlier = evaluate(load, end, rate).potential;
-            const double rest = earlier - later - result.force.dot(change);
-            if (std::abs(rest) > 1e-14 * (std::abs(earlier) + std::abs(later)))
+            const double work = result.force.dot(change);
+            double fall = earlier - later;
+            if (result.period > 0.0)  // an angle that passes pi
+                fall -= result.period * std::round((fall - work) / result.period);
+            if (std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                 correct_gradient<Scene::dimension>(
-                    earlier - later, middle_q, change, false,
+                    fall, middle_q, change, false,
                     [&](int i) { return place.power[static_cast<std::size_t>(i)]; }, length_,
                     result.force);
         }

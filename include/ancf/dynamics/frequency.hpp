@@ -18,26 +18,27 @@
 
 namespace ancf::detail {
 
-/// Returns a fixed start vector that no symmetry of a scene shares.
-[[nodiscard]] inline VectorX scattered(Eigen::Index size, int seed) {
+/// Returns a fixed start vector that no symmetry of a scene shares, each entry up to its scale.
+[[nodiscard]] inline VectorX scattered(const VectorX& scales, int seed) {
     // the congruence of Park, Miller and Stockmeyer (Communications of the ACM 36, 1993)
     constexpr std::uint64_t modulus = 2147483647;
     std::uint64_t random = static_cast<std::uint64_t>(seed) + 1;
     const auto next = [&random] { return random = 48271 * random % modulus; };
     for (int k = 0; k < 8; ++k) next();  // small seeds start alike
-    VectorX x(size);
-    for (double& value : x) value = 2.0 * static_cast<double>(next()) / (modulus - 1) - 1.0;
+    VectorX x = scales;
+    for (double& value : x) value *= 2.0 * static_cast<double>(next()) / (modulus - 1) - 1.0;
     return x;
 }
 
 /// Returns the largest |omega^2| of M^-1 K by power iteration with the Rayleigh quotient.
+/// @param scales     typical sizes of the coordinates.
 /// @param stiffness  x -> K x.  @param mass  x -> M x.  @param solve_mass  b -> M^-1 b.
 template <class Stiffness, class Mass, class SolveMass>
-[[nodiscard]] double largest_eigenvalue(Eigen::Index size, const Stiffness& stiffness,
+[[nodiscard]] double largest_eigenvalue(const VectorX& scales, const Stiffness& stiffness,
                                         const Mass& mass, const SolveMass& solve_mass,
                                         int iterations = 60) {
-    if (size == 0) return 0.0;
-    VectorX x = scattered(size, 0);
+    if (scales.size() == 0) return 0.0;
+    VectorX x = scattered(scales, 0);
     double estimate = 0.0;
     for (int k = 0; k < iterations; ++k) {
         x /= std::sqrt(x.dot(mass(x)));
@@ -92,17 +93,18 @@ template <class Stiffness, class Mass, class SolveMass>
 
 /// Returns the lowest eigenvalue above `threshold` of K x = omega^2 M x, 0 where there is none
 /// among those that the subspace finds.
+/// @param scales         typical sizes of the coordinates.
 /// @param freedom        number of independent motions that the constraints leave.
 /// @param shifted_solve  b -> (K + shift M)^-1 b on the constraints, shift > 0.
 template <class Stiffness, class Mass, class Solve>
-[[nodiscard]] double lowest_eigenvalue(Eigen::Index size, Eigen::Index freedom,
+[[nodiscard]] double lowest_eigenvalue(const VectorX& scales, Eigen::Index freedom,
                                        const Stiffness& stiffness, const Mass& mass,
                                        const Solve& shifted_solve, double threshold,
                                        int iterations = 12) {
     const auto width = static_cast<std::size_t>(std::min<Eigen::Index>(freedom, 14));
     if (freedom <= 0) return 0.0;
     std::vector<VectorX> basis(width), mass_basis(width), stiff_basis(width), turned(width);
-    for (std::size_t k = 0; k < width; ++k) basis[k] = scattered(size, static_cast<int>(k));
+    for (std::size_t k = 0; k < width; ++k) basis[k] = scattered(scales, static_cast<int>(k));
     MatrixX reduced(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(width));
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (std::size_t k = 0; k < width; ++k) {
@@ -124,7 +126,7 @@ template <class Stiffness, class Mass, class Solve>
                     0.5 * (basis[i].dot(stiff_basis[j]) + basis[j].dot(stiff_basis[i]));
         const MatrixX vectors = diagonalize(reduced);
         for (std::size_t k = 0; k < width; ++k) {
-            turned[k].setZero(size);
+            turned[k].setZero(scales.size());
             for (std::size_t j = 0; j < width; ++j)
                 turned[k] += vectors.data()[k * width + j] * basis[j];
         }

@@ -25,9 +25,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -127,7 +129,7 @@ private:
     void fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
-        if (report_.fault) report_.message += "; " + fault_text(*report_.fault);
+        if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
     }
 
     DynamicProblem<Scene>& problem_;
@@ -144,13 +146,14 @@ private:
 
     Point now_, next_;
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
+    double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
     double width_ = 0.0;                              // step that now_.algorithmic belongs to
     MotionPoint linearised_;                          // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
 
     SparseMatrix system_;
-    VectorX stiffness_scale_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
 };
 
@@ -169,7 +172,7 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
       gamma_(0.5 + af_ - am_),
       offset_(am_ - af_),
       system_(problem.mass()),
-      stiffness_scale_(system_.nonZeros()) {
+      stiff_(static_cast<std::size_t>(system_.nonZeros())) {
     beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
     beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
     gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
@@ -177,7 +180,7 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiffness_scale_[k] = j < n && system_.innerIndexPtr()[k] < n ? 1.0 : 0.0;
+            stiff_[static_cast<std::size_t>(k)] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
 }
 
@@ -185,7 +188,7 @@ template <class Scene, class LinearSolver>
 void GeneralizedAlphaRun<Scene, LinearSolver>::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
-    while (schedule_.end - now_.time > 1e-9 * step_ && advance()) {
+    while (schedule_.end - now_.time > 1e-9 * std::min(step_, whole_) && advance()) {
         std::swap(now_, next_);
         if (recorder_.step(next_, now_)) continue;
         fail(Status::stopped, "the progress callback asked to stop");
@@ -207,15 +210,16 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
     static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
     now_.acceleration = now_.algorithmic = start.acceleration;
     origin_ = start.time;
-    step_ = width_ =
-        options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
+    whole_ = schedule_.end - start.time;
+    step_ = options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
+    width_ = whole_ > 0.0 ? std::min(step_, whole_) : step_;
     if (!memory.empty()) {
         recall(memory);
     } else if (offset_ != 0.0) {
         // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
         VectorX jerk;
-        if (problem_.jerk(start, 1e-3 * step_, jerk) == Status::converged)
-            now_.algorithmic += offset_ * step_ * jerk;
+        if (problem_.jerk(start, 1e-3 * width_, jerk) == Status::converged)
+            now_.algorithmic += offset_ * width_ * jerk;
         report_.evaluations += 4;
     }
     next_ = now_;
@@ -371,9 +375,11 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
     const double* tangent = problem_.tangent().valuePtr();
     const double* damping = problem_.damping().valuePtr();
     double* system = system_.valuePtr();
+    const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
+    const char* stiff = stiff_.data();
     for (Eigen::Index k = 0; k < system_.nonZeros(); ++k)
-        system[k] = mass[k] + (1.0 + (h * h * beta_hat_ - 1.0) * stiffness_scale_[k]) * tangent[k] +
-                    h * gamma_hat_ * damping[k];
+        system[k] =
+            mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;
@@ -435,7 +441,7 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
     require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
             memory.integrator);
     const VectorX& scalars = memory.get("scalars", 9);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::max(1.0, std::abs(now_.time)),
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
             "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time,
             " s");
     require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],

@@ -63,6 +63,7 @@ public:
         factorised_.clear();
         if (!detail::all_finite(matrix)) return Status::not_finite;
         matrix_ = detail::lower_half(matrix);
+        scales_ = detail::unit_scales(matrix_);
         if (!factorize_shifted()) return Status::singular;
         factorised_.assign(first, last);
         return Status::converged;
@@ -85,7 +86,8 @@ public:
 private:
     static constexpr double largest_share = 1e-8, smallest_share = 1e-13;
 
-    // Solves, and returns the larger residual of the two parts, relative to |matrix| |x| + |b|.
+    // Solves, and returns the larger residual of the two parts, relative to |matrix| |x| + |b|,
+    // rows and unknowns scaled.
     [[nodiscard]] double refine(const VectorX& b, VectorX& x) const {
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
         x = ldlt_.solve(b);
@@ -110,21 +112,21 @@ private:
         double largest[2] = {0.0, 0.0}, rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
         const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
         for (Eigen::Index i = 0; i < x.size(); ++i)
-            largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]));
+            largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]) / scales_[i]);
         VectorX terms = b;  // |b| + |matrix| times the largest entries of x
         for (double& term : terms) term = std::abs(term);
         for (int j = 0; j < matrix_.cols(); ++j)
             for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
                 const auto i = entry.row();
                 residual[i] -= entry.value() * x[j];
-                terms[i] += std::abs(entry.value()) * largest[part(j)];
+                terms[i] += std::abs(entry.value()) * scales_[j] * largest[part(j)];
                 if (i == j) continue;
                 residual[j] -= entry.value() * x[i];
-                terms[j] += std::abs(entry.value()) * largest[part(i)];
+                terms[j] += std::abs(entry.value()) * scales_[i] * largest[part(i)];
             }
         for (Eigen::Index i = 0; i < b.size(); ++i) {
-            rest[part(i)] = std::max(rest[part(i)], std::abs(residual[i]));
-            size[part(i)] = std::max(size[part(i)], terms[i]);
+            rest[part(i)] = std::max(rest[part(i)], scales_[i] * std::abs(residual[i]));
+            size[part(i)] = std::max(size[part(i)], scales_[i] * terms[i]);
         }
         if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
         double ratio = 0.0;
@@ -156,6 +158,7 @@ private:
     int rows_ = 0;
     double share_ = largest_share;
     SparseMatrix matrix_;  // lower half
+    VectorX scales_;       // of the unknowns
     std::vector<double> factorised_;
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> ldlt_;
 };

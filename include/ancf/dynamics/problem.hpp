@@ -32,7 +32,8 @@ namespace ancf {
 /// What to do with constraints that repeat each other.
 enum class Redundancy {
     refuse,       ///< the start has Status::redundant and names them
-    minimum_norm  ///< one of them is left out; reported multipliers have the least norm
+    minimum_norm  ///< one of them is left out; reported multipliers have the least norm, each
+                  ///< measured by what the scene's size makes of its equation
 };
 
 /// How a problem is set up.
@@ -156,10 +157,13 @@ public:
     void solve_mass(const VectorX& b, VectorX& x) const { x = mass_factor_.solve(b); }
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
+    ///
+    /// The potential of a load that works through an angle goes on from the last call since
+    /// start(), over any number of turns; between two calls it turns by less than half of one.
     [[nodiscard]] Energies energies(double t, const VectorX& q, const VectorX& v,
                                     const VectorX& lambda);
 
-    /// Returns energies and powers of the last evaluation.
+    /// Returns energies and powers of the last evaluation, angles between -pi and pi.
     [[nodiscard]] Energies energies() const;
 
     // Constraints alone: no element is evaluated ------------------------------------------------
@@ -309,6 +313,7 @@ private:
     double length_ = 1.0;
     std::vector<Driven> driven_;
     std::vector<int> left_out_;
+    std::vector<double> angles_;  // potentials of angles that energies() last gave
 
     // of the last evaluation, all coordinates
     double time_ = 0.0;

@@ -140,13 +140,14 @@ void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v)
 template <class Scene>
 std::string DynamicProblem<Scene>::check_supports(double t) const {
     const State& state = model_.state();
+    const double fastest = detail::largest_ratio(state.v, full_scales_);
     for (const Support& support : model_.supports()) {
         const int at = model_.coordinate(support.node, support.field) + support.component;
         const double value = support.value ? support.value(t) : state.q[at];
         const double gap = std::abs(state.q[at] - value);
         const double rate = support.value ? 0.0 : std::abs(state.v[at]);
         const double allowed = options_.consistency * full_scales_[at];
-        if (gap <= allowed && rate <= allowed) continue;
+        if (gap <= allowed && rate <= fastest * allowed) continue;
         const std::string which =
             detail::joined({"the support of ", to_string(support.field), ", component ",
                             support.component, ", of node ", support.node.index});
@@ -234,6 +235,7 @@ Start DynamicProblem<Scene>::start() {
     numbering().gather_free(state.v, start.v);
     start.acceleration.setZero(size());
     start.multipliers.setZero(multipliers());
+    angles_.clear();
     full_q_ = state.q;
     full_v_.setZero(state.v.size());
     full_a_.setZero(state.v.size());
@@ -371,7 +373,17 @@ template <class Scene>
 Energies DynamicProblem<Scene>::energies(double t, const VectorX& q, const VectorX& v,
                                          const VectorX& lambda) {
     (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
-    return energies();
+    Energies result = energies();
+    const std::vector<AnglePotential>& found = assembly_.angle_potentials();
+    const bool first = angles_.size() != found.size();
+    if (first) angles_.assign(found.size(), 0.0);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto& [scale, value, period] = found[k];
+        const double turns = first ? 0.0 : std::round((angles_[k] - value) / period);
+        if (std::isfinite(turns)) angles_[k] = value + turns * period;
+        result.potential += scale * turns * period;
+    }
+    return result;
 }
 
 template <class Scene>
@@ -496,6 +508,13 @@ void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
     constraints_.evaluate(time_, full_q_, full_v_);
     if (factorize_kkt() != Status::converged) return;
     const SparseMatrix rows = constraints_.transposed_jacobian();
+    // multipliers of all units compare by the work that changes by the coordinates' scales take
+    const VectorX weights = constraints_.magnitude(full_scales_).cwiseAbs2();
+    const auto product = [&](const VectorX& a, const VectorX& b) {
+        double sum = 0.0;
+        for (Eigen::Index i = 0; i < a.size(); ++i) sum += weights[i] * a[i] * b[i];
+        return sum;
+    };
     std::vector<VectorX> basis;
     for (const int equation : left_out_) {
         VectorX b = VectorX::Zero(numbering().unknowns()), x;
@@ -504,14 +523,19 @@ void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
         if (solve_kkt(b, x) != Status::converged) continue;
         // of an equation that no longer follows from the others something is left
         const VectorX rest = detail::multiply(compact_mass_, Storage::full, x.head(size()));
-        if (rest.norm() > 1e-8 * b.norm()) continue;
+        const auto work = [&](const VectorX& force) {
+            double sum = 0.0;
+            for (int i = 0; i < size(); ++i) sum += std::pow(force[i] * scales_[i], 2);
+            return std::sqrt(sum);
+        };
+        if (work(rest) > 1e-8 * work(b)) continue;
         VectorX silent = x.tail(multipliers.size());
         silent[equation] = -1.0;
         for (int pass = 0; pass < 2; ++pass)  // Gram-Schmidt, twice
-            for (const VectorX& earlier : basis) silent -= earlier.dot(silent) * earlier;
-        silent /= silent.norm();
+            for (const VectorX& earlier : basis) silent -= product(earlier, silent) * earlier;
+        silent /= std::sqrt(product(silent, silent));
         basis.push_back(silent);
-        multipliers -= silent.dot(multipliers) * silent;
+        multipliers -= product(silent, multipliers) * silent;
     }
 }
 
@@ -602,7 +626,7 @@ double DynamicProblem<Scene>::highest_frequency(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
     return std::sqrt(detail::largest_eigenvalue(
-        size(),
+        scales_,
         [&](const VectorX& x) {
             return detail::multiply(assembly_.tangent(), options_.storage, x);
         },
@@ -632,7 +656,7 @@ double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
     };
     const int freedom = size() - multipliers() + static_cast<int>(left_out_.size());
     return std::sqrt(detail::lowest_eigenvalue(
-        size(), freedom,
+        scales_, freedom,
         [&](const VectorX& x) { return detail::multiply(tangent(), options_.storage, x); },
         [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); }, solve,
         10.0 * shift));

@@ -10,6 +10,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -79,7 +80,8 @@ struct Schedule {
                     " s makes more than ", most, " outputs of ", duration, " s");
     Schedule schedule;
     schedule.end = start + duration;
-    for (int k = 0; start + k * interval < schedule.end - 1e-9 * interval; ++k)
+    const double last = schedule.end - 1e-9 * std::min(interval, duration);
+    for (int k = 0; start + k * interval < last; ++k)
         schedule.times.push_back(start + k * interval);
     schedule.times.push_back(schedule.end);
     return schedule;

@@ -42,6 +42,7 @@ struct LoadResult {
     MatrixX stiffness;       ///< dQ/dq; empty for a load of constant force
     MatrixX damping;         ///< dQ/dv; empty for a load of constant force
     double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
+    double period = 0.0;     ///< of a V that is known but for multiples of this, an angle's, J
 };
 
 template <class T, class = void>

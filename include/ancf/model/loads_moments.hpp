@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
@@ -26,6 +27,7 @@ namespace ancf {
 ///
 /// It is a moment about n while the slope stays normal to n: in planar bending and in pure twist.
 /// A slope parallel to n has no angle about it; a run that comes there ends as not_finite.
+/// Its potential is -m times that angle.
 class SlopeMoment {
 public:
     static constexpr int dimension = 3;                ///< of the model it belongs to
@@ -55,7 +57,8 @@ private:
     double moment_;
 };
 
-/// The moment of SlopeMoment in the plane: counterclockwise positive, N m.
+/// The moment of SlopeMoment in the plane: counterclockwise positive, N m; of potential -m times
+/// the slope's angle.
 class PlanarSlopeMoment {
 public:
     static constexpr int dimension = 2;                ///< of the model it belongs to
@@ -136,6 +139,13 @@ inline void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const
         for (int j = 0; j < 3; ++j)
             out.stiffness(i, j) = scale * (turn(i, j) - 2.0 / square * turned[i] * ap[j]);
     }
+    // the angle from the global axis e that leans least along n: ap.e and ap.(n x e)
+    int across = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(axis_[i]) < std::abs(axis_[across])) across = i;
+    const Vector<double, 3> ahead = turn.col(across);
+    out.potential = -moment_ * std::atan2(ap.dot(ahead), ap[across]);
+    out.period = 2.0 * pi * std::abs(moment_);
 }
 
 inline PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, double moment)
@@ -157,6 +167,8 @@ inline void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out)
     out.force = force(slope);
     out.stiffness << 2.0 * scale * x * y, scale * (y * y - x * x), scale * (y * y - x * x),
         -2.0 * scale * x * y;
+    out.potential = -moment_ * std::atan2(y, x);
+    out.period = 2.0 * pi * std::abs(moment_);
 }
 
 inline TangentMoment::TangentMoment(NodeId node, const VectorArgument<3>& moment)

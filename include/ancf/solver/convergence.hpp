@@ -31,7 +31,8 @@ public:
     ConvergenceMonitor(const Scene& model, const Numbering& numbering);
 
     /// Returns the residual of the last evaluation relative to loads, reactions and constraint
-    /// forces; the violation of constraints counts relative to the scene's size.
+    /// forces; the violation of constraints counts relative to what changes by the scene's size, of
+    /// slopes by one, make of it.
     template <class Assembly>
     [[nodiscard]] double residual(const Assembly& assembly) const;
 
@@ -56,6 +57,9 @@ private:
 
     template <class Entry>
     [[nodiscard]] Norms norms(Entry&& entry) const;
+
+    template <class Assembly>
+    [[nodiscard]] double violation(const Assembly& assembly) const;
 
     const Numbering& numbering_;
     std::vector<signed char> power_;  // of a length in the unit, per coordinate
@@ -108,6 +112,20 @@ ConvergenceMonitor::Norms ConvergenceMonitor::norms(Entry&& entry) const {
 }
 
 template <class Assembly>
+double ConvergenceMonitor::violation(const Assembly& assembly) const {
+    const VectorX scale = assembly.violation_scale(size_);
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+        const double value = assembly.violation()[k];
+        if (value == 0.0) continue;
+        // what no coordinate changes is violated as a whole
+        const double share = scale[k] > 0.0 || std::isnan(value) ? value / scale[k] : 1.0;
+        sum += share * share;
+    }
+    return std::sqrt(sum);
+}
+
+template <class Assembly>
 double ConvergenceMonitor::residual(const Assembly& assembly) const {
     const VectorX& internal = assembly.internal_force();
     const VectorX& external = assembly.external_force();
@@ -125,7 +143,7 @@ double ConvergenceMonitor::residual(const Assembly& assembly) const {
     const double smallest = std::numeric_limits<double>::min();
     const double of_force = rest.force / std::max(force + moment / size_, smallest);
     const double of_moment = rest.moment / std::max(moment + force * element_size_, smallest);
-    const double violation = assembly.violation().norm() / size_;
+    const double violation = this->violation(assembly);
     // std::max would drop a NaN, and infinite loads hide any residual
     if (std::isnan(of_force + of_moment + violation) || !std::isfinite(force + moment) ||
         !std::isfinite(rest.force + rest.moment + violation))
@@ -161,7 +179,7 @@ bool ConvergenceMonitor::at_round_off(const Assembly& assembly, const VectorX& q
     const Norms rest = norms(free_entry(unbalanced));
     const Norms limit = norms(free_entry(noise));
     return std::isfinite(rest.force + rest.moment) && rest.force <= limit.force &&
-           rest.moment <= limit.moment && assembly.violation().norm() <= 16.0 * epsilon * size_;
+           rest.moment <= limit.moment && violation(assembly) <= 16.0 * epsilon;
 }
 
 inline double ConvergenceMonitor::correction(const VectorX& unknowns) const {

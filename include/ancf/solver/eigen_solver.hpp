@@ -66,7 +66,8 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-/// L U of any square matrix with partial pivoting, rows scaled first.
+/// L U of any square matrix with partial pivoting, rows scaled first: the order of pivots of a
+/// scene's tangent depends on no unit.
 template <class Ordering>
 class EigenLuWith {
 public:
@@ -191,10 +192,13 @@ FactorReport EigenLuWith<Ordering>::factorize(const SparseMatrix& matrix) {
 
 template <class Ordering>
 void EigenLuWith<Ordering>::scale_rows(const SparseMatrix& matrix) {
+    // entries of a row compare where each unknown is measured by its own scale
+    const VectorX scales = detail::unit_scales(matrix);
     row_scale_ = VectorX::Zero(matrix.rows());
     for (int column = 0; column < matrix.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-            row_scale_[entry.row()] = std::max(row_scale_[entry.row()], std::abs(entry.value()));
+            row_scale_[entry.row()] =
+                std::max(row_scale_[entry.row()], std::abs(entry.value()) * scales[column]);
     row_scale_ = (row_scale_.array() > 0.0).select(row_scale_.cwiseInverse(), 1.0);
     scaled_ = row_scale_.asDiagonal() * matrix;
 }

@@ -116,7 +116,8 @@ template <class LinearSolver>
         if (solver.factorize(firm).status != Status::converged) continue;
         VectorX mode = VectorX::Zero(numbering.unknowns());
         for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit
-            mode[all[k].equation] = std::cos(static_cast<double>(k * k));
+            mode[all[k].equation] =
+                std::cos(static_cast<double>(k * k)) / std::sqrt(springs[all[k].equation]);
         if (!(softest_mode(solver, springs, mode) > 0.5)) return "";
         const auto energy = [&](const FreeComponent& c) {
             return springs[c.equation] * mode[c.equation] * mode[c.equation];

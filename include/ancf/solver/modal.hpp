@@ -64,7 +64,8 @@ struct ModalReport {
                                  ///< nor max_iterations
     int iterations = 0;          ///< solutions with the whole subspace
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
-    std::string message = {};    ///< of a singular tangent: what moves without stiffness
+    std::string message = {};    ///< what failed; of a singular tangent, what moves without
+                                 ///< stiffness
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
@@ -233,7 +234,7 @@ ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalO
     const Instant instant{options.factor, options.factor};
     if (const auto fault =
             assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent))
-        return {fault->status, {}, 0, fault};
+        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix mass = assembly.mass();
     SparseMatrix A = assembly.tangent() - options.shift * mass;
@@ -260,7 +261,7 @@ ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const Modal
     Assembly<Scene> assembly(model, LinearSolver::storage);
     detail::Deflected<Scene> deflected(model, assembly);
     if (const auto fault = deflected.evaluate(0.0, model.state().q))
-        return {fault->status, {}, 0, fault};
+        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
     SparseMatrix unloaded = assembly.tangent();
     if (LinearSolver::storage == Storage::full) detail::symmetrise(unloaded);
@@ -274,7 +275,8 @@ ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const Modal
                                        unloaded, solver)};
     deflected.respond(solver);
     SparseMatrix change;
-    if (const auto fault = deflected.change(unloaded, change)) return {fault->status, {}, 0, fault};
+    if (const auto fault = deflected.change(unloaded, change))
+        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
     if (LinearSolver::storage == Storage::full) detail::symmetrise(B);
     return detail::modes_of(assembly, unloaded, B, solver, options,

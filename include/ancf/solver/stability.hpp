@@ -81,10 +81,12 @@ inline bool add_springs(const std::vector<std::vector<GradientEntry>>& gradients
 inline bool resists(const SparseMatrix& lower, const VectorX& diagonal,
                     const Eigen::SimplicialLDLT<SparseMatrix>& factor) {
     constexpr int inverse_iterations = 3;
-    VectorX x(lower.cols());
-    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = probe_weight(k);
-    for (int k = 0; k < inverse_iterations; ++k)
-        x = VectorX(factor.solve(diagonal.cwiseAbs().cwiseProduct(x))).normalized();
+    VectorX x = unit_scales(lower);
+    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] *= probe_weight(k);
+    for (int k = 0; k < inverse_iterations; ++k) {
+        const VectorX next = factor.solve(diagonal.cwiseAbs().cwiseProduct(x));
+        x = next / std::sqrt(next.cwiseAbs2().dot(diagonal.cwiseAbs()));
+    }
     const VectorX magnitudes = x.cwiseAbs();
     const SparseMatrix stiffness = lower.cwiseAbs();
     const double energy = std::abs(x.dot(multiply(lower, Storage::lower, x)));

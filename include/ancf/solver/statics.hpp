@@ -75,7 +75,8 @@ struct StaticsReport {
     double factor = 0.0;                ///< load factor reached
     std::vector<LoadStep> steps;        ///< every step tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    std::string message;                ///< of a singular tangent: what moves without stiffness
+    std::string message;                ///< what failed where; of a singular tangent, what moves
+                                        ///< without stiffness. Empty where it converged
     /// In the state that the model is left in, an element so short that its law softens: an
     /// equilibrium with it need not be the one that smaller load steps lead to. CrossSectionBeam
     /// tells, with any centre line.

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -61,6 +62,7 @@ public:
                 done = report_.factor = next;
                 if (options_.progress && !options_.progress(done, model_.state())) {
                     report_.status = Status::stopped;
+                    report_.message = "the progress callback asked to stop";
                     break;
                 }
                 if (result.iterations <= 6)
@@ -106,13 +108,29 @@ private:
             }
         } keep{model_.state(), model_.state()};
         report_.fault.reset();
+        report_.message.clear();
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
         instant_ = {factor, factor};
         step.status = iterate(step);
         keep.reached = step.status == Status::converged;
+        if (!keep.reached) report_.message = cause(step);
         return step;
+    }
+
+    /// Says why a step failed, from its last evaluation.
+    [[nodiscard]] std::string cause(const LoadStep& step) const {
+        if (report_.fault) return assembly_.describe(*report_.fault);
+        std::string text = joined({"the step to load factor ", step.factor, " failed after ",
+                                   step.iterations, " iterations"},
+                                  6);
+        if (step.status == Status::singular) return text + ": its tangent is singular";
+        if (!step.residuals.empty())
+            text += joined({", the last relative residual was ", step.residuals.back()}, 6);
+        if (!step.corrections.empty())
+            text += joined({", the last relative correction ", step.corrections.back()}, 6);
+        return text;
     }
 
     Status iterate(LoadStep& step) {
@@ -242,9 +260,11 @@ private:
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
-        if (report_.status == Status::singular)
-            report_.message = singular_cause(model_.layout(), numbering, Scene::dimension,
-                                             assembly_.tangent(), solver_);
+        if (report_.status == Status::singular) {
+            std::string found = singular_cause(model_.layout(), numbering, Scene::dimension,
+                                               assembly_.tangent(), solver_);
+            if (!found.empty()) report_.message = std::move(found);
+        }
         report_.imbalance = resultant(
             model_, state.q,
             assembly_.external_force() - assembly_.constraint_force() + report_.reactions);

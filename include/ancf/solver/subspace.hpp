@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -38,10 +39,11 @@ public:
         const auto width = std::min<Eigen::Index>(2 * count + 8, free);
         // a fixed mixture of all modes: results repeat bit for bit
         MatrixX start(size, width);
+        const VectorX scales = unit_scales(A_);
         double state = 0.5;
         for (Eigen::Index k = 0; k < start.size(); ++k) {
             state = std::fmod(997.0 * state + 0.123456789, 1.0);
-            start(k) = state - 0.5;
+            start(k) = (state - 0.5) * scales[k % size];
         }
         vectors = std::move(start);
         VectorX last = VectorX::Zero(count);
@@ -55,10 +57,12 @@ public:
             }
             if (!vectors.allFinite()) return Status::not_finite;
             if (!reduce(count)) return Status::singular;
-            const VectorX wanted = values.head(std::min<Eigen::Index>(count, values.size()));
+            // by magnitude: of a pair of either sign either may come first
+            const VectorX wanted =
+                values.head(std::min<Eigen::Index>(count, values.size())).cwiseAbs();
             if (wanted.size() == last.size() &&
                 ((wanted - last).array().abs() <=
-                 (tolerance + noise(wanted.size()).array()) * wanted.array().abs())
+                 (tolerance + noise(wanted.size()).array()) * wanted.array())
                     .all())
                 return Status::converged;
             if (width == free && iterations > 1) return Status::converged;  // they span all

@@ -42,7 +42,8 @@ struct IdaOptions {
     // Absolute tolerances are `tolerance` times these; 0 takes a scale from the scene.
     double length_scale = 0.0;    ///< m; slopes have the scale 1, r_xx 1/length_scale
     double velocity_scale = 0.0;  ///< m/s; other rates have velocity_scale/length_scale of these
-    double force_scale = 0.0;     ///< N: multipliers
+    double force_scale = 0.0;     ///< N: multipliers; of equations in other units than m over what
+                                  ///< a displacement by one makes of them
 
     Order order = Order::automatic;  ///< largest order of the method
     double first_step = 0.0;         ///< s; 0: from the initial accelerations

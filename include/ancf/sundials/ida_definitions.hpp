@@ -156,11 +156,16 @@ typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
     Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
     if (s.length == 0.0) s.length = problem_.length_scale();
     if (s.velocity == 0.0) s.velocity = s.length * slow_frequency_;
-    if (s.velocity == 0.0) s.velocity = s.length;  // nothing moves: one length in a second
+    // nothing moves: one length in the run
+    if (s.velocity == 0.0) s.velocity = s.length / (schedule_.end - start_.time);
+    if (!std::isfinite(s.velocity)) s.velocity = s.length;  // there is no run
     if (s.force == 0.0) s.force = problem_.force_scale(start_);
-    if (s.force == 0.0)
-        s.force =
-            problem_.compact_mass().diagonal().maxCoeff() * s.velocity * s.velocity / s.length;
+    if (s.force == 0.0) {
+        const VectorX sizes = problem_.scales() / problem_.length_scale();
+        const double mass =
+            problem_.compact_mass().diagonal().cwiseProduct(sizes.cwiseAbs2()).maxCoeff();
+        s.force = mass * s.velocity * s.velocity / s.length;
+    }
     return s;
 }
 
@@ -176,8 +181,14 @@ void IdaRun<Scene>::set_tolerances() {
     // which it sees a part. Where that hides the forces themselves, step() ends the run.
     const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
     const double resolved = round_off < s.force ? round_off : 0.0;
-    system_.lambda(absolute).setConstant(std::max(options_.tolerance * s.force, resolved));
-    system_.mu(absolute).setConstant(options_.tolerance * s.force * s.length / s.velocity);
+    // a multiplier has the unit of a force where its equation is a length, else another one
+    const VectorX arms = problem_.assembly().violation_scale(s.length) / s.length;
+    const auto measured = [&](double force, auto&& multipliers) {
+        for (Eigen::Index i = 0; i < multipliers.size(); ++i)
+            multipliers[i] = arms[i] > 0.0 ? force / arms[i] : force;
+    };
+    measured(std::max(options_.tolerance * s.force, resolved), system_.lambda(absolute));
+    measured(options_.tolerance * s.force * s.length / s.velocity, system_.mu(absolute));
     call(IDASVtolerances(ida_.get(), options_.tolerance, tolerances_.get()));
 
     // the error test sees positions, and rates where the form holds them on the constraints
@@ -310,7 +321,7 @@ void IdaRun<Scene>::fail(int code) {
     if (code == IDA_TOO_MUCH_WORK)
         message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
     if (!context_.message().empty()) message += ": " + context_.message();
-    if (report_.fault) message += "; " + ancf::detail::fault_text(*report_.fault);
+    if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
 }
 
 template <class Scene>

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+
+#include <dynamics/scenes.hpp>
+
+#include <limits>
+
+namespace short_runs_test {
+
+using namespace ancf::test;
+using ancf::Status;
+
+/// Runs the swing for a duration with a step of a second and checks what it does on the way:
+/// q = q_0 + v_0 t and v = v_0 + a_0 t, to first order.
+template <class Integrator>
+void check_run(const Integrator& integrator, double duration) {
+    CAPTURE(duration);
+    Chain scene = swing();
+    BarProblem problem(scene.model);
+    const ancf::Start start = problem.start();
+    ancf::EigenLu solver;
+    ancf::Schedule schedule = until(duration);
+    schedule.times = {0.0, 0.5 * duration, duration};
+    std::vector<ancf::State> seen;
+    schedule.observe = [&](const ancf::Snapshot& at) { seen.push_back(at.state); };
+    const auto report = integrator.integrate(problem, solver, schedule);
+    CAPTURE(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps >= 1);
+    CHECK(report.time == duration);
+    CHECK(scene.model.state().time == duration);
+    REQUIRE(seen.size() == 3);
+    int moved = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        const double t = schedule.times[k];
+        CHECK(seen[k].time == t);
+        ancf::VectorX q, v;
+        problem.numbering().gather_free(seen[k].q, q);
+        problem.numbering().gather_free(seen[k].v, v);
+        // round-off, and what the next derivatives add; between steps v is the derivative of a
+        // cubic through q, so that the round-off of q counts by its slope
+        const double slope = k == 1 ? 3e-16 / duration : 0.0;  // 7e-17 measured
+        CHECK(distance(q, start.q + t * start.v) <= 10.0 * t * t + 4e-16);
+        CHECK(distance(v, start.v + t * start.acceleration) <= 100.0 * t * t + 2e-15 + slope);
+        moved += k > 0 && v != start.v ? 1 : 0;
+    }
+    CHECK(moved == 2);
+}
+
+TEST_CASE("A run far shorter than its step moves to its end and shows the way", "[dynamics]") {
+    ancf::GeneralizedAlphaOptions adaptive;
+    adaptive.tolerance = 1e-6;
+    adaptive.step = 1.0;
+    adaptive.min_step = std::numeric_limits<double>::min();
+    ancf::GeneralizedAlphaOptions fixed;
+    fixed.step = 1.0;
+    ancf::EnergyMomentumOptions conserving;
+    conserving.step = 1.0;
+    // above and below 1e-9 of the step
+    for (const double duration : {1e-6, 1e-8, 2e-10, 1e-12}) {
+        check_run(ancf::GeneralizedAlpha(fixed), duration);
+        check_run(ancf::GeneralizedAlpha(adaptive), duration);
+        check_run(ancf::EnergyMomentum(conserving), duration);
+    }
+}
+
+TEST_CASE("A run without duration takes no step and shows its start", "[dynamics]") {
+    const auto check = [](const auto& integrator) {
+        Chain scene = swing();
+        BarProblem problem(scene.model);
+        ancf::EigenLu solver;
+        ancf::Schedule schedule = until(0.0);
+        schedule.times = {0.0, 0.0};
+        int seen = 0;
+        schedule.observe = [&](const ancf::Snapshot&) { ++seen; };
+        const auto report = integrator.integrate(problem, solver, schedule);
+        CHECK(report.status == Status::converged);
+        CHECK(report.steps == 0);
+        CHECK(seen == 2);
+        // and can be continued
+        const auto next = integrator.integrate(problem, solver, until(1e-3), report.memory);
+        CHECK(next.status == Status::converged);
+        CHECK(next.steps == 1);
+    };
+    check(ancf::GeneralizedAlpha());
+    check(ancf::EnergyMomentum());
+}
+
+TEST_CASE("Equal intervals longer than the run still have both ends", "[dynamics]") {
+    for (const double interval : {1.0, 1e3, 1e10, 1e300}) {
+        CAPTURE(interval);
+        const ancf::Schedule schedule = ancf::equal_intervals(2.0, 1e-3, interval);
+        CHECK(schedule.times == std::vector<double>{2.0, 2.0 + 1e-3});
+    }
+}
+
+}  // namespace short_runs_test
