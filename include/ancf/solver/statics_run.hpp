@@ -97,7 +97,7 @@ private:
     [[nodiscard]] double within_turn(double done, double wanted) const {
         const double most = part_ * largest_driven_turn * (1.0 + 1e-10);
         double next = wanted;
-        for (int halving = 0; halving < 50; ++halving) {
+        for (int halving = 0; halving < 30; ++halving) {
             const double turn = driven_turn(model_.constraints(), done, next).angle;
             if (!(turn > most)) break;
             // equal parts of an even drive at first
