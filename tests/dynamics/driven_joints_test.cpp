@@ -50,7 +50,8 @@ TEST_CASE("an arm driven in steps of any length turns by the angle driven, or sa
                 if (report.status != Status::converged) {
                     CHECK_FALSE(report.message.empty());
                     CHECK(report.time < 1.0);
-                    WARN(angle << " " << steps << " " << kind << " " << report.message);
+                    // undamped or in parts of a coarse step Newton's method may fail
+                    CHECK((kind == 2 || (kind == 0 && angle > 4.0 && steps < 16)));
                     continue;
                 }
                 ++reached;
@@ -58,7 +59,7 @@ TEST_CASE("an arm driven in steps of any length turns by the angle driven, or sa
                 CHECK(arm.wound() <= 0.5);
             }
     CHECK(checked == 108);
-    WARN("reached " << reached);
+    CHECK(reached >= 76);  // measured 81
 }
 
 TEST_CASE("a driven angle that jumps ends the motion and names the joint",

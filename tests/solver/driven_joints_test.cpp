@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Joints in equilibrium: a driven one reaches its angle, with its turns, and none holds half a turn
-/// off.
+/// Joints in equilibrium: a driven one reaches its angle, with its turns, and none holds half a
+/// turn off.
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>

@@ -15,12 +15,12 @@
 namespace ida_driven_joints_test {
 
 using namespace ancf;
-using sundials::Form;
-using sundials::Ida;
-using sundials::IdaOptions;
+using ancf::sundials::Form;
+using ancf::sundials::Ida;
+using ancf::sundials::IdaOptions;
 
 TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]") {
-    int checked = 0, reached = 0;
+    int checked = 0;
     for (const double angle : {0.1, 1.7, pi, 4.0, 20.0})
         for (const int steps : {1, 16})
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
@@ -33,17 +33,12 @@ TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][j
                 options.first_step = 1.0 / steps;
                 const auto report = Ida(options).integrate(problem, equal_intervals(0.0, 1.0, 1.0));
                 ++checked;
-                if (report.status != Status::converged) {
-                    CHECK_FALSE(report.message.empty());
-                    WARN(angle << " " << steps << " " << report.message);
-                    continue;
-                }
-                ++reached;
+                INFO(report.message);
+                REQUIRE(report.status == Status::converged);
                 CHECK(arm.off(angle) <= 1e-9);
                 CHECK(arm.wound() <= 0.5);
             }
     CHECK(checked == 20);
-    WARN("reached " << reached);
 }
 
 TEST_CASE("Ida: a driven angle that jumps ends the motion and names the joint", "[ida][joints]") {

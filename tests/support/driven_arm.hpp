@@ -27,7 +27,7 @@ inline Motion smooth_turn(double angle) {
             [=](double t) { return scale * w * w * std::sin(w * t); }};
 }
 
-/// Half a metre of steel in two elements, driven at its root.
+/// Half a metre of plastic in two elements, driven at its root.
 struct DrivenArm {
     using Element = CrossSectionBeam<2>;
     using Scene = Model<Element>;
@@ -37,7 +37,7 @@ struct DrivenArm {
     Beam<Element> beam;
 
     explicit DrivenArm(Motion angle)
-        : beam(straight_beam(model, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.02, 0.02),
+        : beam(straight_beam(model, Material::isotropic(1e8, 0.3, 1000.0), rectangle(0.05, 0.05),
                              Point(0.0, 0.0), Point(0.5, 0.0), 2, CrossSectionOptions::best())) {
         model.add(PlanarWeld(model, beam.first(), std::move(angle)));
     }

@@ -194,8 +194,8 @@ struct FormCourse {
 
 /// Positions held together (where asked) and angles of two frames held at zero.
 ///
-/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine of
-/// the angle whose sine is |s|, or 1 where there is no such form.
+/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine
+/// of the angle whose sine is |s|, or 1 where there is no such form.
 class FrameJoint {
 public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
@@ -384,7 +384,8 @@ private:
 
 /// Positions and frames held together at the angle of the start; 6 equations.
 ///
-/// The last three are F sin(angle) times the axis of the frames' relative turn since the start, in A.
+/// The last three are F sin(angle) times the axis of the frames' relative turn since the start, in
+/// A.
 class Weld : public detail::FrameJoint {
 public:
     /// @throws InvalidArgument for equal nodes or a node without a frame.

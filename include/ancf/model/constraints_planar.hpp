@@ -4,8 +4,8 @@
 /// @file
 /// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
 ///
-/// The angle th of a slope p has dth = (p x dp)/|p|^2; the joint holds F sin psi = 0 with psi = th_b -
-/// th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
+/// The angle th of a slope p has dth = (p x dp)/|p|^2. The joint holds F sin psi = 0 with
+/// psi = th_b - th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
 
 #pragma once
 

@@ -25,8 +25,8 @@ struct TurnFactor {
     bool varies = false;  ///< else it is 1
 };
 
-/// Returns F at an angle of -pi to pi rad; not finite where the sine is 0 and the cosine -1: no axis
-/// tells then which way to turn.
+/// Returns F at an angle of -pi to pi rad; not finite where the sine is 0 and the cosine -1: no
+/// axis tells then which way to turn.
 [[nodiscard]] inline TurnFactor<double> turn_factor(double sine, double cosine) {
     TurnFactor<double> f;
     if (cosine >= 0.5) return f;
