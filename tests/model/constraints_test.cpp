@@ -259,6 +259,58 @@ TEST_CASE("joints see directions only: stretching the slopes changes no angle", 
     CHECK(hinge.violation(q, 0.0).tail<2>().norm() <= 1e-14);
 }
 
+/// Returns the scene with node 1 turned.
+template <class Scene>
+Scene turned(Scene model, const ancf::Matrix<double, Scene::dimension>& turn) {
+    for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
+        if (model.layout().index({NodeId{1}, slope}) >= 0)
+            model.set_value(NodeId{1}, slope, turn * model.value(NodeId{1}, slope));
+    return model;
+}
+
+TEST_CASE("joints far off: derivatives equal complex steps and g has no second root",
+          "[constraint]") {
+    const auto seed = GENERATE(range(0U, 30U));
+    INFO("seed " << seed);
+    Random random(seed);
+    const auto model = random_scene<ancf::test::BeamCarrier>(random);
+    const auto plane = random_scene<ancf::test::PlanarCarrier>(random);
+    const NodeId a{0}, b{1};
+    const Vector3 axis = random.direction<3>(), across = ancf::cross(axis, random.direction<3>());
+    const ancf::Weld weld(model, a, b);
+    const ancf::DrivenRevolute motor(model, a, b, axis, wave(0.3));
+    const ancf::Revolute hinge(model, a, b, axis);
+    const ancf::AlignedTangent aligned(model, a, b);
+    const ancf::PlanarWeld flat(plane, a, b, wave(0.3));
+    double before = 0.0;
+    for (const double angle : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.14}) {
+        CAPTURE(angle);
+        const auto off = turned(model, ancf::test::rotation(Vector3(angle * axis)));
+        const auto leaning =
+            turned(model, ancf::test::rotation(Vector3(angle / across.norm() * across)));
+        const Vector2 x(std::cos(angle), -std::sin(angle)), y(std::sin(angle), std::cos(angle));
+        ancf::Matrix<double, 2> turn;
+        turn << x.transpose(), y.transpose();
+        const auto spun = turned(plane, turn);
+        // beyond pi/3 the equations grow up to the angle
+        const double g = weld.violation(local_values(off, weld.coupling()), 0.0).tail<3>().norm();
+        const double h =
+            hinge.violation(local_values(leaning, hinge.coupling()), 0.0).tail<2>().norm();
+        const double p = std::abs(flat.violation(local_values(spun, flat.coupling()), 0.0)[2]);
+        CHECK(g > before);
+        CHECK(h == Approx(g).epsilon(1e-9));
+        CHECK(p == Approx(g).epsilon(1e-9));
+        before = g;
+        if (angle > 2.6) continue;  // the round-off of the axis grows with 1/sin(angle)^3
+        check_derivatives(off, weld, random);
+        check_derivatives(off, motor, random);
+        check_derivatives(leaning, hinge, random);
+        check_derivatives(off, aligned, random);
+        check_derivatives(spun, flat, random);
+    }
+    CHECK(before == Approx(3.14).epsilon(1e-4));
+}
+
 TEST_CASE("a weld measures the sine of the relative turn about its axis", "[constraint]") {
     Random random(3);
     auto model = random_scene<ancf::test::BeamCarrier>(random);

@@ -18,6 +18,7 @@
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -163,14 +164,19 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
         const bool full = width == whole && std::abs(rest - whole) <= 1e-6 * whole;
         const double h = full || !last ? width : rest;
         next_.time = last ? target : now_.time + h;
-        if (const Status status = step(h); status != Status::converged) {
-            ++report_.convergence_failures;
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        const Status status = turn.fits() ? step(h) : Status::diverged;
+        if (status != Status::converged) {
+            if (turn.fits()) ++report_.convergence_failures;
             width *= 0.5;
             if (width > whole * 1e-3) continue;
             report_.status = status;
-            report_.message = joined(
-                {"Newton's method failed in the step from ", now_.time, " s: ", to_string(status)},
-                6);
+            report_.message = turn.fits()
+                                  ? joined({"Newton's method failed in the step from ", now_.time,
+                                            " s: ", to_string(status)},
+                                           6)
+                                  : driven_turn_text(constraints, turn, now_.time, next_.time);
             if (report_.fault) report_.message += "; " + fault_text(*report_.fault);
             return false;
         }

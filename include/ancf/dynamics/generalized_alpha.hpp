@@ -20,6 +20,7 @@
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -65,7 +66,8 @@ public:
     /// reached, on the constraints.
     ///
     /// Fixed steps stay on the grid start + k step; only a last, shorter step leaves it. Where
-    /// Newton's method fails a step is taken in halves, quarters and so on.
+    /// Newton's method fails, or a driven joint turns by more than pi/3, a step is taken in halves,
+    /// quarters and so on.
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return status converged at the end; inconsistent or redundant, with the constraint named,
@@ -120,6 +122,9 @@ private:
     [[nodiscard]] Status factorise(double h);
     void predict(double h);
     void correct(double h);
+    [[nodiscard]] std::string turn_text(const DrivenTurn& turn) const {
+        return driven_turn_text(problem_.model().constraints(), turn, now_.time, next_.time);
+    }
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
@@ -248,7 +253,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         const Step step = propose();
         shift_algorithmic(step.width);
         next_.time = step.end;
-        const Status status = newton(step.width);
+        const DrivenTurn turn = driven_turn(problem_.model().constraints(), now_.time, next_.time);
+        const Status status = turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
         if (status == Status::converged && adaptive)
             error = error_constant_ * step.width * step.width * change_of_acceleration() /
@@ -268,14 +274,18 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
             }
             return true;
         }
-        status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
+        if (turn.fits())
+            status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         if (!adaptive) {
             part_ = 0.5 * step.width;
             if (part_ > smallest_part * step_) continue;
-            fail(status, joined({"Newton's method failed in the step from ", now_.time,
-                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                 " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                                6));
+            fail(status,
+                 turn.fits()
+                     ? joined({"Newton's method failed in the step from ", now_.time,
+                               " s: ", to_string(status), ", also in parts of ", step.width,
+                               " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
+                              6)
+                     : turn_text(turn));
             return false;
         }
         step_ = step.width * (status == Status::converged ? std::max(0.2, factor) : 0.25);
@@ -285,7 +295,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
         fail(Status::step_too_small,
              joined({"the step fell below ", options_.min_step, " s at ", now_.time, " s, last of ",
                      status == Status::converged ? "the local error" : to_string(status)},
-                    6));
+                    6) +
+                 (turn.fits() ? "" : "; " + turn_text(turn)));
         return false;
     }
 }

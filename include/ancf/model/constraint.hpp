@@ -11,13 +11,18 @@
 
 #pragma once
 
+#include <ancf/constants.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -63,9 +68,33 @@ struct is_constraint<
 template <class T>
 inline constexpr bool is_constraint_v = is_constraint<T>::value;
 
+namespace detail {
+
+/// Whether a constraint tells the angle that it is driven to.
+template <class T, class = void>
+struct TellsDrivenAngle : std::false_type {};
+template <class T>
+struct TellsDrivenAngle<T,
+                        std::void_t<decltype(double(std::declval<const T&>().driven_angle(0.0)))>>
+    : std::true_type {};
+
+/// Returns the angle that a constraint is driven to at a time, rad; 0 where it tells none.
+template <class T>
+[[nodiscard]] double driven_angle(const T& constraint, double time) {
+    if constexpr (TellsDrivenAngle<T>::value)
+        return constraint.driven_angle(time);
+    else
+        return 0.0 * time;
+}
+
+}  // namespace detail
+
 /// A constraint of any type.
 ///
-/// One for models of one dimension declares `static constexpr int dimension`.
+/// One for models of one dimension declares `static constexpr int dimension`. One whose equations
+/// know an angle but for whole turns, and drive it, tells that angle with its turns by
+/// `double driven_angle(double time) const`, rad: solvers then take no step in which it changes by
+/// more than a sixth of a turn.
 class AnyConstraint {
 public:
     /// Holds a copy of the constraint.
@@ -88,6 +117,8 @@ public:
     void evaluate(const ConstraintState& state, ConstraintResult& out) const {
         held_->evaluate(state, out);
     }
+    /// Returns the angle that it is driven to, rad; 0 where it drives none.
+    [[nodiscard]] double driven_angle(double time) const { return held_->driven_angle(time); }
 
 private:
     struct Interface {
@@ -96,6 +127,7 @@ private:
         [[nodiscard]] virtual int equations() const = 0;
         [[nodiscard]] virtual std::string name() const = 0;
         virtual void evaluate(const ConstraintState&, ConstraintResult&) const = 0;
+        [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
 
     template <class Constraint>
@@ -107,10 +139,52 @@ private:
         void evaluate(const ConstraintState& state, ConstraintResult& out) const override {
             constraint.evaluate(state, out);
         }
+        [[nodiscard]] double driven_angle(double time) const override {
+            return detail::driven_angle(constraint, time);
+        }
         Constraint constraint;
     };
 
     std::shared_ptr<const Interface> held_;
 };
 
+namespace detail {
+
+/// The most that a driven angle may change in one step, rad. A joint knows its angle but for whole
+/// turns, so below half a turn a step can only end in the right one. Up to pi/3 its equations are
+/// sines (turn.hpp), of which one correction finds the turn of a slope: it adds tan(angle).
+inline constexpr double largest_driven_turn = pi / 3.0;
+
+/// The constraint that is driven furthest between two times.
+struct DrivenTurn {
+    double angle = 0.0;  ///< rad, not negative
+    std::size_t constraint = 0;
+
+    /// Whether one step may take it.
+    [[nodiscard]] bool fits() const noexcept {
+        return !(angle > largest_driven_turn * (1.0 + 1e-9));
+    }
+};
+
+[[nodiscard]] inline DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints,
+                                            double from, double to) {
+    DrivenTurn most;
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+        const double turn =
+            std::abs(constraints[k].driven_angle(to) - constraints[k].driven_angle(from));
+        if (turn > most.angle) most = {turn, k};
+    }
+    return most;
+}
+
+/// Returns why no step from one time or load factor to another can be taken.
+[[nodiscard]] inline std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
+                                                  const DrivenTurn& turn, double from, double to) {
+    return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),
+                   ") is driven by ", turn.angle, " rad between ", from, " and ", to,
+                   ", one step takes ", largest_driven_turn, " rad"},
+                  6);
+}
+
+}  // namespace detail
 }  // namespace ancf

@@ -8,7 +8,7 @@
 /// (constraints_frames.hpp) by bilinear forms of the frames' axes. Axes are given in global
 /// components as they stand when the joint is made; the joint keeps them fixed in the frames.
 /// Equations in m come first, with multipliers in N, then those of angles (sines and cosines), with
-/// multipliers in N m.
+/// multipliers in N m. Sines grow beyond pi/3 until pi (turn.hpp): no joint holds half a turn off.
 
 #pragma once
 
@@ -18,11 +18,14 @@
 #include <ancf/model/constraints_motion.hpp>
 #include <ancf/model/constraints_points.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/model/turn.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
 #include <array>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -135,22 +138,64 @@ struct JointSide {
     return out;
 }
 
-/// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q.
+/// Coefficients of the bilinear forms of a joint.
 template <class Scalar>
-[[nodiscard]] std::vector<Matrix<Scalar, 3>> turn_forms(const Matrix<Scalar, 3>& relative) {
-    std::vector<Matrix<Scalar, 3>> forms(3, Matrix<Scalar, 3>::Zero());
+struct Forms {
+    std::vector<Matrix<Scalar, 3>> sines;
+    Matrix<Scalar, 3> cosine = Matrix<Scalar, 3>::Zero();
+};
+
+/// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q,
+/// and its cosine + 1/2.
+template <class Scalar>
+[[nodiscard]] Forms<Scalar> turn_forms(const Matrix<Scalar, 3>& relative) {
+    Forms<Scalar> forms;
+    forms.sines.assign(3, Matrix<Scalar, 3>::Zero());
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 2) % 3;
         const int j = (k + 1) % 3;
+        Matrix<Scalar, 3>& sine = forms.sines[static_cast<std::size_t>(k)];
         for (int l = 0; l < 3; ++l) {
-            forms[static_cast<std::size_t>(k)](i, l) = 0.5 * relative(j, l);
-            forms[static_cast<std::size_t>(k)](j, l) = -0.5 * relative(i, l);
+            sine(i, l) = Scalar(0.5) * relative(j, l);
+            sine(j, l) = Scalar(-0.5) * relative(i, l);
+            forms.cosine(k, l) = Scalar(0.5) * relative(k, l);
         }
     }
     return forms;
 }
 
-/// Positions held together (where asked) and bilinear forms of two frames held at zero.
+/// Derivatives of a bilinear form: by the slopes, and by time without what accelerations make.
+struct FormCourse {
+    Vector<double, 12> gradient;
+    Matrix<double, 12> hessian;
+    double speed = 0.0, bend = 0.0;  ///< first and second
+
+    /// Of coefficients at rest, with the slopes' rates v.
+    FormCourse(const Matrix<double, 3>& coefficients, const Triad<double>& a,
+               const Triad<double>& b, const Vector<double, 12>& v)
+        : gradient(FrameForm<double>(coefficients, a, b).gradient(a, b)),
+          hessian(frame_form_hessian(coefficients, a, b)) {
+        for (int j = 0; j < 12; ++j) {
+            speed += gradient[j] * v[j];
+            for (int i = 0; i < 12; ++i) bend += v[i] * hessian(i, j) * v[j];
+        }
+    }
+
+    /// Adds what moving coefficients make: g_t, and 2 (g_t)_q v + g_tt.
+    void move(const Matrix<double, 3>& rate, const Matrix<double, 3>& acceleration,
+              const Triad<double>& a, const Triad<double>& b, const Vector<double, 12>& v) {
+        const FrameForm<double> form(rate, a, b);
+        const Vector<double, 12> by_slopes = form.gradient(a, b);
+        speed += form.value;
+        for (int i = 0; i < 12; ++i) bend += 2.0 * by_slopes[i] * v[i];
+        bend += FrameForm<double>(acceleration, a, b).value;
+    }
+};
+
+/// Positions held together (where asked) and angles of two frames held at zero.
+///
+/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine
+/// of the angle whose sine is |s|, or 1 where there is no such form.
 class FrameJoint {
 public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
@@ -175,6 +220,10 @@ public:
 
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
+    [[nodiscard]] double driven_angle(double time) const {
+        return angle_ ? angle_->value(time) : 0.0;
+    }
+
 protected:
     FrameJoint(std::string what, JointSide a, JointSide b, bool positions)
         : what_(std::move(what)), a_(std::move(a)), b_(std::move(b)), pinned_(positions) {
@@ -185,8 +234,14 @@ protected:
 
     /// Adds the equation sum C_ij A_i.B_j = constant.
     void add_form(const Matrix<double, 3>& coefficients, double constant = 0.0) {
-        forms_.push_back(coefficients);
+        forms_.sines.push_back(coefficients);
         constants_.push_back(constant);
+    }
+
+    /// Tells the cosine of the angle that the equations are the sine of.
+    void hold_angle(const Matrix<double, 3>& cosine) {
+        forms_.cosine = cosine;
+        angular_ = true;
     }
 
     /// Holds the frames' relative turn at that of the start, further turned about an axis of A.
@@ -194,7 +249,10 @@ protected:
         relative_ = a_.axes.transpose() * b_.axes;
         turn_ = cross_matrix(axis_in_a);
         angle_ = std::move(angle);
-        for (const Matrix<double, 3>& form : turn_forms<double>(relative_)) add_form(form);
+        const Forms<double> forms = turn_forms<double>(relative_);
+        for (const Matrix<double, 3>& form : forms.sines) add_form(form);
+        hold_angle(forms.cosine);
+        cosine_constant_ = 0.5;
     }
 
     [[nodiscard]] const JointSide& a() const noexcept { return a_; }
@@ -216,33 +274,73 @@ private:
         return {a_.triad(q, first_slope()), b_.triad(q, first_slope() + 3 * a_.vectors())};
     }
 
+    /// The equations' forms at one place; the sines and the cosine less their constants.
+    template <class Scalar>
+    struct Rows {
+        std::vector<FrameForm<Scalar>> sines;
+        FrameForm<Scalar> cosine;
+        TurnFactor<Scalar> factor = {};
+    };
+
+    template <class Scalar>
+    [[nodiscard]] Rows<Scalar> rows(const Frames<Scalar>& f, const Scalar& time) const {
+        const Forms<Scalar> at = forms(time);
+        Rows<Scalar> out{{}, FrameForm<Scalar>(at.cosine, f.a, f.b)};
+        out.cosine.value -= Scalar(cosine_constant_);
+        double square = 0.0;
+        for (std::size_t k = 0; k < at.sines.size(); ++k) {
+            out.sines.emplace_back(at.sines[k], f.a, f.b);
+            out.sines[k].value -= Scalar(constants_[k]);
+            square += std::real(out.sines[k].value) * std::real(out.sines[k].value);
+        }
+        if (angular_) out.factor = turn_factor(std::sqrt(square), out.cosine.value);
+        return out;
+    }
+
     /// Returns the coefficients at a time.
     template <class Scalar>
-    [[nodiscard]] std::vector<Matrix<Scalar, 3>> forms(const Scalar& time) const {
+    [[nodiscard]] Forms<Scalar> forms(const Scalar& time) const {
         if (angle_) {
             const Scalar angle = continued(angle_->value, angle_->rate, time);
             return turn_forms<Scalar>(rotation_about(turn_, angle) *
                                       relative_.template cast<Scalar>());
         }
-        std::vector<Matrix<Scalar, 3>> out;
-        for (const Matrix<double, 3>& form : forms_) out.push_back(form.template cast<Scalar>());
+        Forms<Scalar> out;
+        for (const Matrix<double, 3>& form : forms_.sines)
+            out.sines.push_back(form.template cast<Scalar>());
+        out.cosine = forms_.cosine.template cast<Scalar>();
         return out;
     }
 
     /// Returns the coefficients' rate of change; only where an angle is driven.
     template <class Scalar>
-    [[nodiscard]] std::vector<Matrix<Scalar, 3>> form_rates(const Scalar& time) const {
+    [[nodiscard]] Forms<Scalar> form_rates(const Scalar& time) const {
         const Scalar angle = continued(angle_->value, angle_->rate, time);
         const Scalar speed = continued(angle_->rate, angle_->acceleration, time);
         return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() *
                                   rotation_about(turn_, angle) * relative_.template cast<Scalar>());
     }
 
+    /// Returns the coefficients' second derivative; only where an angle is driven.
+    [[nodiscard]] Forms<double> form_accelerations(double time) const {
+        const double speed = angle_->rate(time);
+        const Matrix<double, 3> bend =
+            angle_->acceleration(time) * turn_ + speed * speed * turn_ * turn_;
+        const Matrix<double, 3> turned = rotation_about(turn_, angle_->value(time)) * relative_;
+        return turn_forms<double>(bend * turned);
+    }
+
+    /// Returns the derivatives of the sines and, where the factor varies, of the cosine after them.
+    [[nodiscard]] std::vector<FormCourse> courses(const ConstraintState& at,
+                                                  const Frames<double>& f, bool varies) const;
+
     std::string what_;
     JointSide a_, b_;
     bool pinned_;
-    std::vector<Matrix<double, 3>> forms_;
+    Forms<double> forms_;  // at the start
     std::vector<double> constants_;
+    double cosine_constant_ = 0.0;
+    bool angular_ = false;  // the sines are of an angle that has the cosine
     Matrix<double, 3> relative_ = Matrix<double, 3>::Identity();  // R_A^T R_B at the start
     Matrix<double, 3> turn_ = Matrix<double, 3>::Zero();          // [axis]x in A
     std::optional<Motion> angle_;
@@ -252,7 +350,7 @@ private:
 
 /// A hinge: positions held together, and an axis fixed in both frames; 5 equations.
 ///
-/// With w the axis in A and u, v normal to it in B: w.u = 0, w.v = 0.
+/// With w the axis in A and u, v normal to it in B: F w.u = 0, F w.v = 0.
 class Revolute : public detail::FrameJoint {
 public:
     /// @param axis  in global components, as the model stands.
@@ -280,12 +378,14 @@ private:
         const Vector<double, 3> w = detail::turned_back(a().axes, unit);
         for (const Vector<double, 3>& normal : detail::normals_of(unit))
             add_form(detail::outer(w, detail::turned_back(b().axes, normal)));
+        hold_angle(detail::outer(w, detail::turned_back(b().axes, unit)));
     }
 };
 
 /// Positions and frames held together at the angle of the start; 6 equations.
 ///
-/// The last three are sin(angle) times the axis of the frames' relative turn since the start, in A.
+/// The last three are F sin(angle) times the axis of the frames' relative turn since the start, in
+/// A.
 class Weld : public detail::FrameJoint {
 public:
     /// @throws InvalidArgument for equal nodes or a node without a frame.
@@ -405,6 +505,7 @@ private:
         const Vector<double, 3> t = b().axes.col(0);
         for (const Vector<double, 3>& normal : detail::normals_of(t))
             add_form(detail::outer(detail::turned_back(a().axes, normal), {1.0, 0.0, 0.0}));
+        hold_angle(detail::outer(detail::turned_back(a().axes, t), {1.0, 0.0, 0.0}));
     }
 };
 
@@ -430,12 +531,9 @@ DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q,
             g[k] = q[k] - (b_.kind == SideKind::space ? Scalar(b_.place[k]) : q[3 + k]);
     }
     const Frames<Scalar> f = frames(q);
+    const Rows<Scalar> at = rows(f, time);
     int row = positions();
-    for (const Matrix<Scalar, 3>& form : forms(time)) {
-        g[row] = FrameForm<Scalar>(form, f.a, f.b).value -
-                 constants_[static_cast<std::size_t>(row - positions())];
-        ++row;
-    }
+    for (const FrameForm<Scalar>& sine : at.sines) g[row++] = at.factor.value * sine.value;
     return g;
 }
 
@@ -451,10 +549,14 @@ DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
     }
     const Frames<Scalar> f = frames(q);
     const int width = 3 * (a_.vectors() + b_.vectors());
+    const Rows<Scalar> at = rows(f, time);
+    const Vector<Scalar, 12> of_cosine = at.cosine.gradient(f.a, f.b);
     int row = positions();
-    for (const Matrix<Scalar, 3>& form : forms(time)) {
-        const Vector<Scalar, 12> gradient = FrameForm<Scalar>(form, f.a, f.b).gradient(f.a, f.b);
-        for (int k = 0; k < width; ++k) g(row, first_slope() + k) = gradient[k];
+    for (const FrameForm<Scalar>& sine : at.sines) {
+        const Vector<Scalar, 12> of_sine = sine.gradient(f.a, f.b);
+        for (int k = 0; k < width; ++k)
+            g(row, first_slope() + k) =
+                at.factor.value * of_sine[k] + sine.value * at.factor.first * of_cosine[k];
         ++row;
     }
     return g;
@@ -465,10 +567,30 @@ DynamicVector<Scalar> FrameJoint::rate(const DynamicVector<Scalar>& q, const Sca
     DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(equations());
     if (!angle_) return g;
     const Frames<Scalar> f = frames(q);
-    int row = positions();
-    for (const Matrix<Scalar, 3>& form : form_rates(time))
-        g[row++] = FrameForm<Scalar>(form, f.a, f.b).value;
+    const Rows<Scalar> at = rows(f, time);
+    const Forms<Scalar> rates = form_rates(time);
+    const Scalar of_cosine = FrameForm<Scalar>(rates.cosine, f.a, f.b).value;
+    for (std::size_t k = 0; k < at.sines.size(); ++k)
+        g[positions() + static_cast<int>(k)] =
+            at.factor.value * FrameForm<Scalar>(rates.sines[k], f.a, f.b).value +
+            at.sines[k].value * at.factor.first * of_cosine;
     return g;
+}
+
+inline std::vector<FormCourse> FrameJoint::courses(const ConstraintState& at,
+                                                   const Frames<double>& f, bool varies) const {
+    Vector<double, 12> v = Vector<double, 12>::Zero();
+    for (int k = 0; k < 3 * (a_.vectors() + b_.vectors()); ++k) v[k] = at.v[first_slope() + k];
+    const Forms<double> now = forms(at.time);
+    std::vector<FormCourse> out;
+    for (const Matrix<double, 3>& form : now.sines) out.emplace_back(form, f.a, f.b, v);
+    if (varies) out.emplace_back(now.cosine, f.a, f.b, v);
+    if (!angle_) return out;
+    const Forms<double> rates = form_rates(at.time), accelerations = form_accelerations(at.time);
+    for (std::size_t k = 0; k < now.sines.size(); ++k)
+        out[k].move(rates.sines[k], accelerations.sines[k], f.a, f.b, v);
+    if (varies) out.back().move(rates.cosine, accelerations.cosine, f.a, f.b, v);
+    return out;
 }
 
 inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& out) const {
@@ -476,34 +598,34 @@ inline void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& ou
     out.jacobian = jacobian(at.q, at.time);
     out.rate = rate(at.q, at.time);
     const Frames<double> f = frames(at.q);
+    const Rows<double> here = rows(f, at.time);
+    const TurnFactor<double>& factor = here.factor;
+    const std::vector<FormCourse> forms = courses(at, f, factor.varies);
     const int first = first_slope();
     const int width = 3 * (a_.vectors() + b_.vectors());
-    int row = positions();
-    for (const Matrix<double, 3>& form : forms(at.time)) {
-        const Matrix<double, 12> hessian = frame_form_hessian(form, f.a, f.b);
-        out.convection[row] = 0.0;
+    for (std::size_t k = 0; k < here.sines.size(); ++k) {
+        const int row = positions() + static_cast<int>(k);
+        out.convection[row] = factor.value * forms[k].bend;
+        const double force = at.multipliers[row] * factor.value;
         for (int j = 0; j < width; ++j)
-            for (int i = 0; i < width; ++i) {
-                out.stiffness(first + i, first + j) += at.multipliers[row] * hessian(i, j);
-                out.convection[row] += at.v[first + i] * hessian(i, j) * at.v[first + j];
-            }
-        ++row;
+            for (int i = 0; i < width; ++i)
+                out.stiffness(first + i, first + j) += force * forms[k].hessian(i, j);
     }
-    if (!angle_) return;
-    // 2 (g_t)_q v + g_tt of coefficients that turn with the angle
-    const double angle = angle_->value(at.time);
-    const double speed = angle_->rate(at.time);
-    const Matrix<double, 3> turned = rotation_about(turn_, angle) * relative_;
-    const Matrix<double, 3> bend =
-        angle_->acceleration(at.time) * turn_ + speed * speed * turn_ * turn_;
-    const auto first_rate = turn_forms<double>(speed * turn_ * turned);
-    const auto second_rate = turn_forms<double>(bend * turned);
-    row = positions();
-    for (std::size_t k = 0; k < 3; ++k, ++row) {
-        const Vector<double, 12> gradient =
-            FrameForm<double>(first_rate[k], f.a, f.b).gradient(f.a, f.b);
-        for (int i = 0; i < width; ++i) out.convection[row] += 2.0 * gradient[i] * at.v[first + i];
-        out.convection[row] += FrameForm<double>(second_rate[k], f.a, f.b).value;
+    if (!factor.varies) return;
+    // (F s)_qq = F s_qq + F' (s_q c_q^T + c_q s_q^T + s c_qq) + F'' s c_q c_q^T
+    const FormCourse& c = forms.back();
+    for (std::size_t k = 0; k < here.sines.size(); ++k) {
+        const int row = positions() + static_cast<int>(k);
+        const double s = here.sines[k].value, force = at.multipliers[row];
+        out.convection[row] += factor.first * (2.0 * c.speed * forms[k].speed + s * c.bend) +
+                               factor.second * s * c.speed * c.speed;
+        const Vector<double, 12>& by_q = forms[k].gradient;
+        for (int j = 0; j < width; ++j)
+            for (int i = 0; i < width; ++i)
+                out.stiffness(first + i, first + j) +=
+                    force * (factor.first * (by_q[i] * c.gradient[j] + c.gradient[i] * by_q[j] +
+                                             s * c.hessian(i, j)) +
+                             factor.second * s * c.gradient[i] * c.gradient[j]);
     }
 }
 

@@ -4,8 +4,8 @@
 /// @file
 /// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
 ///
-/// The angle th of a slope p has dth = (p x dp)/|p|^2; the joint holds sin(th_b - th_a - phi(t)) =
-/// 0.
+/// The angle th of a slope p has dth = (p x dp)/|p|^2. The joint holds F sin psi = 0 with
+/// psi = th_b - th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
 
 #pragma once
 
@@ -16,9 +16,11 @@
 #include <ancf/model/constraints_points.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/model/slope.hpp>
+#include <ancf/model/turn.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -88,6 +90,9 @@ public:
                (to_space_ ? std::string("space") : "node " + std::to_string(b_.index));
     }
 
+    /// Returns the angle that it is driven to, rad.
+    [[nodiscard]] double driven_angle(double time) const { return angle_.value(time); }
+
     /// Returns g.
     template <class Scalar>
     [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
@@ -96,7 +101,7 @@ public:
         g[0] = q[0];
         g[1] = q[1];
         for (int k = 0; k < 2; ++k) g[k] -= to_space_ ? Scalar(place_[k]) : q[2 + k];
-        g[2] = turn(q, time).sine;
+        g[2] = held(turn(q, time)).value;
         return g;
     }
 
@@ -109,7 +114,7 @@ public:
             g(k, k) = Scalar(1.0);
             if (!to_space_) g(k, 2 + k) = Scalar(-1.0);
         }
-        g.row(2) = turn(q, time).cosine * angle_gradient(q).transpose();
+        g.row(2) = held(turn(q, time)).first * angle_gradient(q).transpose();
         return g;
     }
 
@@ -118,7 +123,8 @@ public:
     [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
                                              const Scalar& time) const {
         DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(3);
-        g[2] = -turn(q, time).cosine * detail::continued(angle_.rate, angle_.acceleration, time);
+        g[2] =
+            -held(turn(q, time)).first * detail::continued(angle_.rate, angle_.acceleration, time);
         return g;
     }
 
@@ -127,22 +133,37 @@ public:
         out.violation = violation(at.q, at.time);
         out.jacobian = jacobian(at.q, at.time);
         out.rate = rate(at.q, at.time);
-        const Turn<double> now = turn(at.q, at.time);
+        const Held<double> now = held(turn(at.q, at.time));
         const VectorX gradient = angle_gradient(at.q);
         const MatrixX curvature = angle_hessian(at.q);
         out.stiffness = at.multipliers[2] *
-                        (now.cosine * curvature - now.sine * gradient * gradient.transpose());
+                        (now.first * curvature + now.second * gradient * gradient.transpose());
         const VectorX bent = curvature * at.v;  // named: within the product g++ 12 warns
         const double speed = gradient.dot(at.v) - angle_.rate(at.time);
-        out.convection[2] =
-            now.cosine * (at.v.dot(bent) - angle_.acceleration(at.time)) - now.sine * speed * speed;
+        out.convection[2] = now.first * (at.v.dot(bent) - angle_.acceleration(at.time)) +
+                            now.second * speed * speed;
     }
 
 private:
     template <class Scalar>
     struct Turn {
-        Scalar sine, cosine;  // of th_b - th_a - start - phi
+        Scalar sine, cosine;  // of psi = th_b - th_a - start - phi
     };
+
+    // F sin psi and its derivatives with respect to psi; of complex numbers the second is not
+    // continued.
+    template <class Scalar>
+    struct Held {
+        Scalar value, first, second;
+    };
+
+    template <class Scalar>
+    [[nodiscard]] static Held<Scalar> held(const Turn<Scalar>& psi) {
+        const auto f = detail::turn_factor(std::real(psi.sine), psi.cosine);
+        const Scalar s = psi.sine, c = psi.cosine;
+        return {f.value * s, f.value * c - f.first * s * s,
+                -(f.value * s) - s * (3.0 * f.first * c - f.second * s * s)};
+    }
 
     static Motion resting() {
         const auto zero = [](double) { return 0.0; };

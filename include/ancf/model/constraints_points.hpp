@@ -453,6 +453,10 @@ public:
     [[nodiscard]] int equations() const { return constraint_.equations(); }
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
+    /// Returns the angle that the constraint itself is driven to, rad.
+    [[nodiscard]] double driven_angle(double time) const {
+        return detail::driven_angle(constraint_, time);
+    }
 
     /// Returns g.
     template <class Scalar>

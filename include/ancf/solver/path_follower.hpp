@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <ancf/model/constraint.hpp>
 #include <ancf/solver/path.hpp>
 
 #include <algorithm>
@@ -365,6 +366,9 @@ private:
                 unbalanced <= options_.residual_tolerance ||
                 (unbalanced > 0.25 * before && monitor_.at_round_off(assembly_, point.state.q));
             if (balanced && correction <= options_.correction_tolerance) {
+                // a driven joint that turns further could have missed a whole turn
+                if (!driven_turn(model_.constraints(), start.factor, point.factor).fits())
+                    return Outcome::of(Status::diverged);
                 const auto fault = assembly_.inspect(point.state.q);
                 return fault ? Outcome::of(*fault) : Outcome{Status::converged, {}, iteration};
             }

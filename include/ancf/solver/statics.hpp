@@ -35,7 +35,8 @@ enum class NewtonKind {
 /// How a static problem is solved.
 struct StaticsOptions {
     NewtonKind newton = NewtonKind::plain;  ///< a step that fails otherwise is repeated as plain
-    int steps = 1;                          ///< equal load steps
+    int steps = 1;                          ///< equal load steps; one in which a driven joint
+                                            ///< turns by more than pi/3 is taken in parts
     int max_iterations = 100;               ///< linear solves per step
     int mixed_iterations = 25;              ///< the same before a step is repeated as plain
     double residual_tolerance = 1e-9;       ///< relative to loads and reactions
@@ -49,7 +50,8 @@ struct StaticsOptions {
     double first_factor = 0.0;              ///< load factor of the state that the model is in
     double last_factor = 1.0;               ///< load factor to reach
 
-    /// Called after every converged step; returning false stops there, with Status::stopped.
+    /// Called after every converged step, not after its parts; returning false stops there, with
+    /// Status::stopped.
     std::function<bool(double factor, const State& state)> progress;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
@@ -73,10 +75,11 @@ struct LoadStep {
 struct StaticsReport {
     Status status = Status::converged;  ///< how it ended
     double factor = 0.0;                ///< load factor reached
-    std::vector<LoadStep> steps;        ///< every step tried, in order
+    std::vector<LoadStep> steps;        ///< every step or part of one tried, in order
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
     std::string message;                ///< what failed where; of a singular tangent, what moves
-                                        ///< without stiffness. Empty where it converged
+                                        ///< without stiffness; of a driven joint that turns too
+                                        ///< far, which one. Empty where it converged
     /// In the state that the model is left in, an element so short that its law softens: an
     /// equilibrium with it need not be the one that smaller load steps lead to. CrossSectionBeam
     /// tells, with any centre line.

@@ -9,6 +9,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
@@ -51,15 +52,25 @@ public:
         double step = equal;
         double done = options_.first_factor;
         report_.factor = done;
-        for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole); ++k) {
-            double next = options_.adaptive ? done + step
-                                            : options_.first_factor + whole * k / options_.steps;
-            if (std::abs(next - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
-                next = options_.last_factor;
+        for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
+            double wanted = options_.adaptive ? done + step
+                                              : options_.first_factor + whole * k / options_.steps;
+            if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
+                wanted = options_.last_factor;
+            const double next = within_turn(done, wanted);
+            const DrivenTurn turn = driven_turn(model_.constraints(), done, next);
+            if (!turn.fits()) {
+                report_.status = Status::diverged;
+                report_.message = driven_turn_text(model_.constraints(), turn, done, next);
+                break;
+            }
             const LoadStep& result = advance(next);
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
+                if (next != wanted) continue;  // a part of a step
+                part_ = 1.0;
+                ++k;
                 if (options_.progress && !options_.progress(done, model_.state())) {
                     report_.status = Status::stopped;
                     report_.message = "the progress callback asked to stop";
@@ -68,6 +79,8 @@ public:
                 if (result.iterations <= 6)
                     step = std::min(2.0 * std::abs(step), std::abs(equal)) *
                            (whole < 0.0 ? -1.0 : 1.0);
+            } else if (turn.angle > smallest_turn) {
+                part_ = 0.5 * turn.angle / largest_driven_turn;
             } else {
                 step *= 0.5;
                 if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
@@ -79,6 +92,23 @@ public:
     }
 
 private:
+    static constexpr double smallest_turn = 0.05;  // rad: a shorter part is not tried
+
+    /// Returns the load factor wanted, or an earlier one up to which driven joints turn by what a
+    /// step, or the part of one that converges, may take.
+    [[nodiscard]] double within_turn(double done, double wanted) const {
+        const double most = part_ * largest_driven_turn * (1.0 + 1e-10);
+        double next = wanted;
+        for (int halving = 0; halving < 30; ++halving) {
+            const double turn = driven_turn(model_.constraints(), done, next).angle;
+            if (!(turn > most)) break;
+            // equal parts of an even drive at first
+            const double parts = halving == 0 ? std::ceil(turn / most) : 2.0;
+            next = done + (next - done) / parts;
+        }
+        return next;
+    }
+
     /// Solves at a load factor from the model's state; keeps the state where that fails.
     const LoadStep& advance(double factor) {
         const LoadStep& step = attempt(factor, newton_);
@@ -277,6 +307,7 @@ private:
     ConvergenceMonitor monitor_;
     Turning<Scene> turning_;
     NewtonKind newton_;
+    double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;

@@ -247,6 +247,7 @@ bool IdaRun<Scene>::step() {
     }
     double reached = time_;
     system_.forget_fault();
+    system_.begin_step(time_);
     context_.forget_message();
     const int code =
         IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
@@ -315,13 +316,17 @@ void IdaRun<Scene>::fail(int code) {
     if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
         code == IDA_CONV_FAIL)
         report_.fault = system_.fault();
-    report_.status = report_.fault ? report_.fault->status : status_of(code);
+    const bool turns = code != IDA_TOO_MUCH_WORK && !system_.turn().empty();
+    report_.status = report_.fault ? report_.fault->status
+                     : turns       ? Status::step_too_small
+                                   : status_of(code);
     std::string& message = report_.message;
     message = ancf::detail::joined({code_name(code), " at ", time_, " s"}, 6);
     if (code == IDA_TOO_MUCH_WORK)
         message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
     if (!context_.message().empty()) message += ": " + context_.message();
     if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
+    if (turns) message += "; " + system_.turn();
 }
 
 template <class Scene>

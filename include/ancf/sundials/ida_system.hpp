@@ -14,12 +14,14 @@
 #pragma once
 
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/model/constraint.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/jacobian_map.hpp>
 #include <ancf/types.hpp>
 
 #include <exception>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace ancf::sundials::detail {
@@ -80,6 +82,14 @@ public:
     [[nodiscard]] const std::optional<Fault>& fault() const noexcept { return fault_; }
     void forget_fault() noexcept { fault_.reset(); }
 
+    /// Takes the time that steps start from.
+    void begin_step(double time) {
+        begin_ = time;
+        turn_.clear();
+    }
+    /// Returns which driven joint turns by too much in the step last tried; empty where none does.
+    [[nodiscard]] const std::string& turn() const noexcept { return turn_; }
+
 private:
     using View = Eigen::Map<VectorX>;
     static constexpr int good = 0;
@@ -107,6 +117,14 @@ private:
         return !fault;
     }
 
+    // Whether a step to t may take the turns of driven joints.
+    [[nodiscard]] bool turns_fit(double t) {
+        const auto& constraints = problem_.model().constraints();
+        const auto turn = ancf::detail::driven_turn(constraints, begin_, t);
+        turn_ = turn.fits() ? "" : ancf::detail::driven_turn_text(constraints, turn, begin_, t);
+        return turn.fits();
+    }
+
     int write_residual(double t, const View& y, const View& dy, View r);
     int write_jacobian(double t, double c, const View& y, SUNMatrix matrix);
 
@@ -117,13 +135,15 @@ private:
     JacobianMap map_;
     VectorX q_, v_, lambda_, mu_, gap_, kinematic_;
     SparseMatrix velocity_level_;
+    double begin_ = 0.0;
+    std::string turn_;
     std::exception_ptr failure_;
     std::optional<Fault> fault_;
 };
 
 template <class Scene>
 int IdaSystem<Scene>::write_residual(double t, const View& y, const View& dy, View r) {
-    if (!evaluate(t, y, Request::force)) return recoverable;
+    if (!turns_fit(t) || !evaluate(t, y, Request::force)) return recoverable;
     const SparseMatrix& mass = problem_.compact_mass();
     v(r) = problem_.force();
     v(r).noalias() += mass * v(dy);

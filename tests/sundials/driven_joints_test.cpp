@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Driven joints under IDA: the angle is reached with its turns, or the run ends with the reason.
+
+#include <ancf/constants.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/sundials/ida.hpp>
+
+#include <support/catch.hpp>
+#include <support/driven_arm.hpp>
+#include <support/instances/planar.hpp>
+
+namespace ida_driven_joints_test {
+
+using namespace ancf;
+using ancf::sundials::Form;
+using ancf::sundials::Ida;
+using ancf::sundials::IdaOptions;
+
+TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]") {
+    int checked = 0;
+    for (const double angle : {0.1, 1.7, pi, 4.0, 20.0})
+        for (const int steps : {1, 16})
+            for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
+                CAPTURE(angle, steps, form == Form::index3);
+                test::DrivenArm arm(test::smooth_turn(angle));
+                DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+                IdaOptions options;
+                options.tolerance = 1e-3;
+                options.form = form;
+                options.first_step = 1.0 / steps;
+                const auto report = Ida(options).integrate(problem, equal_intervals(0.0, 1.0, 1.0));
+                ++checked;
+                INFO(report.message);
+                REQUIRE(report.status == Status::converged);
+                CHECK(arm.off(angle) <= 1e-9);
+                CHECK(arm.wound() <= 0.5);
+            }
+    CHECK(checked == 20);
+}
+
+TEST_CASE("Ida: a driven angle that jumps ends the motion and names the joint", "[ida][joints]") {
+    const Motion jump{[](double t) { return t > 0.5 ? 4.0 : 0.0; }, [](double) { return 0.0; },
+                      [](double) { return 0.0; }};
+    test::DrivenArm arm(jump);
+    DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+    const auto report = Ida().integrate(problem, equal_intervals(0.0, 1.0, 1.0));
+    CHECK(report.status == Status::step_too_small);
+    CHECK_THAT(report.message, ContainsSubstring("planar weld of node 0 and space"));
+    CHECK_THAT(report.message, ContainsSubstring("driven by 4 rad"));
+    CHECK(report.time <= 0.5);
+}
+
+}  // namespace ida_driven_joints_test
