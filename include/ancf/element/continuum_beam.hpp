@@ -122,6 +122,12 @@ public:
         return line_.template line_load<2 + slopes>(force);
     }
 
+    /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
+    /// N m^2: a torque divides between the slopes in this proportion.
+    ///
+    /// G (k_z int y^2 dA, k_y int z^2 dA) about the centroid; in the plane zero.
+    [[nodiscard]] Vector<double, 2> torsion_stiffness() const noexcept;
+
     /// Tells whether e is a beam: finite and, all along, neither flattened nor turned inside out:
     /// det [r0', r_y, r_z] > 1e-6 of the product of the three lengths, the slopes turning by less
     /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
@@ -294,6 +300,18 @@ typename ContinuumBeam<Dimension>::Station ContinuumBeam<Dimension>::station(
     }
     result.reference = detail::continuum::strain_coefficients(reference);
     return result;
+}
+
+template <int Dimension>
+Vector<double, 2> ContinuumBeam<Dimension>::torsion_stiffness() const noexcept {
+    Vector<double, 2> stiffness(0.0, 0.0);
+    if constexpr (Dimension == 3)
+        for (int k = 0; k < 2; ++k) {  // of r_y by 2 e_xz, of r_z by 2 e_xy
+            const auto of = law_.shear.col(1 - k);
+            const double coupled = of[Law::pair(0, 1 + k)];
+            stiffness[k] = of[Law::pair(1 + k, 1 + k)] - coupled * coupled / of[0];
+        }
+    return stiffness;
 }
 
 template <int Dimension>

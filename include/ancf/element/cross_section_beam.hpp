@@ -174,6 +174,18 @@ public:
         return line_.template line_load<4>(force);
     }
 
+    /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
+    /// N m^2: a torque divides between the slopes in this proportion.
+    ///
+    /// G (k_z int y^2 dA, k_y int z^2 dA) about the centroid; with SectionModel::saint_venant the
+    /// parts Iyy and Izz of G J. docs/theory-statics.md, "How a torque divides".
+    [[nodiscard]] Vector<double, 2> torsion_stiffness() const noexcept {
+        const auto without_shear = [](const Matrix<double, 3>& block, int twist) {
+            return block(twist, twist) - block(0, twist) * block(0, twist) / block(0, 0);
+        };
+        return {without_shear(section_.shear_z, 1), without_shear(section_.shear_y, 2)};
+    }
+
     /// Tells whether e is a beam whose strains are defined: finite; all along, tangent and slopes
     /// right-handed and turning by less than 120 degrees from node to node; at every station longer
     /// than 1e-6, the sine of the angle between them larger than 1e-6.

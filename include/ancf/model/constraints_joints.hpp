@@ -41,6 +41,7 @@ struct JointSide {
     FrameAt at = NodeId{};
     Matrix<double, 3> axes = Matrix<double, 3>::Identity();  ///< at the start; for space always
     Vector<double, 3> place = Vector<double, 3>::Zero();     ///< at the start
+    double share = 0.5;                                      ///< of r_y in a section's torque
 
     [[nodiscard]] int vectors() const noexcept {
         return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;
@@ -58,6 +59,7 @@ struct JointSide {
             side.kind = SideKind::section;
             side.at.first = Field::r_y;
             side.at.second = Field::r_z;
+            side.share = model.layout().torsion_share(at.node);
         }
         const Vector<double, 3> p = model.value(at.node, side.at.first);
         const Vector<double, 3> a = model.value(at.node, side.at.second);
@@ -98,7 +100,7 @@ struct JointSide {
     template <class Scalar>
     [[nodiscard]] Triad<Scalar> triad_of(const Vector<Scalar, 3>& p,
                                          const Vector<Scalar, 3>& a) const {
-        return kind == SideKind::section ? Triad<Scalar>::of_section(p, a)
+        return kind == SideKind::section ? Triad<Scalar>::of_section(p, a, share)
                                          : Triad<Scalar>::of_slopes(p, a);
     }
 };

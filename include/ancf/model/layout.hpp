@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Where each vector of each node stands in the coordinates of a model.
+/// Where each vector of each node stands in the coordinates of a model, and how a torque at a node
+/// divides between its slopes.
 
 #pragma once
 
@@ -21,8 +22,12 @@ public:
     Layout() = default;
 
     /// Makes the order for the fields of every node.
-    Layout(int dimension, std::vector<Fields> fields)
-        : dimension_(dimension), fields_(std::move(fields)), first_(fields_.size() + 1, 0) {
+    /// @param shares  torsion_share() of every node, 0 to 1; none: one half of each
+    Layout(int dimension, std::vector<Fields> fields, std::vector<double> shares = {})
+        : dimension_(dimension),
+          fields_(std::move(fields)),
+          first_(fields_.size() + 1, 0),
+          shares_(std::move(shares)) {
         for (std::size_t node = 0; node < fields_.size(); ++node)
             first_[node + 1] = first_[node] + dimension_ * fields_[node].count();
     }
@@ -52,10 +57,21 @@ public:
         return first(at.node.index) + dimension_ * carried.rank(at.field);
     }
 
+    /// Returns the part of a torque on a node's section that belongs on r_y, 0 to 1; the rest
+    /// belongs on r_z.
+    ///
+    /// It is the part that the torsion of the node's elements puts there (docs/theory-statics.md);
+    /// one half where they do not say.
+    [[nodiscard]] double torsion_share(NodeId node) const noexcept {
+        if (node.index < 0 || node.index >= static_cast<int>(shares_.size())) return 0.5;
+        return shares_[static_cast<std::size_t>(node.index)];
+    }
+
 private:
     int dimension_ = 0;
     std::vector<Fields> fields_;
     std::vector<int> first_ = {0};
+    std::vector<double> shares_;
 };
 
 }  // namespace ancf

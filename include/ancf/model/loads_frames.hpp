@@ -5,7 +5,7 @@
 /// Moments and forces on the frame of a node, with their exact stiffness; docs/theory-statics.md
 /// derives each.
 ///
-/// A moment acts on the frame of the section: n and c evenly between r_y and r_z, t normal to them.
+/// A moment acts on the frame of the section: t normal to r_y and r_z, n and c between them.
 /// A force follows the frame of the tangent: t along r_x, n the part of r_y normal to t, c = t x n.
 
 #pragma once
@@ -27,7 +27,8 @@ enum class Attachment { space, frame };
 /// A moment vector on the frame (t, n, c) of a node's section, N m.
 ///
 /// With u, w the unit vectors of r_y and r_z, s = |u x w|, t = u x w/s:
-///     Q_ry = (m_t/2 t x u - m.w/s t)/|r_y|,   Q_rz = (m_t/2 t x w + m.u/s t)/|r_z|.
+///     Q_ry = (f m_t t x u - m.w/s t)/|r_y|,   Q_rz = ((1 - f) m_t t x w + m.u/s t)/|r_z|.
+/// The share f of r_y is Layout::torsion_share of the model when the moment is added.
 /// A node without r_z has the frame of its tangent, t along r_x:
 ///     Q_rx = (m_c n - (m_n + alpha m_t) c)/|r_x|,   Q_ry = m_t c/|r_y normal to t|
 /// with alpha the slope of r_y against the normal plane. Either way sum slope x Q = m.
@@ -52,6 +53,7 @@ public:
                         " carries no r_y; connect its elements before the moment is added, or take "
                         "TangentMoment for a node of cables");
         on_section_ = layout.index({node_, Field::r_z}) >= 0;
+        share_ = layout.torsion_share(node_);
     }
 
     /// Returns the generalised force on (r_y, r_z) or, before it is in a model and for a node
@@ -67,7 +69,7 @@ private:
     [[nodiscard]] detail::Triad<Scalar> frame(const Vector<Scalar, 6>& slopes) const {
         const Vector<Scalar, 3> first = slopes.template head<3>(),
                                 second = slopes.template tail<3>();
-        return on_section_ ? detail::Triad<Scalar>::of_section(first, second)
+        return on_section_ ? detail::Triad<Scalar>::of_section(first, second, share_)
                            : detail::Triad<Scalar>::of_slopes(first, second);
     }
 
@@ -81,6 +83,7 @@ private:
     Vector<double, 3> moment_;
     Attachment attachment_;
     bool on_section_ = false;
+    double share_ = 0.5;  ///< of r_y in a torque
 };
 
 /// A force that keeps its components in the frame (t, n, c) of its node, N.

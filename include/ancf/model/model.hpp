@@ -87,6 +87,17 @@ struct PointMass {
     double mass;  ///< kg
 };
 
+namespace detail {
+
+template <class Element, class = void>
+struct HasTorsionStiffness : std::false_type {};
+template <class Element>
+struct HasTorsionStiffness<Element, std::void_t<decltype(Vector<double, 2>(
+                                        std::declval<const Element&>().torsion_stiffness()))>>
+    : std::true_type {};
+
+}  // namespace detail
+
 /// A scene of elements of the given types, all of one dimension.
 template <class... Elements>
 class Model {
@@ -315,6 +326,10 @@ private:
     };
 
     void refresh() const;
+    [[nodiscard]] std::vector<double> torsion_shares() const;
+    template <class Element>
+    static void add_torsion(const ElementGroup<Element>& group,
+                            std::vector<Vector<double, 2>>& stiffness);
     void check(NodeId node) const;
     void check_component(int component) const;
     static void check_finite(const char* call, NodeId node, Field field, const Point& value) {
@@ -545,7 +560,8 @@ void Model<Elements...>::refresh() const {
     std::vector<Fields> fields;
     fields.reserve(initial_.size());
     for (const InitialNode& node : initial_) fields.push_back(node.fields);
-    const Layout before = std::exchange(layout_, Layout(dimension, std::move(fields)));
+    const Layout before =
+        std::exchange(layout_, Layout(dimension, std::move(fields), torsion_shares()));
     const State old = std::exchange(state_, State{});
     state_.time = old.time;
     state_.q.setZero(layout_.size());
@@ -568,6 +584,36 @@ void Model<Elements...>::refresh() const {
     const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
     state_.multipliers.head(kept) = old.multipliers.head(kept);
     stale_ = false;
+}
+
+template <class... Elements>
+std::vector<double> Model<Elements...>::torsion_shares() const {
+    if constexpr (!(detail::HasTorsionStiffness<Elements>::value || ...)) return {};
+    std::vector<Vector<double, 2>> stiffness(initial_.size(), Vector<double, 2>(0.0, 0.0));
+    (add_torsion(std::get<ElementGroup<Elements>>(groups_), stiffness), ...);
+    std::vector<double> shares;
+    shares.reserve(stiffness.size());
+    for (const Vector<double, 2>& of : stiffness) {
+        const double sum = of[0] + of[1];
+        shares.push_back(sum > 0.0 ? of[0] / sum : 0.5);
+    }
+    return shares;
+}
+
+template <class... Elements>
+template <class Element>
+void Model<Elements...>::add_torsion(const ElementGroup<Element>& group,
+                                     std::vector<Vector<double, 2>>& stiffness) {
+    if constexpr (detail::HasTorsionStiffness<Element>::value) {
+        for (const Connection& connection : group.connections) {
+            const Vector<double, 2> own =
+                group.prototypes[static_cast<std::size_t>(connection.prototype)]
+                    .torsion_stiffness();
+            for (const NodeId node : {connection.first, connection.second})
+                for (int k = 0; k < 2; ++k)
+                    stiffness[static_cast<std::size_t>(node.index)][k] += own[k];
+        }
+    }
 }
 
 template <class... Elements>

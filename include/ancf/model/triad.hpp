@@ -10,13 +10,14 @@
 ///     O = [ [t]x/lam - (al/lam) t c^T,  t c^T/nu ],
 ///
 /// lam = |p|, nu = |a - (a.t) t|, al = a.t/nu. Only directions count, never the slopes' lengths.
-/// A section's frame lies evenly between its two slopes p, a across: with their unit vectors u, w,
+/// A section's frame stands between its two slopes p, a across: with their unit vectors u, w, the
+/// lack g = asin(u.w) of the right angle between them, and the share f of p,
 ///
-///     t = unit(u x w),  n = (n' - c')/sqrt 2,  c = (n' + c')/sqrt 2,  n' = unit(u + w),
-///     c' = unit(w - u),  O = [ (t (t x u)^T/2 - w t^T/s)/|p|,  (t (t x w)^T/2 + u t^T/s)/|a| ],
+///     t = unit(u x w),  n = u cos((1 - f) g) - t x u sin((1 - f) g),  c = t x n,
+///     O = [ (f t (t x u)^T - w t^T/s)/|p|,  ((1 - f) t (t x w)^T + u t^T/s)/|a| ],
 ///
-/// s = |u x w|: a moment about t acts on both alike. A cable's node has p alone: R = [t 0 0],
-/// O = [t]x/lam. docs/theory-dynamics.md derives the rest.
+/// s = |u x w|: a moment about t acts on p by f and on a by 1 - f. A cable's node has p alone:
+/// R = [t 0 0], O = [t]x/lam. docs/theory-dynamics.md derives the rest.
 
 #pragma once
 
@@ -33,6 +34,7 @@ struct Triad {
     Matrix<Scalar, 3, 6> spin;  ///< w = spin (dp, da); only the first `width` columns are there
     int width = 0;              ///< 0 of space, 3 of a tangent, 6 of two slopes
     bool across = false;        ///< the two slopes are a section's
+    double share = 0.5;         ///< of a section: what p takes of a moment about t
     Scalar lam{}, nu{}, al{};   ///< of a section |p|, |a| and s
     Vector<Scalar, 3> u, w;     ///< of a section
 
@@ -68,11 +70,16 @@ struct Triad {
     }
 
     /// The frame of a section with slopes p and a across, r_y and r_z.
-    static Triad of_section(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a) {
+    /// @param share  of p in a moment about t, 0 to 1
+    static Triad of_section(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a, double share) {
+        using std::atan;
+        using std::cos;
+        using std::sin;
         using std::sqrt;
         Triad f;
         f.width = 6;
         f.across = true;
+        f.share = share;
         f.lam = sqrt(Scalar(p.transpose() * p));
         f.nu = sqrt(Scalar(a.transpose() * a));
         f.u = p / f.lam;
@@ -80,17 +87,16 @@ struct Triad {
         const Vector<Scalar, 3> normal = cross(f.u, f.w);
         f.al = sqrt(Scalar(normal.transpose() * normal));
         const Vector<Scalar, 3> t = normal / f.al;
-        const Vector<Scalar, 3> sum = f.u + f.w, difference = f.w - f.u;
-        const Scalar along = sqrt(Scalar(2.0) * Scalar(sum.transpose() * sum));
-        const Scalar apart = sqrt(Scalar(2.0) * Scalar(difference.transpose() * difference));
+        const Scalar lack = atan(Scalar(f.u.transpose() * f.w) / f.al);
+        const Scalar cosine = cos((1.0 - share) * lack), sine = sin((1.0 - share) * lack);
         const Vector<Scalar, 3> tu = cross(t, f.u), tw = cross(t, f.w);
         for (int i = 0; i < 3; ++i) {
             f.axes(i, 0) = t[i];
-            f.axes(i, 1) = sum[i] / along - difference[i] / apart;
-            f.axes(i, 2) = sum[i] / along + difference[i] / apart;
+            f.axes(i, 1) = cosine * f.u[i] - sine * tu[i];
+            f.axes(i, 2) = cosine * tu[i] + sine * f.u[i];
             for (int k = 0; k < 3; ++k) {
-                f.spin(i, k) = (Scalar(0.5) * t[i] * tu[k] - f.w[i] * t[k] / f.al) / f.lam;
-                f.spin(i, 3 + k) = (Scalar(0.5) * t[i] * tw[k] + f.u[i] * t[k] / f.al) / f.nu;
+                f.spin(i, k) = (share * t[i] * tu[k] - f.w[i] * t[k] / f.al) / f.lam;
+                f.spin(i, 3 + k) = ((1.0 - share) * t[i] * tw[k] + f.u[i] * t[k] / f.al) / f.nu;
             }
         }
         return f;
@@ -138,16 +144,16 @@ struct Triad {
 
 /// Returns d(spin^T m)/d(p, a) of a section's frame.
 ///
-///     spin^T m = ((m_t/2 t x u - m.w/s t)/|p|,  (m_t/2 t x w + m.u/s t)/|a|),
+///     spin^T m = ((f m_t t x u - m.w/s t)/|p|,  ((1 - f) m_t t x w + m.u/s t)/|a|),
 ///     ds = (u.w) dth,  dth = (t x w).dw - (t x u).du
 [[nodiscard]] inline Matrix<double, 6> section_spin_derivative(const Triad<double>& f,
                                                                const Vector<double, 3>& m) {
     using Vec = Vector<double, 3>;
     const Vec t = f.axes.col(0), tu = cross(t, f.u), tw = cross(t, f.w);
-    const double half_twist = 0.5 * m.dot(t), s = f.al;
+    const double share_p = f.share, share_a = 1.0 - f.share, s = f.al;
+    const double twist_p = share_p * m.dot(t), twist_a = share_a * m.dot(t);
     const double by_u = m.dot(f.u) / s, by_w = m.dot(f.w) / s, cosine = f.u.dot(f.w);
-    const Vec on_p = (half_twist * tu - by_w * t) / f.lam,
-              on_a = (half_twist * tw + by_u * t) / f.nu;
+    const Vec on_p = (twist_p * tu - by_w * t) / f.lam, on_a = (twist_a * tw + by_u * t) / f.nu;
     Matrix<double, 6> out;
     for (int k = 0; k < 6; ++k) {  // by p_k, then by a_k
         const bool first = k < 3;
@@ -157,10 +163,10 @@ struct Triad {
         const Vec dw = first ? zero : Vec((unit - d_a * f.w) / f.nu);
         const Vec dt = cross(Vec(f.spin.col(k)), t);
         const double growth = cosine * (tw.dot(dw) - tu.dot(du)) / s;  // ds/s
-        const double d_half = 0.5 * m.dot(dt);
-        const Vec by_p = d_half * tu + half_twist * (cross(dt, f.u) + cross(t, du)) -
+        const double d_twist = m.dot(dt);
+        const Vec by_p = share_p * d_twist * tu + twist_p * (cross(dt, f.u) + cross(t, du)) -
                          (m.dot(dw) / s - by_w * growth) * t - by_w * dt;
-        const Vec by_a = d_half * tw + half_twist * (cross(dt, f.w) + cross(t, dw)) +
+        const Vec by_a = share_a * d_twist * tw + twist_a * (cross(dt, f.w) + cross(t, dw)) +
                          (m.dot(du) / s - by_u * growth) * t + by_u * dt;
         for (int i = 0; i < 3; ++i) {
             out(i, k) = (by_p[i] - d_p * on_p[i]) / f.lam;
