@@ -20,3 +20,11 @@
 #else
 #define ANCF_UNROLL
 #endif
+
+/// Before the definition of a function in a file *.ipp: inline where headers bring the definitions,
+/// nothing in a unit of the compiled library.
+#if defined(ANCF_SOURCE)
+#define ANCF_INLINE
+#else
+#define ANCF_INLINE inline
+#endif
