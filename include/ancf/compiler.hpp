@@ -28,3 +28,14 @@
 #else
 #define ANCF_INLINE inline
 #endif
+
+/// How many doubles a register of the target holds.
+#if defined(__GNUC__) && defined(__AVX512F__)
+#define ANCF_REGISTER_LANES 8
+#elif defined(__GNUC__) && defined(__AVX__)
+#define ANCF_REGISTER_LANES 4
+#elif defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
+#define ANCF_REGISTER_LANES 2
+#else
+#define ANCF_REGISTER_LANES 1
+#endif

@@ -13,7 +13,7 @@ import tempfile
 
 LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
 COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all of them, never each other
-COMMON = ["algebra.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
+COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
           "version.hpp"]
 UMBRELLA = "ancf.hpp"
 ABOVE = [UMBRELLA, "instances.hpp"]  # include any layer, no header includes them
