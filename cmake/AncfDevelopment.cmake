@@ -3,9 +3,9 @@
 #
 # What ancf's own programs are compiled with. Nothing here reaches a consumer of the library.
 #
-# ancf_core_development: the core with the warnings and the sanitizers.
+# ancf_core_development: the headers of the core with the warnings and the sanitizers.
 # ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
-# ancf_add_program(NAME SOURCE...): an example or bench program with ancf_development.
+# ancf_add_program(NAME SOURCE...): an example or bench program with ancf_development and the compiled library.
 
 add_library(ancf_core_development INTERFACE)
 target_compile_options(ancf_core_development INTERFACE
@@ -43,7 +43,7 @@ endforeach()
 
 function(ancf_add_program name)
     add_executable(${name} ${ARGN})
-    target_link_libraries(${name} PRIVATE ancf_development)
+    target_link_libraries(${name} PRIVATE ancf_development ancf::compiled)
 endfunction()
 
 # ancf_require_package(NAME TARGET FOR DEBIAN FEDORA HOMEBREW CONDA): finds what only the repository's own programs need.
@@ -65,3 +65,19 @@ if(ANCF_WITH_OPENMP)
         message(FATAL_ERROR "ANCF_WITH_OPENMP is ON, but the compiler has no OpenMP")
     endif()
 endif()
+
+# The compiled library with the sanitizers of the programs; for benchmarks another one with all instructions of this
+# machine and with threads, whose objects have another layout.
+if(ANCF_SANITIZE)
+    get_target_property(options ancf_core_development INTERFACE_COMPILE_OPTIONS)
+    list(FILTER options INCLUDE REGEX "sanitize|omit-frame")
+    target_compile_options(ancf_compiled PRIVATE ${options})
+endif()
+function(ancf_add_native_library)
+    ancf_add_compiled(ancf_compiled_native)
+    target_link_libraries(ancf_compiled_native PUBLIC ancf_threads)
+    # GCC 12 takes fault with its own AVX-512 header.
+    target_compile_options(ancf_compiled_native PUBLIC -march=native
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
+    set_target_properties(ancf_compiled_native PROPERTIES EXCLUDE_FROM_ALL ON)
+endfunction()
