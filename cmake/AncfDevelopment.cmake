@@ -5,7 +5,8 @@
 #
 # ancf_core_development: the headers of the core with the warnings and the sanitizers.
 # ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
-# ancf_add_program(NAME SOURCE...): an example or bench program with ancf_development and the compiled library.
+# ancf_add_program(NAME LIBRARY SOURCE...): an example or bench program with ancf_development and a compiled library,
+# ancf::compiled or ancf_compiled_native.
 
 add_library(ancf_core_development INTERFACE)
 target_compile_options(ancf_core_development INTERFACE
@@ -41,9 +42,9 @@ foreach(component suitesparse sundials)
     endif()
 endforeach()
 
-function(ancf_add_program name)
+function(ancf_add_program name library)
     add_executable(${name} ${ARGN})
-    target_link_libraries(${name} PRIVATE ancf_development ancf::compiled)
+    target_link_libraries(${name} PRIVATE ${library} ancf_development)
 endfunction()
 
 # ancf_require_package(NAME TARGET FOR DEBIAN FEDORA HOMEBREW CONDA): finds what only the repository's own programs need.
@@ -73,11 +74,11 @@ if(ANCF_SANITIZE)
     list(FILTER options INCLUDE REGEX "sanitize|omit-frame")
     target_compile_options(ancf_compiled PRIVATE ${options})
 endif()
-function(ancf_add_native_library)
+if(NOT MSVC)
     ancf_add_compiled(ancf_compiled_native)
     target_link_libraries(ancf_compiled_native PUBLIC ancf_threads)
     # GCC 12 takes fault with its own AVX-512 header.
     target_compile_options(ancf_compiled_native PUBLIC -march=native
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
     set_target_properties(ancf_compiled_native PROPERTIES EXCLUDE_FROM_ALL ON)
-endfunction()
+endif()

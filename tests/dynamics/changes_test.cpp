@@ -13,8 +13,8 @@
 #include <ancf/solver/statics.hpp>
 
 #include <dynamics/scenes.hpp>
+#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 
 #include <cmath>
 

@@ -16,7 +16,6 @@
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
-#include <support/instances/planar.hpp>
 
 #include <string>
 

@@ -8,8 +8,8 @@
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <dynamics/scenes.hpp>
+#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>

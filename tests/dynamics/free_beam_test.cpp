@@ -16,7 +16,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include <ancf/solver/scaled.hpp>
 
 #include <dynamics/scenes.hpp>
+#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 
 #include <cmath>
 #include <limits>

@@ -16,7 +16,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <algorithm>
 #include <cmath>

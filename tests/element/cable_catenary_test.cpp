@@ -11,7 +11,6 @@
 
 #include <element/cable_scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 
 #include <element/cable_scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>

@@ -21,10 +21,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -16,7 +16,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <functional>

@@ -16,8 +16,6 @@
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>

@@ -9,7 +9,6 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
 
 #include <Eigen/LU>
 

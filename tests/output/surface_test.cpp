@@ -15,9 +15,6 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Geometry>

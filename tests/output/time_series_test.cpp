@@ -20,8 +20,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 
 #include <solver/linear_solver_cases.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <Eigen/Eigenvalues>
 

@@ -10,7 +10,6 @@
 #include <solver/linear_solver_cases.hpp>
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <Eigen/LU>
 

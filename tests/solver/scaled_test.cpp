@@ -8,7 +8,6 @@
 #include <solver/linear_solver_cases.hpp>
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <cmath>
 #include <string_view>

@@ -11,7 +11,6 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
 
 #include <algorithm>
 #include <cmath>

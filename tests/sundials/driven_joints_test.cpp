@@ -6,11 +6,11 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
-#include <support/instances/planar.hpp>
 
 namespace ida_driven_joints_test {
 

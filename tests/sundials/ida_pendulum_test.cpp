@@ -5,11 +5,11 @@
 
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <Eigen/Geometry>
 

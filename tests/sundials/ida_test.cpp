@@ -5,12 +5,12 @@
 
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <unistd.h>
 

@@ -4,13 +4,13 @@
 // The Jacobian that IDA gets against central differences of the residual that it gets.
 
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida_system.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 #include <support/random_state.hpp>
 
 namespace jacobian_test {

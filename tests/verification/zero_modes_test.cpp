@@ -14,7 +14,6 @@
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <cmath>
 #include <type_traits>
