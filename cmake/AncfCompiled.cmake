@@ -3,8 +3,9 @@
 #
 # The same headers, compiled once: a static library of the definitions and of the usual elements.
 #
-# ancf_add_compiled(NAME [COMPONENT name]...): a static library target. Its units are generated from the headers: one for
-# each element that a header declares `extern template`, one for each layer or part of a layer.
+# ancf_add_compiled(NAME): a static library target. Its units are generated from the headers: one for each element that
+# a header declares `extern template`, one for each layer or part of a layer.
+# ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
 
 # Writes a unit that includes the given files and ends with the given text, and appends its path to the list UNIT_LIST.
 function(_ancf_compiled_unit unit_list stem files end)
@@ -65,11 +66,27 @@ endfunction()
 function(ancf_add_compiled name)
     _ancf_compiled_layers(layers section element model assembly solver dynamics output)
     _ancf_compiled_elements(elements)
-    set(sources)
     file(GLOB common RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ancf/*.ipp)
     _ancf_compiled_unit(sources common "${common}" "")
     add_library(${name} STATIC ${sources} ${layers} ${elements})
     target_link_libraries(${name} PUBLIC ancf::ancf)
     target_compile_definitions(${name} PUBLIC ANCF_COMPILED)
-    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    _ancf_compiled_properties(${name})
+endfunction()
+
+function(ancf_add_compiled_component library component)
+    _ancf_compiled_layers(units ${component})
+    add_library(${library}_${component} STATIC ${units})
+    target_link_libraries(${library}_${component} PUBLIC ${library} ancf::${component})
+    _ancf_compiled_properties(${library}_${component})
+endfunction()
+
+# Built when something needs it; usable in shared libraries.
+function(_ancf_compiled_properties name)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXCLUDE_FROM_ALL ON)
+    if(ANCF_SANITIZE)
+        list(JOIN ANCF_SANITIZE "," sanitizers)
+        target_compile_options(${name} PRIVATE -fsanitize=${sanitizers} -fno-sanitize-recover=all
+            -fno-omit-frame-pointer -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
+    endif()
 endfunction()

@@ -6,7 +6,7 @@
 # ancf_core_development: the headers of the core with the warnings and the sanitizers.
 # ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
 # ancf_add_program(NAME LIBRARY SOURCE...): an example or bench program with ancf_development and a compiled library,
-# ancf::compiled or ancf_compiled_native.
+# ancf_compiled or ancf_compiled_native.
 
 add_library(ancf_core_development INTERFACE)
 target_compile_options(ancf_core_development INTERFACE
@@ -42,9 +42,19 @@ foreach(component suitesparse sundials)
     endif()
 endforeach()
 
+# Links a program with a compiled library and what of it belongs to the components that are there.
+function(ancf_link name library)
+    target_link_libraries(${name} PUBLIC ${library} ancf_development)
+    foreach(component suitesparse sundials)
+        if(TARGET ancf::${component})
+            target_link_libraries(${name} PUBLIC ${library}_${component})
+        endif()
+    endforeach()
+endfunction()
+
 function(ancf_add_program name library)
     add_executable(${name} ${ARGN})
-    target_link_libraries(${name} PRIVATE ${library} ancf_development)
+    ancf_link(${name} ${library})
 endfunction()
 
 # ancf_require_package(NAME TARGET FOR DEBIAN FEDORA HOMEBREW CONDA): finds what only the repository's own programs need.
@@ -67,18 +77,17 @@ if(ANCF_WITH_OPENMP)
     endif()
 endif()
 
-# The compiled library with the sanitizers of the programs; for benchmarks another one with all instructions of this
-# machine and with threads, whose objects have another layout.
-if(ANCF_SANITIZE)
-    get_target_property(options ancf_core_development INTERFACE_COMPILE_OPTIONS)
-    list(FILTER options INCLUDE REGEX "sanitize|omit-frame")
-    target_compile_options(ancf_compiled PRIVATE ${options})
-endif()
+# For benchmarks, the compiled library with all instructions of this machine and with threads: its objects have another
+# layout.
 if(NOT MSVC)
     ancf_add_compiled(ancf_compiled_native)
     target_link_libraries(ancf_compiled_native PUBLIC ancf_threads)
     # GCC 12 takes fault with its own AVX-512 header.
     target_compile_options(ancf_compiled_native PUBLIC -march=native
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
-    set_target_properties(ancf_compiled_native PROPERTIES EXCLUDE_FROM_ALL ON)
+    foreach(component suitesparse sundials)
+        if(TARGET ancf::${component})
+            ancf_add_compiled_component(ancf_compiled_native ${component})
+        endif()
+    endforeach()
 endif()
