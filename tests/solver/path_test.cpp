@@ -16,9 +16,6 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <array>
 #include <cmath>

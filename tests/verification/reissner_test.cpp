@@ -15,7 +15,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <cmath>
 

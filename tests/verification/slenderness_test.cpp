@@ -13,7 +13,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <cmath>
 

@@ -43,7 +43,7 @@ struct Frame {
 /// Writes v + change with the part of the change across v as an angle.
 ANCF_INLINE void turned(const double* v, const double* change, int dimension, double* out) {
     const double length = std::sqrt(inner(v, v, dimension));
-    double unit[3], across[3];
+    double unit[3] = {}, across[3] = {};
     for (int k = 0; k < dimension; ++k) {
         unit[k] = v[k] / length;
         out[k] = v[k] + change[k];
@@ -176,7 +176,7 @@ ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& 
             const double square = detail::inner(v, v, dimension_);
             if (!(square > 0.0)) continue;
             const double along = detail::inner(v, d, dimension_) / square;
-            double across[3];
+            double across[3] = {};
             for (int k = 0; k < dimension_; ++k) across[k] = d[k] - along * v[k];
             largest = std::max(
                 largest, std::sqrt(detail::inner(across, across, dimension_)) / std::sqrt(square));
@@ -229,7 +229,7 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     wanted.reserve(chords_.size() * static_cast<std::size_t>(dimension_));
     for (const auto& chord : chords_) {
         const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
-        double old[3], by[3], moved[3];
+        double old[3] = {}, by[3] = {}, moved[3];
         for (int k = 0; k < dimension_; ++k) {
             old[k] = before[j + k] - before[i + k];
             by[k] = change[j + k] - change[i + k];
