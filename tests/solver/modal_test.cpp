@@ -198,7 +198,7 @@ TEST_CASE("modes: shapes are orthonormal in the mass and belong to their frequen
     ancf::EigenLdlt solver;
     const auto report = ancf::natural_modes(scene, solver);
     REQUIRE(report.modes.size() == 6);
-    const ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    const ancf::Assembly assembly(scene, ancf::Storage::lower);
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j <= i; ++j)
             CHECK(report.modes[i].shape.dot(assembly.mass_product(report.modes[j].shape)) ==
@@ -263,7 +263,7 @@ TEST_CASE("modes: of a following load's stiffness the symmetric part counts", "[
     REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
     const auto found = ancf::natural_modes(scene, solver);
     REQUIRE(found.status == Status::converged);
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::full);
+    ancf::Assembly assembly(scene, ancf::Storage::full);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
     REQUIRE_FALSE(

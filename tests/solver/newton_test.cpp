@@ -12,6 +12,7 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
 
 #include <support/catch.hpp>
 
@@ -291,7 +292,7 @@ TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
 TEST_CASE("statics: a small correction that turns is the correction itself", "[statics][newton]") {
     Cantilever beam(6, 1.0, 0.1, ancf::Rule::paper());
     const ancf::Numbering numbering(beam.scene);
-    ancf::Turning<Scene> turning(beam.scene, numbering);
+    ancf::Turning turning(beam.scene, numbering);
     const ancf::VectorX before = beam.scene.state().q;
     ancf::VectorX change = ancf::VectorX::Zero(before.size());
     for (int k = 0; k < before.size(); ++k)

@@ -262,7 +262,7 @@ TEST_CASE("statics: a column that a joint alone holds is judged like a clamped o
         CHECK(to_string(report.stability) == (load < 1.0 ? "stable" : "unstable"));
         // said twice, the weld changes nothing
         welded.add(ancf::Weld(welded, ancf::NodeId{0}));
-        ancf::Assembly<Scene> assembly(welded, ancf::Storage::full);
+        ancf::Assembly assembly(welded, ancf::Storage::full);
         const ancf::State& at = welded.state();
         const ancf::VectorX rest = ancf::VectorX::Zero(at.q.size());
         REQUIRE_FALSE(
@@ -383,7 +383,7 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         CHECK(report.status == Status::degenerate);
         REQUIRE(report.fault);
         CHECK(report.fault->element == 0);
-        CHECK(report.message == "element 0 of group 0 is degenerate");
+        CHECK(report.message == "element 0 of the type ContinuumBeam<3> is degenerate");
     }
     SECTION("too few iterations") {
         Scene scene = make_cantilever();

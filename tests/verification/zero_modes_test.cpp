@@ -62,7 +62,7 @@ ancf::Model<Element> chain(Shape shape, const char* rule, int elements) {
 /// Returns how many eigenvalues lie below `value` times the square of Euler's first frequency.
 template <class Scene>
 int below(const Scene& scene, double value) {
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    ancf::Assembly assembly(scene, ancf::Storage::lower);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
     REQUIRE_FALSE(

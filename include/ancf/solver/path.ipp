@@ -2,23 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The algorithm behind follow_path: predictor along the tangent, Newton's method on the bordered
-/// system, a check that the point found lies ahead, bisection of steps in which the number of
-/// negative pivots changes or the load turns.
+/// The algorithm behind follow_path: definitions of path.hpp.
 
 #pragma once
 
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/path.hpp>
+#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace ancf {
 
-inline void PathOptions::check() const {
+ANCF_INLINE void PathOptions::check() const {
     detail::require_finite("PathOptions: first_factor", first_factor);
     detail::require(std::isfinite(first_step) && first_step != 0.0,
                     "PathOptions: first_step must be finite and not zero, got ", first_step);
@@ -38,7 +44,9 @@ inline void PathOptions::check() const {
 
 namespace detail {
 
-template <class Scene>
+/// Predictor along the tangent, Newton's method on the bordered system, a check that the point
+/// found lies ahead, bisection of steps in which the number of negative pivots changes or the load
+/// turns.
 class PathFollower {
 public:
     PathFollower(Scene& model, LinearSolver& solver, const PathOptions& options)
@@ -56,8 +64,8 @@ public:
         weigh();
         if (options.control == PathControl::displacement) {
             const int coordinate = model.coordinate(options.at.node, options.at.field);
-            require(options.component >= 0 && options.component < Scene::dimension,
-                    "PathOptions: component must be one of ", Scene::dimension, ", got ",
+            require(options.component >= 0 && options.component < model.dimension(),
+                    "PathOptions: component must be one of ", model.dimension(), ", got ",
                     options.component);
             controlled_ = numbering_.equation(coordinate + options.component);
             require(controlled_ >= 0,
@@ -147,7 +155,7 @@ private:
             for (int k = 0; k < field_count; ++k) {
                 const auto field = static_cast<Field>(k);
                 const int first = layout.index({{node}, field});
-                for (int at = first; first >= 0 && at < first + Scene::dimension; ++at)
+                for (int at = first; first >= 0 && at < first + model_.dimension(); ++at)
                     if (const int equation = numbering_.equation(at); equation >= 0)
                         weights_[equation] = std::pow(size, -2 * length_power(field)) / nodes;
             }
@@ -490,7 +498,7 @@ private:
     Scene& model_;
     LinearSolver& solver_;
     const PathOptions& options_;
-    Assembly<Scene> assembly_;
+    Assembly assembly_;
     const Numbering& numbering_;
     ConvergenceMonitor monitor_;
     VectorX rest_;
@@ -505,10 +513,9 @@ private:
 
 }  // namespace detail
 
-template <class Scene>
-PathReport follow_path(Scene& model, LinearSolver& solver, const PathOptions& options) {
+ANCF_INLINE PathReport follow_path(Scene& model, LinearSolver& solver, const PathOptions& options) {
     options.check();
-    return detail::PathFollower<Scene>(model, solver, options).run();
+    return detail::PathFollower(model, solver, options).run();
 }
 
 }  // namespace ancf

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Newton's method in load steps: what solve_statics() of statics.hpp does.
+/// Newton's method in load steps: definitions of statics.hpp.
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/mechanism.hpp>
@@ -24,15 +25,24 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace ancf {
 
 namespace detail {
 
+/// Whether every entry is zero.
+[[nodiscard]] ANCF_INLINE bool vanishes(const VectorX& x) {
+    return std::all_of(x.data(), x.data() + x.size(), [](double entry) { return entry == 0.0; });
+}
+
+/// Whether no entry is a NaN or an infinity.
+[[nodiscard]] ANCF_INLINE bool all_finite(const VectorX& x) {
+    return std::all_of(x.data(), x.data() + x.size(),
+                       [](double entry) { return std::isfinite(entry); });
+}
+
 /// Newton's method on one scene; keeps the assembly and the factorisation between steps.
-template <class Scene>
 class StaticsRun {
 public:
     StaticsRun(Scene& model, LinearSolver& solver, const StaticsOptions& options)
@@ -118,12 +128,10 @@ private:
 
     /// The iteration asked for, or the plain one where no element has another.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
-        bool evaluates_mixed = false;
-        model_.for_each_group([&](const auto& group) {
-            using Element = std::decay_t<decltype(group.element(0))>;
-            if (EvaluatesMixed<Element>::value && !group.connections.empty())
-                evaluates_mixed = true;
-        });
+        const auto& groups = model_.groups();
+        const bool evaluates_mixed = std::any_of(
+            groups.begin(), groups.end(),
+            [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; });
         return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
     }
 
@@ -166,11 +174,10 @@ private:
     Status iterate(LoadStep& step) {
         State& state = model_.state();
         state.time = instant_.time;
-        VectorX increment = -state.q;
         VectorX driven = state.q;
         assembly_.apply_supports(instant_, driven);
-        increment += driven;
-        const bool moved = (increment.array() != 0.0).any();
+        const VectorX increment = difference(driven, state.q);
+        const bool moved = !vanishes(increment);
 
         if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
         last_.before = state.q;
@@ -184,7 +191,7 @@ private:
             if (at_rest && residual <= options_.residual_tolerance) return accept(state);
             // a scene without loads that is at rest needs no correction to know it
             const bool idle =
-                step.iterations == 0 && !moved && (assembly_.external_force().array() == 0.0).all();
+                step.iterations == 0 && !moved && vanishes(assembly_.external_force());
             if (idle || settled(step) || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
@@ -196,11 +203,11 @@ private:
                 return report_.factorisation.status;
             assembly_.residual(residual_);
             solver_.solve(residual_, correction_);
-            correction_ = -correction_;
+            for (double& entry : correction_) entry = -entry;
             ++step.iterations;
             if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
                 ++step.indefinite;
-            if (!correction_.allFinite()) return Status::not_finite;
+            if (!all_finite(correction_)) return Status::not_finite;
             if (!move(state, residual, step.newton)) return report_.fault->status;
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
@@ -216,7 +223,8 @@ private:
         for (int halving = 0;; ++halving) {
             state = start;
             numbering.add_free(correction_, length, state.q);
-            state.multipliers += length * correction_.tail(numbering.multipliers());
+            for (int k = 0; k < numbering.multipliers(); ++k)
+                state.multipliers[k] += length * correction_[numbering.free_coordinates() + k];
             if (mixed) bend(newton, state.q);
             const bool evaluated = evaluate(state, nullptr, mixed ? &last_ : nullptr);
             if (!options_.line_search || halving == 8 ||
@@ -231,7 +239,7 @@ private:
     /// Lets what the correction turns keep its length.
     void bend(NewtonKind newton, VectorX& q) {
         constexpr double small = 0.05;  // rad: below, the linear sum is better
-        last_.change = q - last_.before;
+        last_.change = difference(q, last_.before);
         if (newton == NewtonKind::turned &&
             turning_.largest_angle(last_.before, last_.change) > small)
             turning_.turn(last_.before, last_.change, q);
@@ -291,21 +299,22 @@ private:
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
         if (report_.status == Status::singular) {
-            std::string found = singular_cause(model_.layout(), numbering, Scene::dimension,
-                                               assembly_.tangent(), solver_);
+            std::string found =
+                singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
             if (!found.empty()) report_.message = std::move(found);
         }
-        report_.imbalance = resultant(
-            model_, state.q,
-            assembly_.external_force() - assembly_.constraint_force() + report_.reactions);
+        report_.imbalance = resultant(model_, state.q,
+                                      combination({{1.0, assembly_.external_force()},
+                                                   {-1.0, assembly_.constraint_force()},
+                                                   {1.0, report_.reactions}}));
     }
 
     Scene& model_;
     LinearSolver& solver_;
     const StaticsOptions& options_;
-    Assembly<Scene> assembly_;
+    Assembly assembly_;
     ConvergenceMonitor monitor_;
-    Turning<Scene> turning_;
+    Turning turning_;
     NewtonKind newton_;
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
@@ -316,10 +325,26 @@ private:
 
 }  // namespace detail
 
-template <class Scene>
-StaticsReport solve_statics(Scene& model, LinearSolver& solver, const StaticsOptions& options) {
+ANCF_INLINE void StaticsOptions::check() const {
+    detail::require(steps >= 1, "StaticsOptions: steps must be at least 1, got ", steps);
+    detail::require(max_iterations >= 1, "StaticsOptions: max_iterations must be at least 1, got ",
+                    max_iterations);
+    detail::require(mixed_iterations >= 1,
+                    "StaticsOptions: mixed_iterations must be at least 1, got ", mixed_iterations);
+    detail::require_positive("StaticsOptions: residual_tolerance", residual_tolerance);
+    detail::require_positive("StaticsOptions: correction_tolerance", correction_tolerance);
+    detail::require_positive("StaticsOptions: min_step", min_step);
+    detail::require_finite("StaticsOptions: first_factor", first_factor);
+    detail::require_finite("StaticsOptions: last_factor", last_factor);
+    detail::require(first_factor != last_factor,
+                    "StaticsOptions: first_factor and last_factor must differ, both are ",
+                    last_factor);
+}
+
+ANCF_INLINE StaticsReport solve_statics(Scene& model, LinearSolver& solver,
+                                        const StaticsOptions& options) {
     options.check();
-    return detail::StaticsRun<Scene>(model, solver, options).run();
+    return detail::StaticsRun(model, solver, options).run();
 }
 
 }  // namespace ancf
