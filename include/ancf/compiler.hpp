@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The compiler extensions that kernels need.
+/// The compiler extensions that kernels need, and how functions of files of definitions are marked.
 
 #pragma once
 
@@ -21,9 +21,13 @@
 #define ANCF_UNROLL
 #endif
 
-/// Before the definition of a function in a file *.ipp: inline where headers bring the definitions,
-/// nothing in a unit of the compiled library.
-#if defined(ANCF_SOURCE)
+/// Marks each function that a file of definitions (*.ipp) defines and that is no template: `inline`
+/// where headers include their definitions, nothing where these are compiled once.
+///
+/// A unit of the compiled library defines ANCF_SOURCE and includes files of definitions; one that
+/// uses the library defines ANCF_COMPILED, and headers leave them out. A virtual function has the
+/// mark where its class declares it as well: g++ would otherwise emit the class in every unit.
+#if defined(ANCF_SOURCE) || defined(ANCF_COMPILED)
 #define ANCF_INLINE
 #else
 #define ANCF_INLINE inline

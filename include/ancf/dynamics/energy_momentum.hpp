@@ -70,7 +70,7 @@ public:
     /// conserves by the square of the step; the report's energy_drift is the scheme's own.
     /// @return as GeneralizedAlpha::integrate.
     /// @throws InvalidArgument as GeneralizedAlpha::integrate.
-    template <class Scene, class LinearSolver>
+    template <class Scene>
     [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                            const Schedule& schedule,
                                            const Memory& memory = {}) const;
@@ -82,7 +82,7 @@ private:
 namespace detail {
 
 /// One run.
-template <class Scene, class LinearSolver>
+template <class Scene>
 class EnergyMomentumRun {
 public:
     EnergyMomentumRun(DynamicProblem<Scene>& problem, LinearSolver& solver,
@@ -131,8 +131,8 @@ private:
     VectorX rhs_, solution_;
 };
 
-template <class Scene, class LinearSolver>
-void EnergyMomentumRun<Scene, LinearSolver>::run(const Memory& memory) {
+template <class Scene>
+void EnergyMomentumRun<Scene>::run(const Memory& memory) {
     if (!memory.empty()) recall(memory);
     next_ = now_;
     recorder_.start(now_);
@@ -154,8 +154,8 @@ void EnergyMomentumRun<Scene, LinearSolver>::run(const Memory& memory) {
 }
 
 /// Moves now_ on to a time, in one step or, where Newton's method fails, in shorter ones.
-template <class Scene, class LinearSolver>
-bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole) {
+template <class Scene>
+bool EnergyMomentumRun<Scene>::advance(double target, double whole) {
     double width = whole;
     while (now_.time < target) {
         const double rest = target - now_.time;
@@ -193,8 +193,8 @@ bool EnergyMomentumRun<Scene, LinearSolver>::advance(double target, double whole
 /// Takes one step by Newton's method, until the corrections are round-off.
 ///
 /// The matrix at hand, of an earlier step or iterate, stays while it converges fast enough.
-template <class Scene, class LinearSolver>
-Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
+template <class Scene>
+Status EnergyMomentumRun<Scene>::step(double h) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
@@ -228,8 +228,8 @@ Status EnergyMomentumRun<Scene, LinearSolver>::step(double h) {
 }
 
 /// Evaluates at next_ and, where asked, builds and factorises the matrix there.
-template <class Scene, class LinearSolver>
-Status EnergyMomentumRun<Scene, LinearSolver>::evaluate(double h, bool matrix) {
+template <class Scene>
+Status EnergyMomentumRun<Scene>::evaluate(double h, bool matrix) {
     set_rates(h);
     full_next_ = problem_.raw_state(next_.time, next_.q, next_.v);
     ++report_.evaluations;
@@ -248,13 +248,13 @@ Status EnergyMomentumRun<Scene, LinearSolver>::evaluate(double h, bool matrix) {
     return status;
 }
 
-template <class Scene, class LinearSolver>
-void EnergyMomentumRun<Scene, LinearSolver>::set_rates(double h) {
+template <class Scene>
+void EnergyMomentumRun<Scene>::set_rates(double h) {
     next_.v = 2.0 / h * increment_ - now_.v;
 }
 
-template <class Scene, class LinearSolver>
-void EnergyMomentumRun<Scene, LinearSolver>::remember() {
+template <class Scene>
+void EnergyMomentumRun<Scene>::remember() {
     Memory& memory = report_.memory;
     memory.integrator = "energy_momentum";
     memory.put("q", now_.q);
@@ -273,8 +273,8 @@ void EnergyMomentumRun<Scene, LinearSolver>::remember() {
     memory.put("linearised_to_lambda", linearised_to_.lambda);
 }
 
-template <class Scene, class LinearSolver>
-void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
+template <class Scene>
+void EnergyMomentumRun<Scene>::recall(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     require(memory.integrator == "energy_momentum", "EnergyMomentum: the memory is that of ",
@@ -309,10 +309,9 @@ void EnergyMomentumRun<Scene, LinearSolver>::recall(const Memory& memory) {
 
 }  // namespace detail
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 DynamicsReport EnergyMomentum::integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                          const Schedule& schedule, const Memory& memory) const {
-    require_linear_solver<LinearSolver>();
     detail::require_same_storage(solver, problem);
     detail::require_motion(problem);
     schedule.check(problem.model().state().time);
@@ -326,8 +325,7 @@ DynamicsReport EnergyMomentum::integrate(DynamicProblem<Scene>& problem, LinearS
         report.message = start.message;
         return report;
     }
-    detail::EnergyMomentumRun<Scene, LinearSolver>(problem, solver, schedule, options_, start,
-                                                   report)
+    detail::EnergyMomentumRun<Scene>(problem, solver, schedule, options_, start, report)
         .run(memory);
     return report;
 }

@@ -75,7 +75,7 @@ public:
     /// @throws InvalidArgument for a schedule that does not fit the model's time, a step below the
     ///         resolution of time, a memory of another integrator, state or scene, a solver whose
     ///         storage is not the problem's, or a scene without a free coordinate.
-    template <class Scene, class LinearSolver>
+    template <class Scene>
     [[nodiscard]] DynamicsReport integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                            const Schedule& schedule,
                                            const Memory& memory = {}) const;
@@ -87,7 +87,7 @@ private:
 namespace detail {
 
 /// One run.
-template <class Scene, class LinearSolver>
+template <class Scene>
 class GeneralizedAlphaRun {
 public:
     GeneralizedAlphaRun(DynamicProblem<Scene>& problem, LinearSolver& solver,
@@ -162,10 +162,11 @@ private:
     VectorX product_, rhs_, solution_;
 };
 
-template <class Scene, class LinearSolver>
-GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
-    DynamicProblem<Scene>& problem, LinearSolver& solver, const Schedule& schedule,
-    const GeneralizedAlphaOptions& options, DynamicsReport& report)
+template <class Scene>
+GeneralizedAlphaRun<Scene>::GeneralizedAlphaRun(DynamicProblem<Scene>& problem,
+                                                LinearSolver& solver, const Schedule& schedule,
+                                                const GeneralizedAlphaOptions& options,
+                                                DynamicsReport& report)
     : problem_(problem),
       solver_(solver),
       schedule_(schedule),
@@ -189,8 +190,8 @@ GeneralizedAlphaRun<Scene, LinearSolver>::GeneralizedAlphaRun(
     solver_.analyze(system_);
 }
 
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::run(const Memory& memory) {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
     while (schedule_.end - now_.time > 1e-9 * std::min(step_, whole_) && advance()) {
@@ -203,8 +204,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::run(const Memory& memory) {
     remember();
 }
 
-template <class Scene, class LinearSolver>
-bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
+template <class Scene>
+bool GeneralizedAlphaRun<Scene>::begin(const Memory& memory) {
     const Start start = problem_.start();
     report_.time = start.time;
     ++report_.evaluations;
@@ -233,9 +234,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::begin(const Memory& memory) {
 
 /// Returns the step to the next point of the grid, or to the schedule's end if that comes first;
 /// where steps are divided, the next part of it.
-template <class Scene, class LinearSolver>
-typename GeneralizedAlphaRun<Scene, LinearSolver>::Step
-GeneralizedAlphaRun<Scene, LinearSolver>::propose() const {
+template <class Scene>
+typename GeneralizedAlphaRun<Scene>::Step GeneralizedAlphaRun<Scene>::propose() const {
     const double grid = origin_ + (count_ + 1.0) * step_;
     const bool on_grid = schedule_.end >= grid - 1e-9 * step_;
     const double end = on_grid ? grid : schedule_.end, rest = end - now_.time;
@@ -246,8 +246,8 @@ GeneralizedAlphaRun<Scene, LinearSolver>::propose() const {
 
 /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
 /// it is not.
-template <class Scene, class LinearSolver>
-bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
+template <class Scene>
+bool GeneralizedAlphaRun<Scene>::advance() {
     const bool adaptive = options_.tolerance > 0.0;
     for (;;) {
         const Step step = propose();
@@ -304,8 +304,8 @@ bool GeneralizedAlphaRun<Scene, LinearSolver>::advance() {
 /// Moves the algorithmic acceleration to the time that belongs to another step.
 ///
 /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::shift_algorithmic(double width) {
     if (width == width_) return;
     now_.algorithmic =
         combination({{1.0, now_.acceleration},
@@ -317,8 +317,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::shift_algorithmic(double width) {
 ///
 /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it: the
 /// step then starts again, with a matrix of its own.
-template <class Scene, class LinearSolver>
-Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
+template <class Scene>
+Status GeneralizedAlphaRun<Scene>::newton(double h) {
     if (linearised_width_ == h && iterate(h, false) == Status::converged) return Status::converged;
     return iterate(h, true);
 }
@@ -326,8 +326,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::newton(double h) {
 /// Iterates from the prediction, with a new matrix or the one at hand.
 ///
 /// A matrix, of an earlier step or iterate, stays while it converges fast enough.
-template <class Scene, class LinearSolver>
-Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
+template <class Scene>
+Status GeneralizedAlphaRun<Scene>::iterate(double h, bool renew) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     predict(h);
@@ -371,8 +371,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::iterate(double h, bool renew) {
     return Status::max_iterations;
 }
 
-template <class Scene, class LinearSolver>
-Status GeneralizedAlphaRun<Scene, LinearSolver>::evaluate(const MotionPoint& at, Request request) {
+template <class Scene>
+Status GeneralizedAlphaRun<Scene>::evaluate(const MotionPoint& at, Request request) {
     ++report_.evaluations;
     report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
     return report_.fault ? report_.fault->status : Status::converged;
@@ -380,8 +380,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::evaluate(const MotionPoint& at,
 
 /// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises
 /// it.
-template <class Scene, class LinearSolver>
-Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
+template <class Scene>
+Status GeneralizedAlphaRun<Scene>::factorise(double h) {
     const double* mass = problem_.mass().valuePtr();
     const double* tangent = problem_.tangent().valuePtr();
     const double* damping = problem_.damping().valuePtr();
@@ -400,8 +400,8 @@ Status GeneralizedAlphaRun<Scene, LinearSolver>::factorise(double h) {
 }
 
 /// Starts from the accelerations of the step's start.
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::predict(double h) {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::predict(double h) {
     next_.lambda = now_.lambda;
     next_.acceleration = now_.acceleration;
     next_.algorithmic = combination(
@@ -415,8 +415,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::predict(double h) {
 }
 
 /// Adds the solution (dv', dlambda).
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::correct(double h) {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::correct(double h) {
     const VectorX change = solution_.head(problem_.size());
     next_.acceleration += change;
     next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
@@ -425,8 +425,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::correct(double h) {
     next_.lambda += solution_.tail(problem_.multipliers());
 }
 
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::remember() {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::remember() {
     Memory& memory = report_.memory;
     memory.integrator = "generalized_alpha";
     memory.put("q", now_.q);
@@ -445,8 +445,8 @@ void GeneralizedAlphaRun<Scene, LinearSolver>::remember() {
     memory.put("linearised_lambda", linearised_.lambda);
 }
 
-template <class Scene, class LinearSolver>
-void GeneralizedAlphaRun<Scene, LinearSolver>::recall(const Memory& memory) {
+template <class Scene>
+void GeneralizedAlphaRun<Scene>::recall(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
@@ -504,17 +504,15 @@ inline void GeneralizedAlphaOptions::check() const {
                     max_iterations);
 }
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 DynamicsReport GeneralizedAlpha::integrate(DynamicProblem<Scene>& problem, LinearSolver& solver,
                                            const Schedule& schedule, const Memory& memory) const {
-    require_linear_solver<LinearSolver>();
     detail::require_same_storage(solver, problem);
     detail::require_motion(problem);
     schedule.check(problem.model().state().time);
     detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
     DynamicsReport report;
-    detail::GeneralizedAlphaRun<Scene, LinearSolver>(problem, solver, schedule, options_, report)
-        .run(memory);
+    detail::GeneralizedAlphaRun<Scene>(problem, solver, schedule, options_, report).run(memory);
     return report;
 }
 

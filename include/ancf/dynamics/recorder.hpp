@@ -13,6 +13,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -39,11 +40,10 @@ inline void require_resolved(double step, double start, double end) {
 }
 
 /// Throws unless the problem was set up for the storage of the solver.
-template <class LinearSolver, class Scene>
+template <class Scene>
 void require_same_storage(const LinearSolver& solver, const DynamicProblem<Scene>& problem) {
-    require(problem.assembly().pattern().storage() == LinearSolver::storage, solver.name(),
-            " works on ",
-            LinearSolver::storage == Storage::lower ? "the lower half" : "full storage",
+    require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
+            solver.storage() == Storage::lower ? "the lower half" : "full storage",
             "; set ProblemOptions::storage to match it");
 }
 
