@@ -14,8 +14,6 @@
 ///     ANCF_SOLVER_INSTANCES(SCENE_INSTANCES);
 ///     ANCF_ELEMENT_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
 ///     ANCF_STATICS_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
-///     ANCF_PROBLEM_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
-///     ANCF_DYNAMICS_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
 ///
 ///     // scene.cpp
 ///     #define SCENE_INSTANCES
@@ -27,12 +25,6 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/dynamics/constraint_set.hpp>
-#include <ancf/dynamics/energy_momentum.hpp>
-#include <ancf/dynamics/energy_momentum_system.hpp>
-#include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/problem.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
@@ -54,15 +46,3 @@
 /// Newton's method.
 #define ANCF_STATICS_INSTANCES(KIND, ...) \
     KIND template class ancf::detail::StaticsRun<ancf::Model<__VA_ARGS__>>
-
-/// The equations of motion.
-#define ANCF_PROBLEM_INSTANCES(KIND, ...)                                 \
-    KIND template class ancf::ConstraintSet<ancf::Model<__VA_ARGS__>>;    \
-    KIND template class ancf::DynamicProblem<ancf::Model<__VA_ARGS__>>;   \
-    KIND template class ancf::detail::Recorder<ancf::Model<__VA_ARGS__>>; \
-    KIND template class ancf::detail::EnergyMomentumSystem<ancf::Model<__VA_ARGS__>>
-
-/// The integrators that need Eigen alone.
-#define ANCF_DYNAMICS_INSTANCES(KIND, ...)                                           \
-    KIND template class ancf::detail::GeneralizedAlphaRun<ancf::Model<__VA_ARGS__>>; \
-    KIND template class ancf::detail::EnergyMomentumRun<ancf::Model<__VA_ARGS__>>

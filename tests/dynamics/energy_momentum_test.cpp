@@ -9,7 +9,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>

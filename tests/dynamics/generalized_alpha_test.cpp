@@ -11,7 +11,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 
 #include <cmath>
 #include <limits>

@@ -10,7 +10,6 @@
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 #include <support/random_state.hpp>
 
 namespace jacobian_test {
@@ -53,7 +52,7 @@ TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after
         scene.model->add(ancf::Distance<3>(scene.beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     ancf::ProblemOptions least;
     least.redundancy = ancf::Redundancy::minimum_norm;
-    ancf::DynamicProblem<Scene> problem(*scene.model, least);
+    ancf::DynamicProblem problem(*scene.model, least);
     REQUIRE(problem.start().status == ancf::Status::converged);
     REQUIRE(problem.left_out().size() == (repeated ? 1u : 0u));
 

@@ -23,5 +23,3 @@ ANCF_STATICS_INSTANCES(ANCF_TEST_CABLE, ancf::EigenLu, ancf::Cable<2>);
 ANCF_STATICS_INSTANCES(ANCF_TEST_CABLE, ancf::EigenLu, ancf::Cable<3>);
 ANCF_STATICS_INSTANCES(ANCF_TEST_CABLE, ancf::EigenLu, ancf::Cable<2, ancf::EngineeringAxial>);
 ANCF_STATICS_INSTANCES(ANCF_TEST_CABLE, ancf::EigenLu, ancf::Cable<3, ancf::EngineeringAxial>);
-ANCF_PROBLEM_INSTANCES(ANCF_TEST_CABLE, ancf::Cable<3>);
-ANCF_DYNAMICS_INSTANCES(ANCF_TEST_CABLE, ancf::EigenLu, ancf::Cable<3>);
