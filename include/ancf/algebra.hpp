@@ -75,6 +75,14 @@ template <class Entry>
     return largest_ratio_of([&](Eigen::Index i) { return x[i] - y[i]; }, x.size(), scale);
 }
 
+/// Returns the largest |x_i|, 0 of none and NaN where an entry is NaN.
+[[nodiscard]] inline double largest_magnitude(const VectorX& x) noexcept {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size() && largest == largest; ++i)
+        if (!(std::abs(x[i]) <= largest)) largest = std::abs(x[i]);
+    return largest;
+}
+
 /// Returns A x.
 [[nodiscard]] inline VectorX multiply(const MatrixX& A, const VectorX& x) {
     VectorX out = VectorX::Zero(A.rows());

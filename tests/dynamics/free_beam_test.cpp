@@ -28,7 +28,7 @@ using ancf::Schedule;
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
 using BeamModel = ancf::Model<Element>;
-using Problem = ancf::DynamicProblem<BeamModel>;
+using Problem = ancf::DynamicProblem;
 
 constexpr double energy_scheme = -1.0;  // in the place of a damping parameter
 

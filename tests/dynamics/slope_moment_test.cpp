@@ -18,7 +18,7 @@ namespace slope_moment_test {
 
 using ancf::Field;
 using Scene = ancf::Model<ancf::Cable<2>>;
-using Problem = ancf::DynamicProblem<Scene>;
+using Problem = ancf::DynamicProblem;
 
 /// A steel strip with a moment on its last slope, free or clamped at its other end.
 Scene strip(double moment, bool clamped) {

@@ -149,7 +149,7 @@ struct Flight {
 template <class Integrator>
 Flight fly(double speed, const Integrator& integrator) {
     Throw scene(speed);
-    DynamicProblem<Model<Cable<3>>> problem(scene.model);
+    DynamicProblem problem(scene.model);
     Flight flight;
     double start = 0.0;
     Schedule schedule = equal_intervals(0.0, 1.5, 0.001);

@@ -38,7 +38,7 @@ Section section() { return rectangle(side, side); }
 /// Integrates a model to the given time and returns whether it got there.
 template <class Scene>
 bool run(Scene& model, double end, double step) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;

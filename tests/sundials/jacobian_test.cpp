@@ -53,7 +53,7 @@ TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after
         scene.model->add(ancf::Distance<3>(scene.beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     ancf::ProblemOptions least;
     least.redundancy = ancf::Redundancy::minimum_norm;
-    ancf::DynamicProblem<Scene> problem(*scene.model, least);
+    ancf::DynamicProblem problem(*scene.model, least);
     REQUIRE(problem.start().status == ancf::Status::converged);
     REQUIRE(problem.left_out().size() == (repeated ? 1u : 0u));
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <ancf/assembly/resultant.hpp>
+#include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/element/section_forces.hpp>
 #include <ancf/element/transmitted_forces.hpp>
@@ -31,9 +32,6 @@
 #include <vector>
 
 namespace ancf {
-
-template <class Scene>
-class DynamicProblem;
 
 /// Writes chosen results of a scene, row by row; the columns are chosen before the first row.
 ///
@@ -77,7 +75,7 @@ public:
     /// One factorisation a row, however many nodes: DynamicProblem::reactions.
     /// @param problem  that of the run, which outlives the series.
     /// @throws InvalidArgument for a problem of another model or a node that no support holds.
-    void add_reaction(const std::string& name, DynamicProblem<Scene>& problem, NodeId node);
+    void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
 
     /// Writes a row; before the first one, the header.
     /// @throws InvalidArgument for a name that would need quotes.
@@ -173,7 +171,7 @@ void TimeSeries<Scene>::add_reaction(const std::string& name, int constraint, No
 }
 
 template <class Scene>
-void TimeSeries<Scene>::add_reaction(const std::string& name, DynamicProblem<Scene>& problem,
+void TimeSeries<Scene>::add_reaction(const std::string& name, DynamicProblem& problem,
                                      NodeId node) {
     detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
                     " is that of another model");
