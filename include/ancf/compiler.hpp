@@ -21,12 +21,12 @@
 #define ANCF_UNROLL
 #endif
 
-/// Marks each function that a file of definitions (*.ipp) defines and that is no template: `inline`,
-/// or nothing in a unit of the compiled library.
+/// Marks each function that a file of definitions (*.ipp) defines and that is no template:
+/// `inline`, or nothing in a unit of the compiled library.
 ///
 /// Headers include their definitions at their end. A unit that uses the compiled library defines
-/// ANCF_COMPILED, and they leave them out. A unit of that library defines ANCF_SOURCE, which implies
-/// ANCF_COMPILED, and includes the files of definitions that it holds.
+/// ANCF_COMPILED, and they leave them out. A unit of that library defines ANCF_SOURCE, which
+/// implies ANCF_COMPILED, and includes the files of definitions that it holds.
 #if defined(ANCF_SOURCE)
 #define ANCF_INLINE
 #if !defined(ANCF_COMPILED)
