@@ -11,7 +11,7 @@
 #include <ancf/model/constraints_joints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/cases.hpp>
 

@@ -8,7 +8,7 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/model/constraints_motion.hpp>
 #include <ancf/model/constraints_points.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/planar.hpp>
 

@@ -16,7 +16,7 @@
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/klu.hpp>
 #else
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #endif
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>

@@ -21,14 +21,26 @@
 #define ANCF_UNROLL
 #endif
 
-/// Marks each function that a file of definitions (*.ipp) defines and that is no template: `inline`
-/// where headers include their definitions, nothing where these are compiled once.
+/// Marks each function that a file of definitions (*.ipp) defines and that is no template: `inline`,
+/// or nothing in a unit of the compiled library.
 ///
-/// A unit of the compiled library defines ANCF_SOURCE and includes files of definitions; one that
-/// uses the library defines ANCF_COMPILED, and headers leave them out. A virtual function has the
-/// mark where its class declares it as well: g++ would otherwise emit the class in every unit.
-#if defined(ANCF_SOURCE) || defined(ANCF_COMPILED)
+/// Headers include their definitions at their end. A unit that uses the compiled library defines
+/// ANCF_COMPILED, and they leave them out. A unit of that library defines ANCF_SOURCE, which implies
+/// ANCF_COMPILED, and includes the files of definitions that it holds.
+#if defined(ANCF_SOURCE)
 #define ANCF_INLINE
+#if !defined(ANCF_COMPILED)
+#define ANCF_COMPILED
+#endif
 #else
 #define ANCF_INLINE inline
+#endif
+
+/// Marks virtual functions in their class where a file of definitions defines them: `inline`, or
+/// nothing with the compiled library. Without it g++ would emit the class in every unit that
+/// includes its header, used or not, as the ABI has it for the first function that is not inline.
+#if defined(ANCF_COMPILED)
+#define ANCF_INLINE_VIRTUAL
+#else
+#define ANCF_INLINE_VIRTUAL inline
 #endif

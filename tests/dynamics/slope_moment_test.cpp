@@ -8,7 +8,7 @@
 #include <ancf/model/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
 

@@ -11,7 +11,7 @@
 #include <ancf/model/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>

@@ -13,7 +13,7 @@
 #include <ancf/model/damping.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
 #include <support/instances/cable.hpp>

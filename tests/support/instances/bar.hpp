@@ -16,4 +16,4 @@
 #endif
 
 ANCF_ELEMENT_INSTANCES(ANCF_TEST_BAR, ancf::test::Bar<3>);
-ANCF_STATICS_INSTANCES(ANCF_TEST_BAR, ancf::EigenLu, ancf::test::Bar<3>);
+ANCF_STATICS_INSTANCES(ANCF_TEST_BAR, ancf::test::Bar<3>);
