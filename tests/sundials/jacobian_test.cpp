@@ -43,7 +43,7 @@ MatrixX dense(SUNMatrix matrix) {
 TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after SUNMatZero",
           "[ida][jacobian]") {
     using ancf::sundials::view;
-    using System = ancf::sundials::detail::IdaSystem<Scene>;
+    using System = ancf::sundials::detail::IdaSystem;
     const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
     const bool repeated = GENERATE(false, true);
     CAPTURE(form == Form::index3, repeated);
