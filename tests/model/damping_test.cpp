@@ -9,15 +9,13 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/model/damping.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>

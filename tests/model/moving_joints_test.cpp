@@ -9,7 +9,7 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
@@ -18,9 +18,6 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>

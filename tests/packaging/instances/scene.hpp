@@ -8,7 +8,7 @@
 
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/instances.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 
 #ifndef SCENE_INSTANCES
 #define SCENE_INSTANCES extern
