@@ -161,7 +161,7 @@ Run turn(const FourBar& problem, int elements) {
         bar.show(time, end);
         return true;
     };
-    ancf::DynamicProblem<Scene> dynamics(model);
+    ancf::DynamicProblem dynamics(model);
     examples::GeneralSolver solver;
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;

@@ -9,8 +9,6 @@
 
 ANCF_SOLVER_INSTANCES(extern);
 ANCF_ELEMENT_INSTANCES(extern, ancf::CrossSectionBeam<2>);
-ANCF_PROBLEM_INSTANCES(extern, ancf::CrossSectionBeam<2>);
-ANCF_DYNAMICS_INSTANCES(extern, ancf::EigenLu, ancf::CrossSectionBeam<2>);
 
 #define SOLVER ancf::EigenLu
 #include "dynamics.cpp"

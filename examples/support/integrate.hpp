@@ -16,7 +16,7 @@
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/klu.hpp>
 #else
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #endif
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
@@ -39,7 +39,7 @@ using GeneralSolver = ancf::EigenLu;
 
 /// Integrates by IDA.
 template <class Scene>
-[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem<Scene>& problem,
+[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem,
                                       const MotionOptions& options,
                                       const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
@@ -59,7 +59,7 @@ template <class Scene>
 
 /// Integrates by the integrator of the options.
 template <class Scene>
-[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem<Scene>& problem,
+[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem,
                                        const MotionOptions& options, const ancf::Schedule& schedule,
                                        const ancf::Memory& memory) {
     if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
@@ -100,7 +100,7 @@ Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
         bar.show(time, end);
         return true;
     };
-    ancf::DynamicProblem<ancf::Model<Element>> problem(model);
+    ancf::DynamicProblem problem(model);
     Motion motion = integrate_problem(problem, options, schedule, memory);
     bar.clear();
     if (!options.save.empty())

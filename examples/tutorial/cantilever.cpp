@@ -6,7 +6,7 @@
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/builders/beam.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <cmath>

@@ -33,23 +33,14 @@ struct Term {
 /// Writes the entries of x at these places.
 void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);
 
-/// Returns the largest |x(i)| / scale_i of so many, 0 of none and NaN where an entry is NaN.
-template <class Entry>
-[[nodiscard]] double largest_ratio_of(const Entry& x, Eigen::Index count, const VectorX& scale) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double ratio = std::abs(x(i)) / scale[i];
-        if (!(ratio <= largest)) largest = ratio;
-        if (ratio != ratio) break;
-    }
-    return largest;
-}
-
-/// Returns the largest |x_i| / scale_i, likewise.
+/// Returns the largest |x_i| / scale_i, 0 of none and NaN where an entry is NaN.
 [[nodiscard]] double largest_ratio(const VectorX& x, const VectorX& scale);
 
 /// Returns the largest |x_i - y_i| / scale_i, likewise.
 [[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale);
+
+/// Returns the largest |x_i|, 0 of none and NaN where an entry is NaN.
+[[nodiscard]] double largest_magnitude(const VectorX& x) noexcept;
 
 /// Returns A x.
 [[nodiscard]] VectorX multiply(const MatrixX& A, const VectorX& x);

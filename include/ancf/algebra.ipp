@@ -41,12 +41,31 @@ ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& o
     for (const int k : at) *to++ = x[k];
 }
 
+/// Returns the largest |x(i)| / scale_i of so many, 0 of none and NaN where an entry is NaN.
+template <class Entry>
+double largest_ratio_of(const Entry& x, Eigen::Index count, const VectorX& scale) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double ratio = std::abs(x(i)) / scale[i];
+        if (!(ratio <= largest)) largest = ratio;
+        if (ratio != ratio) break;
+    }
+    return largest;
+}
+
 ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
     return largest_ratio_of([&](Eigen::Index i) { return x[i]; }, x.size(), scale);
 }
 
 ANCF_INLINE double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale) {
     return largest_ratio_of([&](Eigen::Index i) { return x[i] - y[i]; }, x.size(), scale);
+}
+
+ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size() && largest == largest; ++i)
+        if (!(std::abs(x[i]) <= largest)) largest = std::abs(x[i]);
+    return largest;
 }
 
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {

@@ -40,10 +40,12 @@
 #include <ancf/section/stiffness.hpp>
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/modal.hpp>
 #include <ancf/solver/path.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/scaled.hpp>
+#include <ancf/solver/solver_named.hpp>
 #include <ancf/solver/stability.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/types.hpp>

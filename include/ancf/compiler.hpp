@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The compiler extensions that kernels need.
+/// The compiler extensions that kernels need, and how functions of files of definitions are marked.
 
 #pragma once
 
@@ -21,10 +21,26 @@
 #define ANCF_UNROLL
 #endif
 
-/// Before the definition of a function in a file *.ipp: inline where headers bring the definitions,
-/// nothing in a unit of the compiled library.
+/// Marks each function that a file of definitions (*.ipp) defines and that is no template: `inline`,
+/// or nothing in a unit of the compiled library.
+///
+/// Headers include their definitions at their end. A unit that uses the compiled library defines
+/// ANCF_COMPILED, and they leave them out. A unit of that library defines ANCF_SOURCE, which implies
+/// ANCF_COMPILED, and includes the files of definitions that it holds.
 #if defined(ANCF_SOURCE)
 #define ANCF_INLINE
+#if !defined(ANCF_COMPILED)
+#define ANCF_COMPILED
+#endif
 #else
 #define ANCF_INLINE inline
+#endif
+
+/// Marks virtual functions in their class where a file of definitions defines them: `inline`, or
+/// nothing with the compiled library. Without it g++ would emit the class in every unit that
+/// includes its header, used or not, as the ABI has it for the first function that is not inline.
+#if defined(ANCF_COMPILED)
+#define ANCF_INLINE_VIRTUAL
+#else
+#define ANCF_INLINE_VIRTUAL inline
 #endif

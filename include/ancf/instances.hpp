@@ -13,26 +13,18 @@
 ///     #endif
 ///     ANCF_SOLVER_INSTANCES(SCENE_INSTANCES);
 ///     ANCF_ELEMENT_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
-///     ANCF_STATICS_INSTANCES(SCENE_INSTANCES, ancf::EigenLu, ancf::CrossSectionBeam<3>);
-///     ANCF_PROBLEM_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
-///     ANCF_DYNAMICS_INSTANCES(SCENE_INSTANCES, ancf::EigenLu, ancf::CrossSectionBeam<3>);
+///     ANCF_STATICS_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<3>);
 ///
 ///     // scene.cpp
 ///     #define SCENE_INSTANCES
 ///     #include "scene.hpp"
 ///
 /// The macros stand in the global namespace. KIND is `extern`, or nothing where the instances are
-/// defined; SOLVER a linear solver. The element comes last; it may contain commas.
+/// defined. The element comes last; it may contain commas.
 
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/dynamics/constraint_set.hpp>
-#include <ancf/dynamics/energy_momentum.hpp>
-#include <ancf/dynamics/energy_momentum_system.hpp>
-#include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/problem.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
@@ -42,9 +34,7 @@
 #define ANCF_SOLVER_INSTANCES(KIND)                                                      \
     KIND template class Eigen::SparseLU<ancf::SparseMatrix, Eigen::COLAMDOrdering<int>>; \
     KIND template class Eigen::SimplicialLDLT<ancf::SparseMatrix, Eigen::Lower,          \
-                                              Eigen::AMDOrdering<int>>;                  \
-    KIND template class ancf::EigenLuWith<Eigen::COLAMDOrdering<int>>;                   \
-    KIND template class ancf::EigenLdltWith<Eigen::AMDOrdering<int>>
+                                              Eigen::AMDOrdering<int>>
 
 /// An element, the model of such elements and what assembles and corrects it.
 #define ANCF_ELEMENT_INSTANCES(KIND, ...)                         \
@@ -53,18 +43,6 @@
     KIND template class ancf::Assembly<ancf::Model<__VA_ARGS__>>; \
     KIND template class ancf::Turning<ancf::Model<__VA_ARGS__>>
 
-/// Newton's method with one linear solver.
-#define ANCF_STATICS_INSTANCES(KIND, SOLVER, ...) \
-    KIND template class ancf::detail::StaticsRun<ancf::Model<__VA_ARGS__>, SOLVER>
-
-/// The equations of motion.
-#define ANCF_PROBLEM_INSTANCES(KIND, ...)                                 \
-    KIND template class ancf::ConstraintSet<ancf::Model<__VA_ARGS__>>;    \
-    KIND template class ancf::DynamicProblem<ancf::Model<__VA_ARGS__>>;   \
-    KIND template class ancf::detail::Recorder<ancf::Model<__VA_ARGS__>>; \
-    KIND template class ancf::detail::EnergyMomentumSystem<ancf::Model<__VA_ARGS__>>
-
-/// The integrators that need Eigen alone, with one linear solver.
-#define ANCF_DYNAMICS_INSTANCES(KIND, SOLVER, ...)                                           \
-    KIND template class ancf::detail::GeneralizedAlphaRun<ancf::Model<__VA_ARGS__>, SOLVER>; \
-    KIND template class ancf::detail::EnergyMomentumRun<ancf::Model<__VA_ARGS__>, SOLVER>
+/// Newton's method.
+#define ANCF_STATICS_INSTANCES(KIND, ...) \
+    KIND template class ancf::detail::StaticsRun<ancf::Model<__VA_ARGS__>>

@@ -7,7 +7,7 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 int main() {

@@ -16,7 +16,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +29,7 @@ using ancf::Status;
 using Quintic = ancf::QuinticBeam<>;
 using Cubic = ancf::CrossSectionBeam<3, ancf::Geodesic>;
 using Scene = ancf::Model<Quintic, Cubic>;
-using Problem = ancf::DynamicProblem<Scene>;
+using Problem = ancf::DynamicProblem;
 
 const ancf::Material rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
 const ancf::Section square = ancf::rectangle(0.05, 0.05);

@@ -6,7 +6,7 @@
 
 #include <ancf/element/cable.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <element/cable_scenes.hpp>

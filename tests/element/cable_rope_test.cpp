@@ -11,7 +11,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>
@@ -150,7 +150,7 @@ struct Flight {
 template <class Integrator>
 Flight fly(double speed, const Integrator& integrator) {
     Throw scene(speed);
-    DynamicProblem<Model<Cable<3>>> problem(scene.model);
+    DynamicProblem problem(scene.model);
     Flight flight;
     double start = 0.0;
     Schedule schedule = equal_intervals(0.0, 1.5, 0.001);

@@ -14,7 +14,7 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
@@ -52,7 +52,7 @@ struct Course {
 /// Integrates a scene; calls look(state) at every step.
 template <class Look>
 Course run(Scene& model, double end, double step, const Look& look) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;
@@ -245,7 +245,7 @@ TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
     };
     const double start = angle(model.state());
     double most = 0.0;
-    DynamicProblem<Plane> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = 1e-3;

@@ -16,7 +16,7 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/output/time_series.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>

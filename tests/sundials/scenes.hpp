@@ -83,7 +83,7 @@ struct Run {
     std::vector<Row> rows;
 };
 
-inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
+inline Run run(ancf::DynamicProblem& problem, ancf::Schedule schedule,
                const ancf::sundials::IdaOptions& options = {}) {
     Run result;
     schedule.observe = [&](const ancf::Snapshot& seen) {
@@ -95,7 +95,7 @@ inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
 
 inline Run run(Hanging& scene, const ancf::Schedule& schedule,
                const ancf::sundials::IdaOptions& options = {}) {
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     return run(problem, schedule, options);
 }
 

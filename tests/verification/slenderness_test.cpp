@@ -8,7 +8,7 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
 

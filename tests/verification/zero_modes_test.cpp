@@ -11,7 +11,7 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 
 #include <support/catch.hpp>
 #include <support/instances/cross_section.hpp>

@@ -27,6 +27,8 @@
 
 namespace ancf {
 
+class DynamicProblem;
+
 /// Writes chosen results of a scene, row by row; the columns are chosen before the first row.
 ///
 ///     ancf::TimeSeries series(file, model);
@@ -68,13 +70,7 @@ public:
     /// One factorisation a row, however many nodes: DynamicProblem::reactions.
     /// @param problem  that of the run, which outlives the series.
     /// @throws InvalidArgument for a problem of another model or a node that no support holds.
-    template <class Problem>
-    void add_reaction(const std::string& name, Problem& problem, NodeId node) {
-        add_support_reaction(name, &problem.model(), node,
-                             [&problem](const State& state, VectorX& force) {
-                                 return problem.reactions(state, force);
-                             });
-    }
+    void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
 
     /// Writes a row; before the first one, the header.
     /// @throws InvalidArgument for a name that would need quotes.
@@ -89,8 +85,6 @@ private:
     };
 
     void add(const std::string& name, const std::vector<std::string>& parts, Append append);
-    void add_support_reaction(const std::string& name, const Scene* model, NodeId node,
-                              std::function<Status(const State&, VectorX&)> reactions);
     static void check_place(double xi);
     [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;

@@ -9,6 +9,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/support.hpp>
@@ -60,16 +61,15 @@ ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, int constrain
     });
 }
 
-ANCF_INLINE void TimeSeries::add_support_reaction(
-    const std::string& name, const Scene* model, NodeId node,
-    std::function<Status(const State&, VectorX&)> reactions) {
-    detail::require(model == &model_, "TimeSeries: the problem of ", name,
+ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, DynamicProblem& problem,
+                                          NodeId node) {
+    detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
                     " is that of another model");
     bool found = false;
     for (const Support& support : model_.supports()) found = found || support.node == node;
     detail::require(found, "TimeSeries: no support holds node ", node.index);
-    solve_supports_ = [this, solve = std::move(reactions)](const State& state) {
-        if (solve(state, support_force_) != Status::converged)
+    solve_supports_ = [this, &problem](const State& state) {
+        if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
     };
     add(name, detail::reaction_parts(), [this, node](const State& state, Values& row) {

@@ -85,9 +85,8 @@ struct FreeComponent {
 /// Finds the softest mode of a matrix with springs, factorised by the solver, by inverse iteration.
 /// @param mode  the start, and the result of unit spring energy.
 /// @return      the springs' part in the mode's energy: 1 where nothing else resists it.
-template <class LinearSolver>
-[[nodiscard]] double softest_mode(const LinearSolver& solver, const VectorX& springs,
-                                  VectorX& mode) {
+[[nodiscard]] inline double softest_mode(const LinearSolver& solver, const VectorX& springs,
+                                         VectorX& mode) {
     double quotient = 0.0;
     VectorX next;
     for (int sweep = 0; sweep < 5; ++sweep) {
@@ -104,10 +103,9 @@ template <class LinearSolver>
 /// Weak springs at every coordinate make a tangent regular whose singular motions no constraint
 /// holds; the softest one is then sought. Where springs do not help, constraints repeat each other.
 /// @param solver  analysed for the matrix; it is left with another factorisation.
-template <class LinearSolver>
-[[nodiscard]] std::string singular_cause(const Layout& layout, const Numbering& numbering,
-                                         int dimension, const SparseMatrix& tangent,
-                                         LinearSolver& solver) {
+[[nodiscard]] inline std::string singular_cause(const Layout& layout, const Numbering& numbering,
+                                                int dimension, const SparseMatrix& tangent,
+                                                LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
     const std::vector<FreeComponent> all = free_components(layout, numbering, dimension);
     for (const double part : {1e-12, 1e-9, 1e-6}) {

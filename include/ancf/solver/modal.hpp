@@ -78,7 +78,7 @@ struct ModalReport {
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
 ///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
-template <class Scene, class LinearSolver>
+template <class Scene>
 [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                                         const ModalOptions& options = {});
 
@@ -93,7 +93,7 @@ template <class Scene, class LinearSolver>
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
-template <class Scene, class LinearSolver>
+template <class Scene>
 [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                                          const ModalOptions& options = {});
 
@@ -117,7 +117,6 @@ public:
           forces_(VectorX::Zero(assembly.numbering().multipliers())) {}
 
     /// Sets the response to one unit of load, from the factorised tangent of the unloaded scene.
-    template <class LinearSolver>
     void respond(const LinearSolver& solver) {
         const Numbering& numbering = assembly_.numbering();
         VectorX load, response;
@@ -167,7 +166,7 @@ private:
 };
 
 /// Factorises A; what a constraint does not account for must not be negative.
-template <class Scene, class LinearSolver>
+template <class Scene>
 Status factorise(const Assembly<Scene>& assembly, const SparseMatrix& A, LinearSolver& solver) {
     solver.analyze(A);
     const FactorReport factor = solver.factorize(A);
@@ -177,7 +176,7 @@ Status factorise(const Assembly<Scene>& assembly, const SparseMatrix& A, LinearS
 }
 
 /// Returns a report with the cause of a singular A.
-template <class Scene, class LinearSolver>
+template <class Scene>
 ModalReport with_cause(ModalReport report, const Scene& model, const Assembly<Scene>& assembly,
                        const SparseMatrix& A, LinearSolver& solver) {
     if (report.status == Status::singular)
@@ -187,12 +186,12 @@ ModalReport with_cause(ModalReport report, const Scene& model, const Assembly<Sc
 }
 
 /// Finds the modes of a factorised A and turns th into values.
-template <class Scene, class LinearSolver, class Value>
+template <class Scene, class Value>
 ModalReport modes_of(const Assembly<Scene>& assembly, const SparseMatrix& A, const SparseMatrix& B,
                      LinearSolver& solver, const ModalOptions& options, const Value& value) {
     ModalReport report;
     const Numbering& numbering = assembly.numbering();
-    Subspace<LinearSolver> space(A, B, solver);
+    Subspace space(A, B, solver);
     report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
                               options.max_iterations);
     report.iterations = space.iterations;
@@ -224,11 +223,10 @@ inline void ModalOptions::check() const {
     detail::require_positive("ModalOptions: tolerance", tolerance);
 }
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
-    require_linear_solver<LinearSolver>();
     options.check();
-    Assembly<Scene> assembly(model, LinearSolver::storage);
+    Assembly<Scene> assembly(model, solver.storage());
     const State& state = model.state();
     const VectorX rest = VectorX::Zero(state.q.size());
     const Instant instant{options.factor, options.factor};
@@ -238,7 +236,7 @@ ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalO
     if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix mass = assembly.mass();
     SparseMatrix A = assembly.tangent() - options.shift * mass;
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(A);
+    if (solver.storage() == Storage::full) detail::symmetrise(A);
     if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
         return {status,
                 {},
@@ -254,17 +252,16 @@ ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalO
                               assembly, A, solver);
 }
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
-    require_linear_solver<LinearSolver>();
     options.check();
-    Assembly<Scene> assembly(model, LinearSolver::storage);
+    Assembly<Scene> assembly(model, solver.storage());
     detail::Deflected<Scene> deflected(model, assembly);
     if (const auto fault = deflected.evaluate(0.0, model.state().q))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
     SparseMatrix unloaded = assembly.tangent();
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(unloaded);
+    if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
     if (const Status status = detail::factorise(assembly, unloaded, solver);
         status != Status::converged)
         return {status,
@@ -278,7 +275,7 @@ ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const Modal
     if (const auto fault = deflected.change(unloaded, change))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(B);
+    if (solver.storage() == Storage::full) detail::symmetrise(B);
     return detail::modes_of(assembly, unloaded, B, solver, options,
                             [](double th, double&) { return 1.0 / th; });
 }

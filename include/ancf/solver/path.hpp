@@ -125,7 +125,7 @@ struct PathReport {
 /// Constraints may move with the load factor, which is their time.
 /// @throws InvalidArgument for options that cannot be meant, driven supports, or a scene that the
 ///         solver's storage does not suit.
-template <class Scene, class LinearSolver>
+template <class Scene>
 [[nodiscard]] PathReport follow_path(Scene& model, LinearSolver& solver,
                                      const PathOptions& options = {});
 

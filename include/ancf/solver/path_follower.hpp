@@ -38,14 +38,14 @@ inline void PathOptions::check() const {
 
 namespace detail {
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 class PathFollower {
 public:
     PathFollower(Scene& model, LinearSolver& solver, const PathOptions& options)
         : model_(model),
           solver_(solver),
           options_(options),
-          assembly_(model, LinearSolver::storage),
+          assembly_(model, solver.storage()),
           numbering_(assembly_.numbering()),
           monitor_(model, numbering_),
           rest_(VectorX::Zero(numbering_.coordinates())) {
@@ -505,11 +505,10 @@ private:
 
 }  // namespace detail
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 PathReport follow_path(Scene& model, LinearSolver& solver, const PathOptions& options) {
-    require_linear_solver<LinearSolver>();
     options.check();
-    return detail::PathFollower<Scene, LinearSolver>(model, solver, options).run();
+    return detail::PathFollower<Scene>(model, solver, options).run();
 }
 
 }  // namespace ancf

@@ -112,7 +112,7 @@ struct StaticsReport {
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
-template <class Scene, class LinearSolver>
+template <class Scene>
 [[nodiscard]] StaticsReport solve_statics(Scene& model, LinearSolver& solver,
                                           const StaticsOptions& options = {});
 

@@ -32,14 +32,14 @@ namespace ancf {
 namespace detail {
 
 /// Newton's method on one scene; keeps the assembly and the factorisation between steps.
-template <class Scene, class LinearSolver>
+template <class Scene>
 class StaticsRun {
 public:
     StaticsRun(Scene& model, LinearSolver& solver, const StaticsOptions& options)
         : model_(model),
           solver_(solver),
           options_(options),
-          assembly_(model, LinearSolver::storage),
+          assembly_(model, solver.storage()),
           monitor_(model, assembly_.numbering()),
           turning_(model, assembly_.numbering()),
           newton_(possible(options.newton)) {
@@ -316,11 +316,10 @@ private:
 
 }  // namespace detail
 
-template <class Scene, class LinearSolver>
+template <class Scene>
 StaticsReport solve_statics(Scene& model, LinearSolver& solver, const StaticsOptions& options) {
-    require_linear_solver<LinearSolver>();
     options.check();
-    return detail::StaticsRun<Scene, LinearSolver>(model, solver, options).run();
+    return detail::StaticsRun<Scene>(model, solver, options).run();
 }
 
 }  // namespace ancf

@@ -24,7 +24,6 @@
 namespace ancf::detail {
 
 /// Largest eigenvalues of B x = th A x by subspace iteration with Rayleigh's quotients.
-template <class LinearSolver>
 class Subspace {
 public:
     Subspace(const SparseMatrix& A, const SparseMatrix& B, LinearSolver& solver)
@@ -83,12 +82,9 @@ public:
     int iterations = 0;
 
 private:
-    [[nodiscard]] static MatrixX product(const SparseMatrix& matrix, const MatrixX& x) {
-        if constexpr (LinearSolver::storage == Storage::lower) {
-            return matrix.template selfadjointView<Eigen::Lower>() * x;
-        } else {
-            return matrix * x;
-        }
+    [[nodiscard]] MatrixX product(const SparseMatrix& matrix, const MatrixX& x) const {
+        if (solver_.storage() == Storage::lower) return matrix.selfadjointView<Eigen::Lower>() * x;
+        return matrix * x;
     }
 
     /// Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.

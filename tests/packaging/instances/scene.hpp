@@ -14,4 +14,4 @@
 #define SCENE_INSTANCES extern
 #endif
 ANCF_ELEMENT_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<2>);
-ANCF_STATICS_INSTANCES(SCENE_INSTANCES, ancf::EigenLdlt, ancf::CrossSectionBeam<2>);
+ANCF_STATICS_INSTANCES(SCENE_INSTANCES, ancf::CrossSectionBeam<2>);

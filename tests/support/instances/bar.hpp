@@ -16,6 +16,4 @@
 #endif
 
 ANCF_ELEMENT_INSTANCES(ANCF_TEST_BAR, ancf::test::Bar<3>);
-ANCF_STATICS_INSTANCES(ANCF_TEST_BAR, ancf::EigenLu, ancf::test::Bar<3>);
-ANCF_PROBLEM_INSTANCES(ANCF_TEST_BAR, ancf::test::Bar<3>);
-ANCF_DYNAMICS_INSTANCES(ANCF_TEST_BAR, ancf::EigenLu, ancf::test::Bar<3>);
+ANCF_STATICS_INSTANCES(ANCF_TEST_BAR, ancf::test::Bar<3>);

@@ -16,7 +16,4 @@
 #endif
 
 ANCF_ELEMENT_INSTANCES(ANCF_TEST_PLANAR, ancf::CrossSectionBeam<2>);
-ANCF_STATICS_INSTANCES(ANCF_TEST_PLANAR, ancf::EigenLu, ancf::CrossSectionBeam<2>);
-ANCF_STATICS_INSTANCES(ANCF_TEST_PLANAR, ancf::EigenLdlt, ancf::CrossSectionBeam<2>);
-ANCF_PROBLEM_INSTANCES(ANCF_TEST_PLANAR, ancf::CrossSectionBeam<2>);
-ANCF_DYNAMICS_INSTANCES(ANCF_TEST_PLANAR, ancf::EigenLu, ancf::CrossSectionBeam<2>);
+ANCF_STATICS_INSTANCES(ANCF_TEST_PLANAR, ancf::CrossSectionBeam<2>);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Definitions of DynamicProblem; include problem.hpp.
+/// Definitions of problem.hpp.
 
 #pragma once
 
@@ -21,8 +21,12 @@
 
 namespace ancf {
 
-template <class Scene>
-DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& options)
+ANCF_INLINE void ProblemOptions::check() const {
+    detail::require_positive("ProblemOptions: consistency", consistency);
+    detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
+}
+
+ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& options)
     : model_(model),
       options_(options),
       assembly_(model, options.storage),
@@ -39,28 +43,24 @@ DynamicProblem<Scene>::DynamicProblem(Scene& model, const ProblemOptions& option
     kkt_.analyze(kkt_matrix_, size());
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::set_mass() {
+ANCF_INLINE void DynamicProblem::set_mass() {
     mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
-    mass_factor_.compute(compact_mass_);
-    detail::require(size() == 0 || (mass_factor_.info() == Eigen::Success &&
-                                    mass_factor_.vectorD().minCoeff() > 0.0),
+    mass_factor_.analyze(compact_mass_);
+    detail::require(mass_factor_.factorize(compact_mass_) && mass_factor_.smallest_pivot() > 0.0,
                     "DynamicProblem: the mass matrix is not positive definite; every node needs an "
                     "element of positive density");
     kkt_matrix_ = mass_;
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::refresh() {
+ANCF_INLINE void DynamicProblem::refresh() {
     if (model_.revision() == revision_) return;
     assembly_.refresh();
     set_mass();
     revision_ = model_.revision();
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::list_driven() {
+ANCF_INLINE void DynamicProblem::list_driven() {
     for (const Support& support : model_.supports()) {
         if (!support.value) continue;
         detail::require(static_cast<bool>(support.rate) && static_cast<bool>(support.acceleration),
@@ -72,52 +72,56 @@ void DynamicProblem<Scene>::list_driven() {
     }
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::measure() {
-    constexpr int dimension = Scene::dimension;
-    const Layout& layout = model_.layout();
-    double longest = 0.0;
-    model_.for_each_group([&](const auto& group) {
-        for (const auto& prototype : group.prototypes)
-            longest = std::max(longest, prototype.length());
-    });
-    using Point = typename Scene::Point;
-    Point low = Point::Constant(std::numeric_limits<double>::infinity());
-    Point high = -low;
+namespace detail {
+
+/// Returns the diagonal of the box that holds the nodes, m; zero where there is none.
+template <int Dimension>
+[[nodiscard]] double diagonal_of_nodes(const Layout& layout, const VectorX& q) {
+    Vector<double, Dimension> low, high;
+    low.setConstant(std::numeric_limits<double>::infinity());
+    high = -low;
     for (int node = 0; node < layout.nodes(); ++node) {
         if (!layout.fields(node).contains(Field::r)) continue;
-        const Point at = full_q_.template segment<dimension>(layout.first(node));
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
+        for (int i = 0; i < Dimension; ++i) {
+            low[i] = std::min(low[i], q[layout.first(node) + i]);
+            high[i] = std::max(high[i], q[layout.first(node) + i]);
+        }
     }
-    double length = longest;
-    if ((high - low).allFinite()) length = std::max((high - low).norm(), longest);
+    high -= low;
+    return high.allFinite() ? high.norm() : 0.0;
+}
+
+}  // namespace detail
+
+ANCF_INLINE void DynamicProblem::measure() {
+    double length = model_.dimension() == 2
+                        ? detail::diagonal_of_nodes<2>(model_.layout(), full_q_)
+                        : detail::diagonal_of_nodes<3>(model_.layout(), full_q_);
+    for (const auto& group : model_.groups())
+        for (int k = 0; k < group->prototype_count(); ++k)
+            length = std::max(length, group->length(k));
     set_length_scale(length > 0.0 ? length : 1.0);
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::set_length_scale(double length) {
+ANCF_INLINE void DynamicProblem::set_length_scale(double length) {
     detail::require_positive("DynamicProblem: length scale", length);
     length_ = length;
     full_scales_ = scales_of(length);
     numbering().gather_free(full_scales_, scales_);
 }
 
-template <class Scene>
-VectorX DynamicProblem<Scene>::scales_of(double length) const {
-    constexpr int dimension = Scene::dimension;
+ANCF_INLINE VectorX DynamicProblem::scales_of(double length) const {
     const Layout& layout = model_.layout();
     VectorX scales = VectorX::Ones(layout.size());
     for (int node = 0; node < layout.nodes(); ++node)
         for (const Field field : {Field::r, Field::r_xx})
             if (const int first = layout.index({{node}, field}); first >= 0)
-                scales.template segment<dimension>(first).setConstant(
-                    field == Field::r ? length : 1.0 / length);
+                for (int i = 0; i < model_.dimension(); ++i)
+                    scales[first + i] = field == Field::r ? length : 1.0 / length;
     return scales;
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v) {
+ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const VectorX& v) {
     refresh();
     const Numbering& numbers = numbering();
     detail::require(q.size() == size() && v.size() == size(), "DynamicProblem: expected ", size(),
@@ -137,8 +141,7 @@ void DynamicProblem<Scene>::expand(double t, const VectorX& q, const VectorX& v)
 
 // --- start -------------------------------------------------------------------------------------
 
-template <class Scene>
-std::string DynamicProblem<Scene>::check_supports(double t) const {
+ANCF_INLINE std::string DynamicProblem::check_supports(double t) const {
     const State& state = model_.state();
     const double fastest = detail::largest_ratio(state.v, full_scales_);
     for (const Support& support : model_.supports()) {
@@ -159,8 +162,7 @@ std::string DynamicProblem<Scene>::check_supports(double t) const {
     return {};
 }
 
-template <class Scene>
-std::string DynamicProblem<Scene>::check_constraints() {
+ANCF_INLINE std::string DynamicProblem::check_constraints() {
     constraints_.evaluate(time_, full_q_, full_v_);
     const VectorX lengths = constraints_.magnitude(full_scales_);
     for (int i = 0; i < multipliers(); ++i)
@@ -196,8 +198,7 @@ std::string DynamicProblem<Scene>::check_constraints() {
     return message.empty() ? message : "the initial rates violate " + message;
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::find_redundant(Start& start) {
+ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     left_out_.clear();
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
@@ -215,8 +216,7 @@ void DynamicProblem<Scene>::find_redundant(Start& start) {
         start.message += (k == 0 ? "" : "; ") + constraints_.describe(dependent[k]);
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::check_sizes() const {
+ANCF_INLINE void DynamicProblem::check_sizes() const {
     const State& state = model_.state();
     const int size = model_.layout().size();
     detail::require(state.q.size() == size && state.v.size() == size,
@@ -224,8 +224,7 @@ void DynamicProblem<Scene>::check_sizes() const {
                     state.q.size(), " and ", state.v.size(), " rates");
 }
 
-template <class Scene>
-Start DynamicProblem<Scene>::start() {
+ANCF_INLINE Start DynamicProblem::start() {
     refresh();
     check_sizes();
     const State& state = model_.state();
@@ -248,7 +247,7 @@ Start DynamicProblem<Scene>::start() {
     if (!state.q.allFinite() || !state.v.allFinite())
         return refuse(Status::not_finite, "the initial state is not finite");
     if (const auto fault = assembly_.inspect(state.q))
-        return refuse(fault->status, detail::fault_text(*fault) + " at the start");
+        return refuse(fault->status, assembly_.describe(*fault) + " at the start");
     std::string message = check_supports(state.time);
     if (!message.empty()) return refuse(Status::inconsistent, message);
     expand(state.time, start.q, start.v);
@@ -267,22 +266,19 @@ Start DynamicProblem<Scene>::start() {
     return start;
 }
 
-template <class Scene>
-Status DynamicProblem<Scene>::factorize_kkt() {
+ANCF_INLINE Status DynamicProblem::factorize_kkt() {
     if (multipliers() > 0) constraints_.write_jacobian(assembly_.pattern(), kkt_matrix_);
     return kkt_.factorize(kkt_matrix_);
 }
 
-template <class Scene>
-Status DynamicProblem<Scene>::solve_kkt(const VectorX& b, VectorX& x) {
+ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
     if (!b.allFinite()) return Status::not_finite;
     const Status status = kkt_.solve(b, x);
     return x.allFinite() ? status : Status::not_finite;
 }
 
-template <class Scene>
-Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const VectorX& v,
-                                            VectorX& acceleration, VectorX& multipliers) {
+ANCF_INLINE Status DynamicProblem::accelerations(double t, const VectorX& q, const VectorX& v,
+                                                 VectorX& acceleration, VectorX& multipliers) {
     const VectorX none = VectorX::Zero(this->multipliers());
     if (const auto fault = evaluate(t, q, v, none, Request::force)) return fault->status;
     constraints_.evaluate(t, full_q_, full_v_);
@@ -298,8 +294,7 @@ Status DynamicProblem<Scene>::accelerations(double t, const VectorX& q, const Ve
     return Status::converged;
 }
 
-template <class Scene>
-Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) {
+ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& jerk) {
     if (const auto fault =
             evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
         return fault->status;
@@ -341,9 +336,9 @@ Status DynamicProblem<Scene>::jerk(const Start& at, double step, VectorX& jerk) 
 
 // --- evaluation --------------------------------------------------------------------------------
 
-template <class Scene>
-std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q, const VectorX& v,
-                                                     const VectorX& lambda, Request request) {
+ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const VectorX& q,
+                                                          const VectorX& v, const VectorX& lambda,
+                                                          Request request) {
     expand(t, q, v);
     lambda_ = lambda;
     for (const int equation : left_out_) lambda_[equation] = 0.0;
@@ -359,7 +354,7 @@ std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q,
         force_ += inertia;
     }
     constraint_residual_ = assembly_.violation();
-    violation_ = multipliers() == 0 ? 0.0 : constraint_residual_.cwiseAbs().maxCoeff();
+    violation_ = detail::largest_magnitude(constraint_residual_);
     for (const int equation : left_out_) constraint_residual_[equation] = lambda[equation];
     if (request != Request::force && !left_out_.empty()) {
         tangent_ = assembly_.tangent();
@@ -369,9 +364,8 @@ std::optional<Fault> DynamicProblem<Scene>::evaluate(double t, const VectorX& q,
     return fault;
 }
 
-template <class Scene>
-Energies DynamicProblem<Scene>::energies(double t, const VectorX& q, const VectorX& v,
-                                         const VectorX& lambda) {
+ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const VectorX& v,
+                                              const VectorX& lambda) {
     (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
     Energies result = energies();
     const std::vector<AnglePotential>& found = assembly_.angle_potentials();
@@ -386,8 +380,7 @@ Energies DynamicProblem<Scene>::energies(double t, const VectorX& q, const Vecto
     return result;
 }
 
-template <class Scene>
-Energies DynamicProblem<Scene>::energies() const {
+ANCF_INLINE Energies DynamicProblem::energies() const {
     Energies result;
     result.strain = assembly_.strain_energy();
     result.potential = assembly_.load_potential();
@@ -414,20 +407,18 @@ Energies DynamicProblem<Scene>::energies() const {
     return result;
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::evaluate_constraints(double t, const VectorX& q, const VectorX& v) {
+ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q,
+                                                      const VectorX& v) {
     expand(t, q, v);
     constraints_.evaluate(t, full_q_, full_v_);
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::add_constraint_force(const VectorX& mu, double scale,
-                                                 VectorX& out) const {
+ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double scale,
+                                                      VectorX& out) const {
     constraints_.add_transpose_product(mu, scale, out);
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::velocity_level(const VectorX& mu, SparseMatrix& out) const {
+ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
     if (out.nonZeros() != mass_.nonZeros()) out = mass_;
     std::fill_n(out.valuePtr(), out.nonZeros(), 0.0);
     constraints_.add_velocity_level(assembly_.pattern(), mu, out);
@@ -435,8 +426,7 @@ void DynamicProblem<Scene>::velocity_level(const VectorX& mu, SparseMatrix& out)
 
 // --- projection --------------------------------------------------------------------------------
 
-template <class Scene>
-bool DynamicProblem<Scene>::project(double t, VectorX& q, VectorX& v) {
+ANCF_INLINE bool DynamicProblem::project(double t, VectorX& q, VectorX& v) {
     if (multipliers() == 0) return true;
     VectorX moved = q;
     VectorX slowed = v;
@@ -446,8 +436,7 @@ bool DynamicProblem<Scene>::project(double t, VectorX& q, VectorX& v) {
     return true;
 }
 
-template <class Scene>
-bool DynamicProblem<Scene>::project_positions(double t, VectorX& q, const VectorX& v) {
+ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const VectorX& v) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     VectorX b = VectorX::Zero(numbering().unknowns());
     VectorX x;
@@ -473,8 +462,7 @@ bool DynamicProblem<Scene>::project_positions(double t, VectorX& q, const Vector
     return false;
 }
 
-template <class Scene>
-bool DynamicProblem<Scene>::project_rates(double t, const VectorX& q, VectorX& v) {
+ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v) {
     VectorX b = VectorX::Zero(numbering().unknowns());
     VectorX x;
     for (int pass = 0; pass < 2; ++pass) {  // the second removes the round-off of the first
@@ -489,9 +477,8 @@ bool DynamicProblem<Scene>::project_rates(double t, const VectorX& q, VectorX& v
 
 // --- whole states ------------------------------------------------------------------------------
 
-template <class Scene>
-State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v,
-                                   const VectorX& lambda) {
+ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,
+                                        const VectorX& lambda) {
     expand(t, q, v);
     State result;
     result.time = t;
@@ -502,8 +489,21 @@ State DynamicProblem<Scene>::state(double t, const VectorX& q, const VectorX& v,
     return result;
 }
 
-template <class Scene>
-void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
+ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
+    expand(t, q, v);
+    State result;
+    result.time = t;
+    result.q = full_q_;
+    result.v = full_v_;
+    return result;
+}
+
+ANCF_INLINE void DynamicProblem::store(double t, const VectorX& q, const VectorX& v,
+                                       const VectorX& lambda) {
+    model_.state() = state(t, q, v, lambda);
+}
+
+ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
     for (const int equation : left_out_) multipliers[equation] = 0.0;
     constraints_.evaluate(time_, full_q_, full_v_);
     if (factorize_kkt() != Status::converged) return;
@@ -539,9 +539,8 @@ void DynamicProblem<Scene>::minimize_multipliers(VectorX& multipliers) {
     }
 }
 
-template <class Scene>
-Snapshot DynamicProblem<Scene>::snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
-                                         State& into) {
+ANCF_INLINE Snapshot DynamicProblem::snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
+                                              State& into) {
     (void)project(t, q, v);  // where it fails the violation tells
     const Energies found = energies(t, q, v, lambda);
     into = state(t, q, v, lambda);
@@ -549,8 +548,7 @@ Snapshot DynamicProblem<Scene>::snapshot(double t, VectorX q, VectorX v, const V
     return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
 }
 
-template <class Scene>
-Status DynamicProblem<Scene>::reactions(const State& state, VectorX& forces) {
+ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces) {
     const int all = numbering().coordinates();
     detail::require(state.q.size() == all && state.v.size() == all,
                     "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
@@ -574,8 +572,7 @@ Status DynamicProblem<Scene>::reactions(const State& state, VectorX& forces) {
 
 // --- scales ------------------------------------------------------------------------------------
 
-template <class Scene>
-double DynamicProblem<Scene>::force_scale(const Start& start) {
+ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
     const VectorX none = VectorX::Zero(multipliers());
     (void)evaluate(start.time, start.q, start.v, none, Request::force);
     const auto largest = [&](const VectorX& forces) {
@@ -592,8 +589,7 @@ double DynamicProblem<Scene>::force_scale(const Start& start) {
     return inner > force_round_off(start.time, start.q) ? std::max(loads, inner) : loads;
 }
 
-template <class Scene>
-double DynamicProblem<Scene>::force_round_off(double t, const VectorX& q) {
+ANCF_INLINE double DynamicProblem::force_round_off(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
     const SparseMatrix magnitudes = assembly_.tangent().cwiseAbs();
@@ -603,8 +599,7 @@ double DynamicProblem<Scene>::force_round_off(double t, const VectorX& q) {
            length_;
 }
 
-template <class Scene>
-double DynamicProblem<Scene>::motion_frequency(const Start& start) {
+ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {
     const double turn = detail::largest_ratio(start.v, scales_);
     const double acceleration = detail::largest_ratio(start.acceleration, scales_);
     if (turn * turn >= acceleration) return turn;
@@ -615,14 +610,15 @@ double DynamicProblem<Scene>::motion_frequency(const Start& start) {
     numbering().gather_free(assembly_.external_force(), loads);
     solve_mass(loads, driven);
     const double loaded = detail::largest_ratio(driven, scales_);
+    // accelerations below so many times the square of the highest frequency are round-off
+    constexpr double frequency_noise = 64.0 * std::numeric_limits<double>::epsilon();
     const double round_off =
         loaded > 0.0 ? 1e-8 * loaded
                      : frequency_noise * std::pow(highest_frequency(start.time, start.q), 2);
     return acceleration > round_off ? std::sqrt(acceleration) : turn;
 }
 
-template <class Scene>
-double DynamicProblem<Scene>::highest_frequency(double t, const VectorX& q) {
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
     return std::sqrt(detail::largest_eigenvalue(
@@ -631,11 +627,14 @@ double DynamicProblem<Scene>::highest_frequency(double t, const VectorX& q) {
             return detail::multiply(assembly_.tangent(), options_.storage, x);
         },
         [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); },
-        [&](const VectorX& x) { return VectorX(mass_factor_.solve(x)); }));
+        [&](const VectorX& b) {
+            VectorX x;
+            solve_mass(b, x);
+            return x;
+        }));
 }
 
-template <class Scene>
-double DynamicProblem<Scene>::lowest_frequency(double t, const VectorX& q) {
+ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {
     const double highest = highest_frequency(t, q);
     if (highest == 0.0) return 0.0;
     const double square = highest * highest;

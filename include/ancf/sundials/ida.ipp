@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Definitions of Ida; include ida.hpp.
+/// Definitions of ida.hpp: one run of IDA.
 
 #pragma once
 
@@ -12,6 +12,8 @@
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida.hpp>
 #include <ancf/sundials/ida_system.hpp>
+
+#include <sunlinsol/sunlinsol_klu.h>
 
 #include <algorithm>
 #include <chrono>
@@ -25,14 +27,14 @@ namespace ancf::sundials {
 namespace detail {
 
 /// Throws what a failed call to set IDA up amounts to.
-inline void require_success(int code, const Context& context) {
+ANCF_INLINE void require_success(int code, const Context& context) {
     if (code == IDA_SUCCESS) return;
     if (code == IDA_MEM_FAIL) throw std::bad_alloc();
     ancf::detail::reject("Ida: ", code_name(code), ": ", context.message());
 }
 
 /// Returns the status that a return code of IDASolve amounts to.
-[[nodiscard]] inline Status status_of(int code) noexcept {
+[[nodiscard]] ANCF_INLINE Status status_of(int code) noexcept {
     if (code >= 0) return Status::converged;
     switch (code) {
         case IDA_TOO_MUCH_WORK: return Status::max_iterations;
@@ -49,10 +51,9 @@ inline void require_success(int code, const Context& context) {
 }
 
 /// One run: IDA's objects, the system, and what is reported.
-template <class Scene>
 class IdaRun {
 public:
-    IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule, const IdaOptions& options,
+    IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options,
            const Start& start, IdaReport& report);
 
     void run();
@@ -79,13 +80,13 @@ private:
                                  : (rates.array().abs() / problem_.scales().array()).maxCoeff();
     }
 
-    DynamicProblem<Scene>& problem_;
+    DynamicProblem& problem_;
     const Schedule& schedule_;
     const IdaOptions& options_;
     const Start& start_;
     IdaReport& report_;
 
-    IdaSystem<Scene> system_;
+    IdaSystem system_;
     Context context_;
     VectorOwner y_, dy_, tolerances_, dense_;
     MatrixOwner matrix_;
@@ -100,9 +101,8 @@ private:
     State observed_;
 };
 
-template <class Scene>
-IdaRun<Scene>::IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule,
-                      const IdaOptions& options, const Start& start, IdaReport& report)
+ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
+                           const IdaOptions& options, const Start& start, IdaReport& report)
     : problem_(problem),
       schedule_(schedule),
       options_(options),
@@ -127,18 +127,17 @@ IdaRun<Scene>::IdaRun(DynamicProblem<Scene>& problem, const Schedule& schedule,
     set_up();
 }
 
-template <class Scene>
-void IdaRun<Scene>::set_up() {
+ANCF_INLINE void IdaRun::set_up() {
     void* ida = ida_.get();
     slow_frequency_ = problem_.motion_frequency(start_);
     if (slow_frequency_ == 0.0) slow_frequency_ = problem_.lowest_frequency(start_.time, start_.q);
     report_.order = order_limit();
-    call(IDAInit(ida, &IdaSystem<Scene>::residual, start_.time, y_.get(), dy_.get()));
+    call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
     call(IDASetUserData(ida, &system_));
     set_tolerances();
     SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
     call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
-    call(IDASetJacFn(ida, &IdaSystem<Scene>::jacobian));
+    call(IDASetJacFn(ida, &IdaSystem::jacobian));
     call(IDASetMaxOrd(ida, report_.order));
     call(IDASetDeltaCjLSetup(ida, 0.05));
     call(IDASetMaxNonlinIters(ida, 6));
@@ -151,8 +150,7 @@ void IdaRun<Scene>::set_up() {
     if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
 }
 
-template <class Scene>
-typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
+ANCF_INLINE IdaRun::Scales IdaRun::scales() {
     Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
     if (s.length == 0.0) s.length = problem_.length_scale();
     if (s.velocity == 0.0) s.velocity = s.length * slow_frequency_;
@@ -169,8 +167,7 @@ typename IdaRun<Scene>::Scales IdaRun<Scene>::scales() {
     return s;
 }
 
-template <class Scene>
-void IdaRun<Scene>::set_tolerances() {
+ANCF_INLINE void IdaRun::set_tolerances() {
     const Scales s = scales();
     VectorX sizes;
     problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
@@ -200,8 +197,7 @@ void IdaRun<Scene>::set_tolerances() {
     call(IDASetSuppressAlg(ida_.get(), SUNTRUE));
 }
 
-template <class Scene>
-int IdaRun<Scene>::order_limit() {
+ANCF_INLINE int IdaRun::order_limit() {
     if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
     // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are too
     // many.
@@ -214,8 +210,7 @@ int IdaRun<Scene>::order_limit() {
 }
 
 // From the acceleration: the first step is of order 1, so its error is h^2 a/2.
-template <class Scene>
-double IdaRun<Scene>::first_step() const {
+ANCF_INLINE double IdaRun::first_step() const {
     if (options_.first_step > 0.0) return options_.first_step;
     const double duration = schedule_.end - start_.time;
     double step = 1e-3 * duration;
@@ -227,8 +222,7 @@ double IdaRun<Scene>::first_step() const {
     return step;
 }
 
-template <class Scene>
-void IdaRun<Scene>::run() {
+ANCF_INLINE void IdaRun::run() {
     report_.smallest_step = std::numeric_limits<double>::infinity();
     monitor();
     observe_until(time_);
@@ -239,8 +233,7 @@ void IdaRun<Scene>::run() {
 }
 
 // Takes one step and reports it; false where the run ends.
-template <class Scene>
-bool IdaRun<Scene>::step() {
+ANCF_INLINE bool IdaRun::step() {
     if (options_.max_steps > 0 && report_.steps == options_.max_steps) {
         fail(IDA_TOO_MUCH_WORK);
         return false;
@@ -279,16 +272,14 @@ bool IdaRun<Scene>::step() {
 }
 
 // IDA halves its step where Newton's method fails and doubles it after the next, for ever.
-template <class Scene>
-bool IdaRun<Scene>::lost_in_round_off() const {
+ANCF_INLINE bool IdaRun::lost_in_round_off() const {
     long failures = 0;
     IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
     return failures > 1000 && 3 * failures > report_.steps;
 }
 
 // What a step left: energy and constraints, before any projection.
-template <class Scene>
-void IdaRun<Scene>::monitor() {
+ANCF_INLINE void IdaRun::monitor() {
     const auto y = view(y_.get());
     q_ = system_.q(y);
     v_ = system_.v(y);
@@ -296,8 +287,7 @@ void IdaRun<Scene>::monitor() {
     ancf::detail::note(problem_, {time_, q_, v_, lambda_}, options_.follow_energy, report_);
 }
 
-template <class Scene>
-void IdaRun<Scene>::observe_until(double time) {
+ANCF_INLINE void IdaRun::observe_until(double time) {
     for (; next_ < schedule_.times.size() && schedule_.times[next_] <= time; ++next_) {
         if (!schedule_.observe) continue;
         const double at = schedule_.times[next_];
@@ -309,8 +299,7 @@ void IdaRun<Scene>::observe_until(double time) {
     }
 }
 
-template <class Scene>
-void IdaRun<Scene>::fail(int code) {
+ANCF_INLINE void IdaRun::fail(int code) {
     code_ = code;
     // an element that failed in an attempt that IDA got over is not to blame
     if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
@@ -329,8 +318,7 @@ void IdaRun<Scene>::fail(int code) {
     if (turns) message += "; " + system_.turn();
 }
 
-template <class Scene>
-void IdaRun<Scene>::finish() {
+ANCF_INLINE void IdaRun::finish() {
     void* ida = ida_.get();
     IDAGetNumErrTestFails(ida, &report_.rejected);
     IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
@@ -347,8 +335,24 @@ void IdaRun<Scene>::finish() {
 
 }  // namespace detail
 
-template <class Scene>
-IdaReport Ida::integrate(DynamicProblem<Scene>& problem, const Schedule& schedule) const {
+ANCF_INLINE void IdaOptions::check() const {
+    const auto scale = [](const char* name, double value) {
+        ancf::detail::require(std::isfinite(value) && value >= 0.0, "IdaOptions: ", name,
+                              " must be positive, or 0 for automatic, got ", value);
+    };
+    ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
+                          "IdaOptions: tolerance must be from 1e-14 to 1, got ", tolerance);
+    scale("length_scale", length_scale);
+    scale("velocity_scale", velocity_scale);
+    scale("force_scale", force_scale);
+    scale("first_step", first_step);
+    scale("max_step", max_step);
+    ancf::detail::require(max_steps >= 0,
+                          "IdaOptions: max_steps must be positive, or 0 for no limit, ", "got ",
+                          max_steps);
+}
+
+ANCF_INLINE IdaReport Ida::integrate(DynamicProblem& problem, const Schedule& schedule) const {
     const auto began = std::chrono::steady_clock::now();
     ancf::detail::require(problem.assembly().pattern().storage() == Storage::full,
                           "Ida: the problem must have full storage");
@@ -361,7 +365,7 @@ IdaReport Ida::integrate(DynamicProblem<Scene>& problem, const Schedule& schedul
     report.status = start.status;
     report.message = start.message;
     if (start.status == Status::converged)
-        detail::IdaRun<Scene>(problem, schedule, options_, start, report).run();
+        detail::IdaRun(problem, schedule, options_, start, report).run();
     report.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return report;
