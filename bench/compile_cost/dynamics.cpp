@@ -6,8 +6,8 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 

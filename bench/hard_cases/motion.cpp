@@ -7,8 +7,8 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_joints.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_lu.hpp>

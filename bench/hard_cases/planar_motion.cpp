@@ -6,8 +6,8 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/model/constraints_motion.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/planar.hpp>

@@ -14,8 +14,8 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>

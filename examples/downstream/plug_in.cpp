@@ -16,7 +16,7 @@
 /// the track; and ancf's own solver gives the same equilibrium.
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_lu.hpp>

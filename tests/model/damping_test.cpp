@@ -9,8 +9,8 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/model/damping.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_lu.hpp>

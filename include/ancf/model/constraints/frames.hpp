@@ -2,58 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Sides of joints and bilinear forms of two frames (triad.hpp): what joints are made of.
+/// Bilinear forms of two frames (triad.hpp): what the equations of joints are made of.
 /// docs/theory-dynamics.md derives them.
 
 #pragma once
 
-#include <ancf/element/fields.hpp>
-#include <ancf/error.hpp>
-#include <ancf/model/node.hpp>
-#include <ancf/model/slope.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <string>
+#include <cstddef>
+#include <vector>
 
-namespace ancf {
-
-/// A frame at a node.
-///
-/// By default that of its section: evenly between r_y and r_z, or, where a node has no r_z, t along
-/// r_x and n the part of r_y normal to it. What a joint transmits then enters through the section.
-/// Two slopes make the frame t along the first, n the part of the second normal to t: with r_x and
-/// r_y the joint turns the tangent, and one element's shear alone passes the moment on, which is
-/// too soft by 3 M/(k G A l) whatever the mesh.
-struct FrameAt {
-    NodeId node;                ///< where
-    bool of_section = true;     ///< the default; the slopes do not count then
-    Field first = Field::r_x;   ///< along the axis t
-    Field second = Field::r_y;  ///< in the plane of t and n
-
-    /// The frame of a node's section.
-    FrameAt(NodeId at) : node(at) {}  // NOLINT: a node has a frame
-
-    /// @throws InvalidArgument unless both are of r_x, r_y, r_z and differ.
-    FrameAt(NodeId at, Field along, Field across)
-        : node(at), of_section(false), first(along), second(across) {
-        detail::require_slope<3>("FrameAt", along);
-        detail::require_slope<3>("FrameAt", across);
-        detail::require(along != across, "FrameAt: a frame needs two different slopes, got ",
-                        to_string(along), " twice");
-    }
-};
-
-namespace detail {
-
-/// What a joint holds on one side.
-enum class SideKind {
-    space,    ///< a frame that rests
-    frame,    ///< two slopes of a node
-    section,  ///< r_y and r_z of a node
-    tangent   ///< one slope of a node
-};
+namespace ancf::detail {
 
 /// The bilinear form g = sum_ij C_ij A_i.B_j of the axes of two frames.
 ///
@@ -144,5 +105,58 @@ template <class Scalar>
     return turn;
 }
 
-}  // namespace detail
-}  // namespace ancf
+/// Coefficients of the bilinear forms of a joint.
+template <class Scalar>
+struct Forms {
+    std::vector<Matrix<Scalar, 3>> sines;
+    Matrix<Scalar, 3> cosine = Matrix<Scalar, 3>::Zero();
+};
+
+/// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q,
+/// and its cosine + 1/2.
+template <class Scalar>
+[[nodiscard]] Forms<Scalar> turn_forms(const Matrix<Scalar, 3>& relative) {
+    Forms<Scalar> forms;
+    forms.sines.assign(3, Matrix<Scalar, 3>::Zero());
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 2) % 3;
+        const int j = (k + 1) % 3;
+        Matrix<Scalar, 3>& sine = forms.sines[static_cast<std::size_t>(k)];
+        for (int l = 0; l < 3; ++l) {
+            sine(i, l) = Scalar(0.5) * relative(j, l);
+            sine(j, l) = Scalar(-0.5) * relative(i, l);
+            forms.cosine(k, l) = Scalar(0.5) * relative(k, l);
+        }
+    }
+    return forms;
+}
+
+/// Derivatives of a bilinear form: by the slopes, and by time without what accelerations make.
+struct FormCourse {
+    Vector<double, 12> gradient;
+    Matrix<double, 12> hessian;
+    double speed = 0.0, bend = 0.0;  ///< first and second
+
+    /// Of coefficients at rest, with the slopes' rates v.
+    FormCourse(const Matrix<double, 3>& coefficients, const Triad<double>& a,
+               const Triad<double>& b, const Vector<double, 12>& v)
+        : gradient(FrameForm<double>(coefficients, a, b).gradient(a, b)),
+          hessian(frame_form_hessian(coefficients, a, b)) {
+        for (int j = 0; j < 12; ++j) {
+            speed += gradient[j] * v[j];
+            for (int i = 0; i < 12; ++i) bend += v[i] * hessian(i, j) * v[j];
+        }
+    }
+
+    /// Adds what moving coefficients make: g_t, and 2 (g_t)_q v + g_tt.
+    void move(const Matrix<double, 3>& rate, const Matrix<double, 3>& acceleration,
+              const Triad<double>& a, const Triad<double>& b, const Vector<double, 12>& v) {
+        const FrameForm<double> form(rate, a, b);
+        const Vector<double, 12> by_slopes = form.gradient(a, b);
+        speed += form.value;
+        for (int i = 0; i < 12; ++i) bend += 2.0 * by_slopes[i] * v[i];
+        bend += FrameForm<double>(acceleration, a, b).value;
+    }
+};
+
+}  // namespace ancf::detail

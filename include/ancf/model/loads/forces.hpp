@@ -6,13 +6,10 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
-
-#include <utility>
 
 namespace ancf {
 
@@ -45,21 +42,12 @@ public:
 
     /// @param force  in the order of the coupling; N and N m. A model refuses one of another size.
     /// @throws InvalidArgument unless the force is finite.
-    GeneralisedForce(Coupling coupling, VectorX force)
-        : coupling_(std::move(coupling)), force_(std::move(force)) {
-        detail::require(force_.allFinite(), "GeneralisedForce: components must be finite, got ",
-                        detail::components(force_));
-    }
+    GeneralisedForce(Coupling coupling, VectorX force);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
     /// Evaluates it where it stands.
-    void evaluate(const LoadState& state, LoadResult& out) const {
-        detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
-                        " coordinates are coupled, got ", force_.size(), " force components");
-        out.force = force_;
-        out.potential = -force_.dot(state.q);
-    }
+    void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
     Coupling coupling_;
@@ -70,17 +58,13 @@ private:
 template <int Dimension>
 Force(NodeId, Vector<double, Dimension>) -> Force<Dimension>;
 
-template <int Dimension>
-Force<Dimension>::Force(NodeId node, const VectorArgument<Dimension>& force)
-    : node_(node), force_(force) {
-    detail::require(force.allFinite(), "Force: components must be finite, got ",
-                    detail::components(force));
-}
-
-template <int Dimension>
-void Force<Dimension>::evaluate(const LoadState& state, LoadResult& out) const {
-    out.force = force_;
-    out.potential = -force_.dot(state.q);
-}
+#if defined(ANCF_COMPILED)
+extern template class Force<2>;
+extern template class Force<3>;
+#endif
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/loads/forces.ipp>  // IWYU pragma: export
+#endif

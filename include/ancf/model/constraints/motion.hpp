@@ -68,6 +68,12 @@ struct PointMotion {
 
 namespace detail {
 
+/// Returns the motion of a value that rests.
+[[nodiscard]] inline Motion resting_at(double value) {
+    const auto zero = [](double) { return 0.0; };
+    return {[value](double) { return value; }, zero, zero};
+}
+
 /// Evaluates a function of time, continued into the complex plane by its derivative.
 template <class Function>
 [[nodiscard]] auto continued(const Function& f, const Function&, double t) {

@@ -11,12 +11,11 @@
 
 #pragma once
 
-#include <ancf/element/fields.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/load.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
@@ -34,12 +33,7 @@ public:
 
     /// @param matrix  D, in the order of the coupling; N s/m for positions.
     /// @throws InvalidArgument for a matrix that is not square or not finite.
-    LinearDamping(Coupling coupling, MatrixX matrix)
-        : coupling_(std::move(coupling)), matrix_(std::move(matrix)) {
-        detail::require(matrix_.rows() == matrix_.cols() && matrix_.allFinite(),
-                        "LinearDamping: the matrix must be square and finite, got ", matrix_.rows(),
-                        " x ", matrix_.cols());
-    }
+    LinearDamping(Coupling coupling, MatrixX matrix);
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
@@ -47,12 +41,7 @@ public:
     [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
 
     /// Evaluates it where it stands.
-    void evaluate(const LoadState& state, LoadResult& out) const {
-        detail::require(matrix_.rows() == state.v.size(), "LinearDamping: ", state.v.size(),
-                        " coordinates are coupled, the matrix has ", matrix_.rows(), " rows");
-        out.force = -matrix_ * state.v;
-        out.damping = -matrix_;
-    }
+    void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
     Coupling coupling_;
@@ -61,18 +50,10 @@ private:
 
 namespace detail {
 
-/// Adds a LinearDamping to every element of a beam; matrix(element, coordinates) is its D.
-template <class Element, class... Elements, class MatrixOf>
-void add_damping(Model<Elements...>& model, const Beam<Element>& beam, const Amplitude& amplitude,
-                 const MatrixOf& matrix) {
-    const auto& group = model.template group<Element>();
-    for (const int index : beam.elements) {
-        const Connection& connection = group.connection(index);
-        const MatrixX D =
-            matrix(group.element(index), model.template element_coordinates<Element>(index));
-        model.add(LinearDamping(coupling_of<Element>(connection), D), amplitude);
-    }
-}
+void add_rayleigh_damping(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+                          double a, double b, const Amplitude& amplitude);
+void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements, double c,
+              const Amplitude& amplitude);
 
 }  // namespace detail
 
@@ -83,44 +64,18 @@ void add_damping(Model<Elements...>& model, const Beam<Element>& beam, const Amp
 /// that turn by small angles.
 /// @param a  >= 0, 1/s  @param b  >= 0, s
 /// @throws InvalidArgument for a value that is negative or not finite.
-template <class Element, class... Elements>
-void add_rayleigh_damping(Model<Elements...>& model, const Beam<Element>& beam, double a, double b,
+template <class Element>
+void add_rayleigh_damping(Scene& model, const Beam<Element>& beam, double a, double b,
                           const Amplitude& amplitude = {}) {
-    for (const double factor : {a, b})
-        detail::require(std::isfinite(factor) && factor >= 0.0,
-                        "add_rayleigh_damping: factors must be finite and not negative, got ", a,
-                        " and ", b);
-    detail::add_damping(model, beam, amplitude, [&](const Element& element, const auto& e) {
-        return MatrixX(a * element.mass() + b * element.evaluate(e).tangent);
-    });
+    detail::add_rayleigh_damping(model, model.group<Element>(), beam.elements, a, b, amplitude);
 }
 
 /// Adds a drag -c v per length of the stress-free centre line, the same in all directions.
 /// @param c  >= 0, N s/m^2
 /// @throws InvalidArgument for a value that is negative or not finite.
-template <class Element, class... Elements>
-void add_drag(Model<Elements...>& model, const Beam<Element>& beam, double c,
-              const Amplitude& amplitude = {}) {
-    detail::require(std::isfinite(c) && c >= 0.0,
-                    "add_drag: the drag must be finite and not negative, got ", c);
-    detail::add_damping(model, beam, amplitude, [&](const Element& element, const auto&) {
-        // the mass of the centre line is that of (r, r_x, r_xx), rho A times int s^T s ds
-        constexpr int dimension = Element::dimension, fields = Element::fields.count();
-        const auto in_line = [](int vector) {
-            const Field field = Element::fields.at(vector % fields);
-            return field != Field::r_y && field != Field::r_z;
-        };
-        const MatrixX mass = element.mass();
-        MatrixX line = MatrixX::Zero(mass.rows(), mass.cols());
-        for (int row = 0; row < 2 * fields; ++row)
-            for (int column = 0; column < 2 * fields; ++column)
-                if (in_line(row) && in_line(column))
-                    line.block(dimension * row, dimension * column, dimension, dimension) =
-                        mass.block(dimension * row, dimension * column, dimension, dimension);
-        constexpr int node = dimension * fields;
-        const double total = mass(0, 0) + 2.0 * mass(0, node) + mass(node, node);  // rho A l
-        return MatrixX(c * element.length() / total * line);
-    });
+template <class Element>
+void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude& amplitude = {}) {
+    detail::add_drag(model, model.group<Element>(), beam.elements, c, amplitude);
 }
 
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
@@ -199,10 +154,10 @@ void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) con
 /// Adds Kelvin and Voigt's damping to a beam, with its elements as they are now.
 /// @param eta  >= 0, s
 /// @throws InvalidArgument for a value that is negative or not finite.
-template <class Element, class... Elements>
-void add_kelvin_voigt(Model<Elements...>& model, const Beam<Element>& beam, double eta,
+template <class Element>
+void add_kelvin_voigt(Scene& model, const Beam<Element>& beam, double eta,
                       const Amplitude& amplitude = {}) {
-    const auto& group = model.template group<Element>();
+    const auto& group = model.group<Element>();
     std::vector<std::shared_ptr<const Element>> shared(group.prototypes.size());
     for (const int index : beam.elements) {
         const Connection& connection = group.connection(index);
@@ -213,3 +168,7 @@ void add_kelvin_voigt(Model<Elements...>& model, const Beam<Element>& beam, doub
 }
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/loads/damping.ipp>  // IWYU pragma: export
+#endif
