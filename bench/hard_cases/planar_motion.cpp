@@ -28,8 +28,7 @@ using namespace planar;
 using ancf::Field;
 
 /// Runs generalized-alpha without much damping and fills in what it tells.
-template <class Element>
-void integrate(ancf::Model<Element>& scene, Row& row, double step, const ancf::Schedule& schedule) {
+void integrate(ancf::Scene& scene, Row& row, double step, const ancf::Schedule& schedule) {
     ancf::DynamicProblem problem(scene);
     ancf::GeneralizedAlphaOptions options;
     options.step = step;

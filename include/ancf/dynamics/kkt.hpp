@@ -9,8 +9,8 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/dynamics/sparse_ldlt.hpp>
 #include <ancf/error.hpp>
+#include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
 #include <vector>
@@ -30,9 +30,10 @@ class KktSystem {
 public:
     /// Takes the pattern, of either storage and with the whole diagonal; values that are zero now
     /// and later are welcome.
-    /// @param rows  number of rows of A; those of G follow.
+    /// @param rows    number of rows of A; those of G follow.
+    /// @param blocks  of each row its block, from 0: a node, a constraint; none: rows by themselves.
     /// @throws InvalidArgument where an entry of the diagonal is not stored.
-    void analyze(const SparseMatrix& pattern, int rows);
+    void analyze(const SparseMatrix& pattern, int rows, std::vector<int> blocks = {});
 
     /// Factorises, unless the values are those already factorised. Reads the lower half.
     /// @pre the pattern is that of analyze.
@@ -54,6 +55,7 @@ private:
     [[nodiscard]] bool factorize_shifted();
 
     int rows_ = 0;
+    std::vector<int> blocks_;
     double share_ = largest_share;
     SparseMatrix matrix_;  // lower half
     VectorX scales_;       // of the unknowns

@@ -17,8 +17,12 @@
 
 namespace ancf {
 
-ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows) {
+ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
+                                    std::vector<int> blocks) {
     rows_ = rows;
+    blocks_ = std::move(blocks);
+    if (blocks_.empty())
+        for (int row = 0; row < pattern.cols(); ++row) blocks_.push_back(row);
     share_ = largest_share;
     factorised_.clear();
     matrix_ = detail::lower_half(pattern);
@@ -27,7 +31,6 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows) {
         detail::require(first && first.row() == row,
                         "KktSystem: the pattern has no diagonal entry in row ", row);
     }
-    ldlt_.analyze(matrix_);
 }
 
 ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
@@ -56,8 +59,9 @@ ANCF_INLINE Status KktSystem::solve(const VectorX& b, VectorX& x) {
 
 ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    ldlt_.solve(b, x);
-    VectorX residual, correction, next = x;
+    x = b;
+    ldlt_.solve(x);
+    VectorX residual, next = x;
     double error = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 30; ++step) {
         const double now = relative_residual(b, next, residual);
@@ -66,8 +70,8 @@ ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
         x = next;
         error = now;
         if (slow || error < 4.0 * epsilon) break;
-        ldlt_.solve(residual, correction);
-        next = detail::combination({{1.0, x}, {1.0, correction}});
+        ldlt_.solve(residual);
+        next = detail::combination({{1.0, x}, {1.0, residual}});
     }
     return error;
 }
@@ -116,7 +120,7 @@ ANCF_INLINE bool KktSystem::factorize_shifted() {
         SparseMatrix::InnerIterator diagonal(shifted, row);
         if (diagonal.value() == 0.0) diagonal.valueRef() = -share_ * shift[row];
     }
-    return ldlt_.factorize(shifted);
+    return ldlt_.factorize(shifted, blocks_);
 }
 
 namespace detail {

@@ -16,11 +16,11 @@
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/dynamics/kkt.hpp>
 #include <ancf/dynamics/report.hpp>
-#include <ancf/dynamics/sparse_ldlt.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/model/support.hpp>
+#include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
 #include <optional>
@@ -150,7 +150,7 @@ public:
     [[nodiscard]] const SparseMatrix& compact_mass() const noexcept { return compact_mass_; }
 
     /// Solves M x = b for n entries.
-    void solve_mass(const VectorX& b, VectorX& x) const { mass_factor_.solve(b, x); }
+    void solve_mass(const VectorX& b, VectorX& x) const;
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
     ///
@@ -266,6 +266,8 @@ private:
     };
 
     void set_mass();
+    // Returns the block of each of the first equations: a node, a constraint.
+    [[nodiscard]] std::vector<int> blocks(int equations) const;
     void check_sizes() const;
     void list_driven();
     void measure();

@@ -40,14 +40,30 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
     full_a_.setZero(full_q_.size());
     measure();
     set_mass();
-    kkt_.analyze(kkt_matrix_, size());
+    kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
+}
+
+ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
+    std::vector<int> result;
+    const std::vector<int>& sizes = numbering().block_sizes();
+    for (std::size_t block = 0; block < sizes.size(); ++block)
+        result.insert(result.end(), static_cast<std::size_t>(sizes[block]),
+                      static_cast<int>(block));
+    result.resize(static_cast<std::size_t>(equations));
+    return result;
+}
+
+ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
+    x = b;
+    mass_factor_.solve(x);
 }
 
 ANCF_INLINE void DynamicProblem::set_mass() {
     mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
-    mass_factor_.analyze(compact_mass_);
-    detail::require(mass_factor_.factorize(compact_mass_) && mass_factor_.smallest_pivot() > 0.0,
+    bool definite = mass_factor_.factorize(compact_mass_, blocks(size()));
+    for (int row = 0; definite && row < size(); ++row) definite = mass_factor_.pivot(row) > 0.0;
+    detail::require(definite,
                     "DynamicProblem: the mass matrix is not positive definite; every node needs an "
                     "element of positive density");
     kkt_matrix_ = mass_;
@@ -645,7 +661,7 @@ ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) 
     for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     KktSystem system;
-    system.analyze(shifted, size());
+    system.analyze(shifted, size(), blocks(numbering().unknowns()));
     if (system.factorize(shifted) != Status::converged) return 0.0;
     const auto solve = [&](const VectorX& b) {
         VectorX whole = VectorX::Zero(numbering().unknowns()), x;
