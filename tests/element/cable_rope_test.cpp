@@ -17,7 +17,6 @@
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/element_properties.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>

@@ -16,8 +16,6 @@
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -139,7 +137,7 @@ TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",
     const auto beam = straight_beam(model, material(), section(), Point(0, 0), Point(1, 0), 2);
     model.clamp(beam.first());
     // first mode of the model itself, from its dense matrices
-    Assembly<Model<Element>> assembly(model, Storage::full);
+    Assembly assembly(model, Storage::full);
     State& state = model.state();
     const VectorX rest = VectorX::Zero(state.q.size());
     REQUIRE(!assembly.evaluate({state.q, rest, state.multipliers, {0.0, 1.0}}, Request::tangent));
