@@ -62,10 +62,12 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
         ConstraintResult& result = results_[k];
         result.reset(equations, size);
         constraint.evaluate(local_, result);
-        violation_.segment(first_[k], equations) = result.violation;
-        full_rate_.segment(first_[k], equations) =
-            detail::multiply(result.jacobian, local_.v) + result.rate;
-        convection_.segment(first_[k], equations) = result.convection;
+        const VectorX slide = detail::multiply(result.jacobian, local_.v);
+        for (int i = 0; i < equations; ++i) {
+            violation_[first_[k] + i] = result.violation[i];
+            full_rate_[first_[k] + i] = slide[i] + result.rate[i];
+            convection_[first_[k] + i] = result.convection[i];
+        }
     }
     rate_ = full_rate_;
     for (int i = 0; i < size(); ++i)
@@ -85,7 +87,8 @@ ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
         VectorX local;
         detail::gather(a, at, local);
-        out.segment(first, result.jacobian.rows()) = detail::multiply(result.jacobian, local);
+        const VectorX part = detail::multiply(result.jacobian, local);
+        std::copy_n(part.data(), part.size(), out.data() + first);
     });
     for (int i = 0; i < size(); ++i)
         if (left_out(i)) out[i] = 0.0;
