@@ -172,9 +172,14 @@ inline void add_product(const SparseMatrix& A, Storage storage, double scale, co
 
 /// Replaces a compressed matrix of symmetric pattern by its symmetric part.
 inline void symmetrise(SparseMatrix& A) {
-    const SparseMatrix mirrored = A.transpose();
-    for (Eigen::Index k = 0; k < A.nonZeros(); ++k)
-        A.valuePtr()[k] = 0.5 * (A.valuePtr()[k] + mirrored.valuePtr()[k]);
+    const std::vector<double> values(A.valuePtr(), A.valuePtr() + A.nonZeros());
+    // rows ascend, so the mirror images of a column's entries are met in their order
+    std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
+    for (int j = 0; j < static_cast<int>(A.cols()); ++j)
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+            int& mirrored = next.data()[A.innerIndexPtr()[k]];
+            A.valuePtr()[k] = 0.5 * (values.data()[k] + values.data()[mirrored++]);
+        }
 }
 
 /// True unless a stored value of a compressed matrix is a NaN or an infinity.
