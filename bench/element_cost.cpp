@@ -17,10 +17,10 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -103,7 +103,7 @@ Cost measure(const char* name, const Settings& settings,
     sink = e[0];
 
     EigenLdlt solver;
-    Assembly<Model<Element>> assembly(model, EigenLdlt::storage);
+    Assembly<Model<Element>> assembly(model, solver.storage());
     solver.analyze(assembly.tangent());
     const VectorX rest = VectorX::Zero(state.q.size());
     const int repeats = std::max(3, settings.repeats / 20);

@@ -11,8 +11,8 @@
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/material.hpp>

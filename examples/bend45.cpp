@@ -15,7 +15,7 @@
 /// (47.150439, 15.684801, 53.474859).
 
 #include <ancf/constants.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>

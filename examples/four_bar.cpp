@@ -22,7 +22,7 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
@@ -161,7 +161,7 @@ Run turn(const FourBar& problem, int elements) {
         bar.show(time, end);
         return true;
     };
-    ancf::DynamicProblem<Scene> dynamics(model);
+    ancf::DynamicProblem dynamics(model);
     examples::GeneralSolver solver;
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;

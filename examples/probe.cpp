@@ -13,7 +13,7 @@
 /// defaults are those of Model II of [Dufva2006]: L 2, 0.01 x 0.01, E 2.07e11, G 7.9615e10.
 
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/types.hpp>

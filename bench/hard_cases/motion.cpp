@@ -7,11 +7,11 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_joints.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/cases.hpp>
 
@@ -56,7 +56,7 @@ ancf::CrossSectionOptions options() {
 
 /// Runs an integrator and fills in what it tells.
 template <class Integrator>
-void integrate(const Integrator& integrator, ancf::DynamicProblem<Scene>& problem, Row& row,
+void integrate(const Integrator& integrator, ancf::DynamicProblem& problem, Row& row,
                const ancf::Schedule& schedule) {
     ancf::EigenLu solver;
     set(row, integrator.integrate(problem, solver, schedule));
@@ -88,7 +88,7 @@ void right_angle(Rows& rows, bool quick) {
         const double height = at.state.q[scene.coordinate(second.last(), ancf::Field::r) + 2];
         worsen(row.error, std::abs(height / theory.at(seen++).second - 1.0));
     };
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::GeneralizedAlphaOptions how;
     how.step = 0.025;
     integrate(ancf::GeneralizedAlpha(how), problem, row, schedule);
@@ -111,7 +111,7 @@ void spaghetti(Rows& rows, bool quick) {
     };
     scene.add(ancf::Force<3>(beam.first(), {0.1, 0, 0}), torque);
     scene.add(ancf::Moment(beam.first(), {0, 0.5, 1}), torque);
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::Schedule schedule;
     schedule.end = quick ? 6.0 : 105.0;
     for (double time = 5.0; time <= schedule.end; time += 0.5) schedule.times.push_back(time);

@@ -3,7 +3,7 @@
 
 // Hard cases in the plane with engineering strains, against Reissner's theory.
 
-#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/path.hpp>

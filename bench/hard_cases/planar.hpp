@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 
 #include <hard_cases/cases.hpp>

@@ -6,9 +6,9 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/model/constraints_motion.hpp>
-#include <ancf/model/constraints_points.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/constraints/points.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/planar.hpp>
 
@@ -28,9 +28,8 @@ using namespace planar;
 using ancf::Field;
 
 /// Runs generalized-alpha without much damping and fills in what it tells.
-template <class Element>
-void integrate(ancf::Model<Element>& scene, Row& row, double step, const ancf::Schedule& schedule) {
-    ancf::DynamicProblem<ancf::Model<Element>> problem(scene);
+void integrate(ancf::Scene& scene, Row& row, double step, const ancf::Schedule& schedule) {
+    ancf::DynamicProblem problem(scene);
     ancf::GeneralizedAlphaOptions options;
     options.step = step;
     options.rho = 0.9;
@@ -112,7 +111,7 @@ ancf::Beam<Element> rubber_pendulum(ancf::Model<Element>& scene, int elements) {
 /// Runs the energy-momentum scheme and fills in the energy that the scene gains or loses, relative
 /// to the largest kinetic energy.
 void keep_energy(Scene& scene, Row& row, double step, double duration) {
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::EnergyMomentumOptions options;
     options.step = step;
     ancf::EigenLu solver;
@@ -246,7 +245,7 @@ void redundant(Rows& rows, bool quick) {
         scene.set_gravity({9.81, 0.0});
         ancf::ProblemOptions twice;
         twice.redundancy = ancf::Redundancy::minimum_norm;
-        ancf::DynamicProblem<Scene> problem(scene, twice);
+        ancf::DynamicProblem problem(scene, twice);
         ancf::GeneralizedAlphaOptions options;
         options.step = 1e-3;
         ancf::EigenLu solver;

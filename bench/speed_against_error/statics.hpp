@@ -14,20 +14,21 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/statics.hpp>
 
-#include <any_solver.hpp>
+#include <linear_solvers.hpp>
 #include <rows.hpp>
 
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -158,8 +159,8 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     }
     clamp(model, scene, beam.first());
     add_load(model, scene, beam.last());
-    AnySolver solver(solver_name);
-    const ancf::StaticsReport report = ancf::solve_statics(model, solver, options);
+    const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(solver_name);
+    const ancf::StaticsReport report = ancf::solve_statics(model, *solver, options);
     Tip tip;
     tip.status = report.status;
     tip.iterations = report.iterations();
@@ -231,8 +232,7 @@ Tip limit_of(const StaticCase& scene, const ancf::Rule& rule, int elements) {
     ancf::StaticsOptions options;
     options.adaptive = true;
     options.steps = 10;
-    const std::string solver(ancf::BlockTridiagonal::name());
-    return solve<Element>(scene, rule, solver, elements, options);
+    return solve<Element>(scene, rule, "block-tridiagonal", elements, options);
 }
 
 /// Returns how far a tip is from its limit, relative to the length; radians for the twist.
@@ -251,8 +251,8 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
     options.adaptive = true;
     const std::vector<int> meshes =
         plan.quick ? std::vector<int>{4, 16} : std::vector<int>{1, 2, 3, 4, 6, 8, 12, 16, 32, 64};
-    const std::string usual(ancf::BlockTridiagonal::name());
-    const auto solvers = plan.quick ? std::vector<std::string>{usual} : AnySolver::names();
+    const std::string usual = "block-tridiagonal";
+    const auto solvers = plan.quick ? std::vector<std::string>{usual} : linear_solvers();
     for (const StaticCase& scene : static_cases()) {
         if (!takes_part<Element>(scene.name) || !plan.wants(scene.name)) continue;
         const Tip limit = limit_of<Element>(scene, fine, plan.quick ? 64 : 256);

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <ancf/element/quadrature.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/model/support.hpp>
 #include <ancf/section/material.hpp>

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
 

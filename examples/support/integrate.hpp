@@ -16,7 +16,7 @@
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/klu.hpp>
 #else
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #endif
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
@@ -38,10 +38,9 @@ using GeneralSolver = ancf::EigenLu;
 #endif
 
 /// Integrates by IDA.
-template <class Scene>
-[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem<Scene>& problem,
-                                      const MotionOptions& options,
-                                      const ancf::Schedule& schedule) {
+[[nodiscard]] inline Motion integrate_by_ida(ancf::DynamicProblem& problem,
+                                             const MotionOptions& options,
+                                             const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
     ancf::sundials::IdaOptions ida;
     ida.tolerance = options.tolerance;
@@ -58,10 +57,10 @@ template <class Scene>
 }
 
 /// Integrates by the integrator of the options.
-template <class Scene>
-[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem<Scene>& problem,
-                                       const MotionOptions& options, const ancf::Schedule& schedule,
-                                       const ancf::Memory& memory) {
+[[nodiscard]] inline Motion integrate_problem(ancf::DynamicProblem& problem,
+                                              const MotionOptions& options,
+                                              const ancf::Schedule& schedule,
+                                              const ancf::Memory& memory) {
     if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
     GeneralSolver solver;
     if (options.integrator == "energy") {
@@ -76,9 +75,7 @@ template <class Scene>
             "rho " + ancf::number_text(options.rho, 6)};
 }
 
-template <class Element>
-Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
-                 ancf::Schedule schedule) {
+inline Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
     ancf::Memory memory;
     if (!options.restart.empty()) {
         ancf::SavedState saved = ancf::load_state(options.restart);
@@ -100,7 +97,7 @@ Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
         bar.show(time, end);
         return true;
     };
-    ancf::DynamicProblem<ancf::Model<Element>> problem(model);
+    ancf::DynamicProblem problem(model);
     Motion motion = integrate_problem(problem, options, schedule, memory);
     bar.clear();
     if (!options.save.empty())

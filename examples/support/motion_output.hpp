@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/dynamics/report.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/section/section.hpp>

@@ -7,11 +7,13 @@
 #pragma once
 
 #include <ancf/model/model.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/command_line.hpp>
 #include <support/elements.hpp>
 
+#include <memory>
 #include <string>
 
 namespace examples {
@@ -25,6 +27,10 @@ struct SolverOptions {
     SolverOptions();
     void add_to(CommandLine& line);
 };
+
+/// Returns the linear solver that --solver names.
+/// @throws InvalidArgument for one that is not there.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name);
 
 /// Brings a model to equilibrium.
 /// @throws InvalidArgument for a linear solver that is not there.

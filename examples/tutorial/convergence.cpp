@@ -5,10 +5,10 @@
 /// Step 5 of the tutorial: how far a mesh is from its limit, told by three meshes.
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/modal.hpp>
 #include <ancf/solver/richardson.hpp>
 

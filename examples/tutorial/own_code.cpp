@@ -52,17 +52,17 @@ struct Bar {
 };
 
 /// A dense factorisation.
-class Dense {
+class Dense final : public ancf::LinearSolver {
 public:
-    static constexpr ancf::Storage storage = ancf::Storage::full;
-    void analyze(const ancf::SparseMatrix&) {}
-    ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) {
+    ancf::Storage storage() const noexcept override { return ancf::Storage::full; }
+    void analyze(const ancf::SparseMatrix&) override {}
+    ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) override {
         lu_.compute(ancf::MatrixX(matrix));
         const bool good = lu_.rcond() > 1e-15;
         return {good ? ancf::Status::converged : ancf::Status::singular};
     }
-    void solve(const ancf::VectorX& b, ancf::VectorX& x) const { x = lu_.solve(b); }
-    static std::string_view name() { return "dense"; }
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const override { x = lu_.solve(b); }
+    std::string_view name() const noexcept override { return "dense"; }
 
 private:
     Eigen::PartialPivLU<ancf::MatrixX> lu_;

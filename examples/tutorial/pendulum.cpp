@@ -6,8 +6,8 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <cmath>
 #include <iostream>

@@ -7,9 +7,9 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/transmitted_forces.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/output/vtk.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <cmath>

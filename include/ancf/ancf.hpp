@@ -20,13 +20,13 @@
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/element/torsion_beam.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/polyline.hpp>
 #include <ancf/model/constraints.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/model/damping.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/polyline.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/output/shape.hpp>
 #include <ancf/output/state_file.hpp>

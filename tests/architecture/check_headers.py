@@ -15,10 +15,10 @@ import tempfile
 
 LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
 COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all of them, never each other
-COMMON = ["algebra.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
+COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
           "version.hpp"]
 UMBRELLA = "ancf.hpp"
-ABOVE = [UMBRELLA, "instances.hpp"]  # include any layer, no header includes them
+ABOVE = [UMBRELLA]  # include any layer, no header includes them
 DEFINITIONS = re.compile(r"#if !defined\(ANCF_COMPILED\)\n#include <ancf/([a-z_0-9/]+\.ipp)>.*\n#endif\n\Z")
 LICENCE = ("// SPDX-FileCopyrightText: 2026 The ancf authors\n"
            "// SPDX-License-Identifier: BSD-3-Clause\n")

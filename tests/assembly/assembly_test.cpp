@@ -4,7 +4,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/continuum_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/bar.hpp>

@@ -4,7 +4,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <support/catch.hpp>

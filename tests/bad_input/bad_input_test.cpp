@@ -7,7 +7,7 @@
 
 #include <ancf/element/cable.hpp>
 #include <ancf/element/quadrature.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

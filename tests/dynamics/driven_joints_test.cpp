@@ -8,15 +8,14 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
-#include <support/instances/planar.hpp>
 
 #include <string>
 
@@ -32,7 +31,7 @@ TEST_CASE("an arm driven in steps of any length turns by the angle driven, or sa
             for (const int kind : {0, 1, 2}) {  // generalized-alpha, adaptive, energy-momentum
                 CAPTURE(angle, steps, kind);
                 test::DrivenArm arm(test::smooth_turn(angle));
-                DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+                DynamicProblem problem(arm.model);
                 EigenLu solver;
                 const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
                 DynamicsReport report;
@@ -69,7 +68,7 @@ TEST_CASE("a driven angle that jumps ends the motion and names the joint",
     for (const int kind : {0, 1, 2}) {
         CAPTURE(kind);
         test::DrivenArm arm(jump);
-        DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+        DynamicProblem problem(arm.model);
         EigenLu solver;
         const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
         DynamicsReport report;

@@ -7,16 +7,15 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ using ancf::Schedule;
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
 using BeamModel = ancf::Model<Element>;
-using Problem = ancf::DynamicProblem<BeamModel>;
+using Problem = ancf::DynamicProblem;
 
 constexpr double energy_scheme = -1.0;  // in the place of a damping parameter
 

@@ -21,7 +21,7 @@
 namespace ancf::test {
 
 using BarModel = Model<Bar<3>>;
-using BarProblem = DynamicProblem<BarModel>;
+using BarProblem = DynamicProblem;
 using Vector3 = Vector<double, 3>;
 
 /// Returns a schedule that ends at a time and reports nothing on the way.

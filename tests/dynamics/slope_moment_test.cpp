@@ -5,10 +5,10 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
 
@@ -18,7 +18,7 @@ namespace slope_moment_test {
 
 using ancf::Field;
 using Scene = ancf::Model<ancf::Cable<2>>;
-using Problem = ancf::DynamicProblem<Scene>;
+using Problem = ancf::DynamicProblem;
 
 /// A steel strip with a moment on its last slope, free or clamped at its other end.
 Scene strip(double moment, bool clamped) {

@@ -8,16 +8,15 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/element_properties.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -150,7 +149,7 @@ struct Flight {
 template <class Integrator>
 Flight fly(double speed, const Integrator& integrator) {
     Throw scene(speed);
-    DynamicProblem<Model<Cable<3>>> problem(scene.model);
+    DynamicProblem problem(scene.model);
     Flight flight;
     double start = 0.0;
     Schedule schedule = equal_intervals(0.0, 1.5, 0.001);

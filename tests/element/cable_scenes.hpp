@@ -8,8 +8,8 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>

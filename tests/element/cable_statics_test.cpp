@@ -7,12 +7,11 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <element/cable_scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>

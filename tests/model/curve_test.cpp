@@ -7,16 +7,16 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/polyline.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/polyline.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <functional>

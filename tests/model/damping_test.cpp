@@ -9,15 +9,13 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/model/damping.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -40,7 +38,7 @@ Section section() { return rectangle(side, side); }
 /// Integrates a model to the given time and returns whether it got there.
 template <class Scene>
 bool run(Scene& model, double end, double step) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;

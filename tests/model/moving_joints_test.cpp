@@ -9,18 +9,15 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -55,7 +52,7 @@ struct Course {
 /// Integrates a scene; calls look(state) at every step.
 template <class Look>
 Course run(Scene& model, double end, double step, const Look& look) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;
@@ -248,7 +245,7 @@ TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
     };
     const double start = angle(model.state());
     double most = 0.0;
-    DynamicProblem<Plane> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = 1e-3;

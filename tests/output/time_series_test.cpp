@@ -11,17 +11,15 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/time_series.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +93,8 @@ TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are 
     Cantilever scene;
     std::ostringstream out;
     TimeSeries series(out, scene.model);
-    series.add_section_forces("tip", 3, 1.0);
-    series.add_stress("axis", 0, 0.5);
+    series.add_section_forces<Element>("tip", 3, 1.0);
+    series.add_stress<Element>("axis", 0, 0.5);
     series.add_reaction("weld", 0, scene.beam.first());
     REQUIRE(scene.settle());
     State state = scene.model.state();
@@ -287,8 +285,8 @@ TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time
                                      {0, 0, 0}, {1, 0, 0}, 1);
     std::ostringstream out;
     TimeSeries series(out, model);
-    series.add_section_forces("middle", 0, 0.5);
-    series.add_stress("middle", 0, 0.5);
+    series.add_section_forces<Cable<3>>("middle", 0, 0.5);
+    series.add_stress<Cable<3>>("middle", 0, 0.5);
     const State& state = model.state();
     series.write({state, {}, 0.0, 0.0});
     const std::string header = out.str().substr(0, out.str().find('\n'));
@@ -301,9 +299,9 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     Cantilever scene;
     std::ostringstream out;
     TimeSeries series(out, scene.model);
-    CHECK_THROWS_AS(series.add_section_forces("a", 4, 0.5), InvalidArgument);
-    CHECK_THROWS_AS(series.add_stress("a", -1, 0.5), InvalidArgument);
-    CHECK_THROWS_AS(series.add_stress("a", 0, 1.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_section_forces<Element>("a", 4, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_stress<Element>("a", -1, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_stress<Element>("a", 0, 1.5), InvalidArgument);
     CHECK_THROWS_AS(series.add_reaction("a", 1, scene.beam.first()), InvalidArgument);
     CHECK_THROWS_AS(series.add_reaction("a", 0, scene.beam.last()), InvalidArgument);
     DynamicProblem problem(scene.model);
@@ -315,7 +313,7 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
                       ContainsSubstring("another model"));
     const State& state = scene.model.state();
     series.write({state, {}, 0.0, 0.0});
-    CHECK_THROWS_AS(series.add_section_forces("late", 0, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_section_forces<Element>("late", 0, 0.5), InvalidArgument);
 }
 
 }  // namespace time_series_test

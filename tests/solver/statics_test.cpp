@@ -4,7 +4,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <ancf/element/continuum_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>

@@ -6,11 +6,11 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/planar_beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
-#include <support/instances/planar.hpp>
 
 namespace ida_driven_joints_test {
 
@@ -26,7 +26,7 @@ TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][j
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
                 CAPTURE(angle, steps, form == Form::index3);
                 test::DrivenArm arm(test::smooth_turn(angle));
-                DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+                DynamicProblem problem(arm.model);
                 IdaOptions options;
                 options.tolerance = 1e-3;
                 options.form = form;
@@ -45,7 +45,7 @@ TEST_CASE("Ida: a driven angle that jumps ends the motion and names the joint", 
     const Motion jump{[](double t) { return t > 0.5 ? 4.0 : 0.0; }, [](double) { return 0.0; },
                       [](double) { return 0.0; }};
     test::DrivenArm arm(jump);
-    DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+    DynamicProblem problem(arm.model);
     const auto report = Ida().integrate(problem, equal_intervals(0.0, 1.0, 1.0));
     CHECK(report.status == Status::step_too_small);
     CHECK_THAT(report.message, ContainsSubstring("planar weld of node 0 and space"));

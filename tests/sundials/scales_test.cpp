@@ -56,7 +56,7 @@ TEST_CASE("Ida: runs of any length reach their end and show the way", "[ida]") {
     const auto seen_in = [](double start, double duration) {
         PlanarScene model = cantilever(Scale{});
         model.state().time = start;
-        ancf::DynamicProblem<PlanarScene> problem(model);
+        ancf::DynamicProblem problem(model);
         ancf::Schedule schedule;
         schedule.end = start + duration;
         schedule.times = {start, schedule.end};

@@ -8,7 +8,7 @@
 
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
@@ -83,7 +83,7 @@ struct Run {
     std::vector<Row> rows;
 };
 
-inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
+inline Run run(ancf::DynamicProblem& problem, ancf::Schedule schedule,
                const ancf::sundials::IdaOptions& options = {}) {
     Run result;
     schedule.observe = [&](const ancf::Snapshot& seen) {
@@ -95,7 +95,7 @@ inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
 
 inline Run run(Hanging& scene, const ancf::Schedule& schedule,
                const ancf::sundials::IdaOptions& options = {}) {
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     return run(problem, schedule, options);
 }
 

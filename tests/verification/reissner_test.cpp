@@ -7,8 +7,8 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/path.hpp>

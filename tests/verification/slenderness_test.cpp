@@ -6,9 +6,9 @@
 /// P L^2/E I = 10.
 
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
 

@@ -9,9 +9,9 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 
 #include <support/catch.hpp>
 

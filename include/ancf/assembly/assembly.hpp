@@ -228,7 +228,7 @@ private:
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<std::vector<ElementSlots>> slots_;                      // per group
+    std::vector<std::vector<ElementSlots>> slots_;               // per group
     std::vector<ElementSchedule> schedules_;                     // per group
     std::vector<std::vector<std::vector<ValueRange>>> cleared_;  // per group and run
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to

@@ -69,7 +69,8 @@ ANCF_INLINE void Assembly::refresh() {
     revision_ = now;
 }
 
-ANCF_INLINE std::vector<int> Assembly::coordinates_of(const Coupling& coupling, const char* what) const {
+ANCF_INLINE std::vector<int> Assembly::coordinates_of(const Coupling& coupling,
+                                                      const char* what) const {
     const Layout& layout = model_.layout();
     std::vector<int> coordinates;
     for (const NodeField& at : coupling) {
@@ -208,26 +209,28 @@ ANCF_INLINE void Assembly::build_gravity() {
     std::vector<std::vector<double>> forces;  // of each group's prototypes
     for (const auto& group : model_.groups()) {
         const auto dofs = static_cast<std::size_t>(group->dofs());
-        std::vector<double>& of = forces.emplace_back(
-            dofs * static_cast<std::size_t>(group->prototype_count()));
+        std::vector<double>& of =
+            forces.emplace_back(dofs * static_cast<std::size_t>(group->prototype_count()));
         for (int k = 0; k < group->prototype_count(); ++k)
             group->gravity(k, acceleration, of.data() + dofs * static_cast<std::size_t>(k));
     }
     for_each_element([&](const ElementGroup& group, const ElementPlace& place,
                          const detail::ElementIndices& indices) {
-        const double* const force = forces[static_cast<std::size_t>(place.group)].data() +
-                                    static_cast<std::ptrdiff_t>(group.dofs()) *
-                                        group.prototype_of(place.element);
+        const double* const force =
+            forces[static_cast<std::size_t>(place.group)].data() +
+            static_cast<std::ptrdiff_t>(group.dofs()) * group.prototype_of(place.element);
         for (int i = 0; i < group.dofs(); ++i) gravity_[indices.at[i]] += force[i];
     });
     for (const PointMass& point : model_.masses()) {
         const int at = model_.coordinate(point.node, Field::r);
-        for (int i = 0; i < model_.dimension(); ++i) gravity_[at + i] += point.mass * acceleration[i];
+        for (int i = 0; i < model_.dimension(); ++i)
+            gravity_[at + i] += point.mass * acceleration[i];
     }
 }
 
 ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
-                                               const VectorX* increment, const Correction* last) {
+                                                    const VectorX* increment,
+                                                    const Correction* last) {
     refresh();
     detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
                         at.multipliers.size() == numbering_.multipliers(),
@@ -282,8 +285,8 @@ ANCF_INLINE double Assembly::strain_energy() const {
     return strain_energy_;
 }
 
-ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request, const VectorX* increment,
-                            const Correction* last) {
+ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request,
+                                        const VectorX* increment, const Correction* last) {
     const bool tangent = request != Request::force;
     for (std::size_t index = 0; index < schedules_.size(); ++index) {
         const ElementGroup& group = *model_.groups()[index];
@@ -308,7 +311,7 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
 }
 
 ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* block,
-                         SparseMatrix& matrix) const {
+                                     SparseMatrix& matrix) const {
     detail::ElementIndices indices;
     element_coordinates(place, indices.at);
     const auto group = static_cast<std::size_t>(place.group);
@@ -326,8 +329,9 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
                 double* const values =
                     matrix.valuePtr() + slots.base[a][b] + pattern_.column_offset(node, own);
                 for (int i = 0; i < half; ++i) {
-                    const int row = numbering_.equation(indices.at[static_cast<int>(a) * half + i]) -
-                                    pattern_.first(slots.node[a]);
+                    const int row =
+                        numbering_.equation(indices.at[static_cast<int>(a) * half + i]) -
+                        pattern_.first(slots.node[a]);
                     if (row >= (lower ? own : 0))
                         values[row] += block[column * dofs + static_cast<int>(a) * half + i];
                 }
@@ -335,7 +339,8 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
         }
 }
 
-ANCF_INLINE void Assembly::add_value(int row, int column, double value, SparseMatrix& matrix) const {
+ANCF_INLINE void Assembly::add_value(int row, int column, double value,
+                                     SparseMatrix& matrix) const {
     const int i = numbering_.equation(row);
     const int j = numbering_.equation(column);
     if (i < 0 || j < 0 || (pattern_.storage() == Storage::lower && i < j)) return;
@@ -346,11 +351,9 @@ ANCF_INLINE void Assembly::add_value(int row, int column, double value, SparseMa
     matrix.valuePtr()[slot] += value;
 }
 
-
-
 template <class Visitor>
-void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time,
-                                    bool derivatives, const Visitor& visit) const {
+void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
+                             const Visitor& visit) const {
     LoadState local;
     LoadResult result;
     local.time = time;
@@ -505,7 +508,8 @@ ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const Constrain
     }
 }
 
-ANCF_INLINE void Assembly::check_size(const char* call, const char* what, const VectorX& given) const {
+ANCF_INLINE void Assembly::check_size(const char* call, const char* what,
+                                      const VectorX& given) const {
     detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
                     numbering_.coordinates(), " ", what, ", got ", given.size());
 }
@@ -513,14 +517,15 @@ ANCF_INLINE void Assembly::check_size(const char* call, const char* what, const 
 ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
     check_size("inspect", "coordinates", q);
     Status status = Status::converged;
-    const auto found = find_element(q, [&](const ElementGroup& group, int prototype, const double* e) {
-        bool finite = true;
-        for (int i = 0; i < group.dofs(); ++i) finite = finite && std::isfinite(e[i]);
-        status = !finite                        ? Status::not_finite
-                 : group.admissible(prototype, e) ? Status::converged
-                                                  : Status::degenerate;
-        return status != Status::converged;
-    });
+    const auto found =
+        find_element(q, [&](const ElementGroup& group, int prototype, const double* e) {
+            bool finite = true;
+            for (int i = 0; i < group.dofs(); ++i) finite = finite && std::isfinite(e[i]);
+            status = !finite                          ? Status::not_finite
+                     : group.admissible(prototype, e) ? Status::converged
+                                                      : Status::degenerate;
+            return status != Status::converged;
+        });
     if (!found) return std::nullopt;
     return Fault{status, found->group, found->element};
 }
@@ -574,9 +579,9 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
     for (const auto& group : model_.groups()) {
         if (!group->fields().contains(Field::r_x)) continue;
         const Layout& layout = model_.layout();
-        least = std::min(least, model_.dimension() == 2
-                                    ? detail::least_cosine<2>(layout, *group, q)
-                                    : detail::least_cosine<3>(layout, *group, q));
+        least =
+            std::min(least, model_.dimension() == 2 ? detail::least_cosine<2>(layout, *group, q)
+                                                    : detail::least_cosine<3>(layout, *group, q));
     }
     return std::acos(std::max(least, -1.0));
 }
@@ -622,14 +627,14 @@ namespace detail {
 ANCF_INLINE SparseMatrix Assembly::mass() const {
     SparseMatrix result = pattern_.matrix();
     const auto masses = detail::prototype_masses(model_);
-    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
-                         const detail::ElementIndices&) {
-        const std::ptrdiff_t size = group.dofs() * group.dofs();
-        add_block(place,
-                  masses[static_cast<std::size_t>(place.group)].data() +
-                      size * group.prototype_of(place.element),
-                  result);
-    });
+    for_each_element(
+        [&](const ElementGroup& group, const ElementPlace& place, const detail::ElementIndices&) {
+            const std::ptrdiff_t size = group.dofs() * group.dofs();
+            add_block(place,
+                      masses[static_cast<std::size_t>(place.group)].data() +
+                          size * group.prototype_of(place.element),
+                      result);
+        });
     for (const PointMass& point : model_.masses())
         for (int i = 0; i < model_.dimension(); ++i) {
             const int at = model_.coordinate(point.node, Field::r) + i;
@@ -645,9 +650,9 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
     for_each_element([&](const ElementGroup& group, const ElementPlace& place,
                          const detail::ElementIndices& indices) {
         const int dofs = group.dofs();
-        const double* mass = masses[static_cast<std::size_t>(place.group)].data() +
-                             static_cast<std::ptrdiff_t>(dofs) * dofs *
-                                 group.prototype_of(place.element);
+        const double* mass =
+            masses[static_cast<std::size_t>(place.group)].data() +
+            static_cast<std::ptrdiff_t>(dofs) * dofs * group.prototype_of(place.element);
         double e[ElementGroup::max_dofs];
         detail::gather(a, indices, dofs, e);
         for (int j = 0; j < dofs; ++j)

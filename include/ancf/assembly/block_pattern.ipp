@@ -19,7 +19,7 @@
 namespace ancf {
 
 ANCF_INLINE BlockPattern::BlockPattern(const std::vector<int>& sizes,
-                                  std::vector<std::pair<int, int>> pairs, Storage storage)
+                                       std::vector<std::pair<int, int>> pairs, Storage storage)
     : storage_(storage), first_(sizes.size() + 1, 0) {
     const auto blocks = sizes.size();
     for (std::size_t k = 0; k < blocks; ++k) first_[k + 1] = first_[k] + sizes[k];

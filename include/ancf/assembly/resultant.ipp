@@ -15,14 +15,15 @@ namespace ancf {
 namespace detail {
 
 ANCF_INLINE void require_coordinates(const char* name, const Layout& layout, const VectorX& q,
-                                const VectorX& force) {
+                                     const VectorX& force) {
     require(q.size() == layout.size() && force.size() == layout.size(), name, ": expected ",
             layout.size(), " coordinates and forces, got ", q.size(), " and ", force.size());
 }
 
 /// Returns a node's part of a generalised force, its moment about the node or the origin.
-[[nodiscard]] ANCF_INLINE Resultant resultant_about(int dimension, const Layout& layout, const VectorX& q,
-                                        const VectorX& force, int node, bool origin) {
+[[nodiscard]] ANCF_INLINE Resultant resultant_about(int dimension, const Layout& layout,
+                                                    const VectorX& q, const VectorX& force,
+                                                    int node, bool origin) {
     Resultant sum;
     const bool positioned = layout.fields(node).contains(Field::r);
     for (int at = layout.first(node); at < layout.first(node + 1); at += dimension) {
@@ -54,7 +55,7 @@ ANCF_INLINE Resultant resultant(const Scene& model, const VectorX& q, const Vect
 }
 
 ANCF_INLINE Resultant nodal_resultant(const Scene& model, const VectorX& q, const VectorX& force,
-                                        NodeId node) {
+                                      NodeId node) {
     const Layout& layout = model.layout();
     detail::require_coordinates("nodal_resultant", layout, q, force);
     detail::require(node.index >= 0 && node.index < layout.nodes(), "nodal_resultant: there are ",

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/requirement.hpp>
 #include <ancf/error.hpp>

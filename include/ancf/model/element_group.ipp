@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 
 namespace ancf {
@@ -48,8 +49,7 @@ void scatter_part(const GroupTarget& target, const ElementSlots& slots, int a, i
     element_coordinates(target.layout, Element::dimension, Element::fields, slots, place);
     for (int i = 0; i < 2 * half; ++i) {
         const int equation = target.equation[place[i]];
-        place[i] = equation < 0 ? -1
-                                : equation - target.first_row[slots.node[i >= half ? 1 : 0]];
+        place[i] = equation < 0 ? -1 : equation - target.first_row[slots.node[i >= half ? 1 : 0]];
     }
     for (int j = 0; j < half; ++j) {
         const int own = place[b * half + j];
@@ -121,15 +121,13 @@ double GroupOf<Element>::add_element(int index, const GroupTarget& target) const
             for (int i = 0; i < Element::dofs; ++i)
                 result.force[i] += result.tangent(i, j) * change[j];
     }
-    for (int i = 0; i < Element::dofs; ++i)
-        target.internal_force[coordinate[i]] += result.force[i];
+    for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += result.force[i];
     if (!target.tangent) return result.energy;
     constexpr int half = Element::dofs / 2;
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
             detail::scatter_part<Element>(
-                target, slots, a, b,
-                result.tangent.template block<half, half>(a * half, b * half));
+                target, slots, a, b, result.tangent.template block<half, half>(a * half, b * half));
     return result.energy;
 }
 
@@ -174,5 +172,14 @@ double GroupOf<Element>::add_pack(int first, const GroupTarget& target) const {
         }
     return lane_sum(result.energy);
 }
+
+namespace detail {
+
+template <class Element>
+std::unique_ptr<ElementGroup> make_group() {
+    return std::make_unique<GroupOf<Element>>();
+}
+
+}  // namespace detail
 
 }  // namespace ancf

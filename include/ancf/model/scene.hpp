@@ -318,7 +318,7 @@ private:
 template <class Element>
 int Scene::add_prototype(Element element) {
     check_dimension("element", Element::dimension);
-    if (find_group<Element>() == nullptr) groups_.push_back(std::make_unique<GroupOf<Element>>());
+    if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
     auto& prototypes = static_cast<GroupOf<Element>&>(found_group<Element>()).prototypes;
     prototypes.push_back(std::move(element));
     return static_cast<int>(prototypes.size()) - 1;

@@ -30,9 +30,7 @@ ANCF_INLINE Scene::Scene(const Scene& other)
     for (const auto& group : other.groups_) groups_.push_back(group->clone());
 }
 
-ANCF_INLINE Scene& Scene::operator=(const Scene& other) {
-    return *this = Scene(other);
-}
+ANCF_INLINE Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
 
 ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_count>& vectors) {
     initial_.push_back({Fields(), vectors});
@@ -56,8 +54,7 @@ ANCF_INLINE void Scene::reject_group(std::string_view name) const {
                    known.empty() ? std::string("none") : known);
 }
 
-ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId first,
-                                  NodeId second) {
+ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second) {
     check(first);
     check(second);
     detail::require(first != second, "Model::connect: an element joins two nodes, got node ",
@@ -133,8 +130,8 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
 }
 
 ANCF_INLINE void Scene::check_dimension(const char* what, int dimension) const {
-    detail::require(dimension == 0 || dimension == dimension_, "Model: a ", what,
-                    " of dimension ", dimension, " in a model of dimension ", dimension_);
+    detail::require(dimension == 0 || dimension == dimension_, "Model: a ", what, " of dimension ",
+                    dimension, " in a model of dimension ", dimension_);
 }
 
 ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {

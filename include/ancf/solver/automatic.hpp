@@ -55,14 +55,14 @@ public:
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
     /// Chooses. @throws InvalidArgument unless square, compressed and lower.
-    ANCF_INLINE void analyze(const SparseMatrix& lower) override;
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE FactorReport factorize(const SparseMatrix& lower) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE void solve(const VectorX& b, VectorX& x) const override;
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The name of the solver chosen.
     [[nodiscard]] std::string_view name() const noexcept override { return chosen().name(); }

@@ -54,14 +54,14 @@ public:
 
     /// @throws InvalidArgument unless square, compressed, and of the storage and pattern that the
     ///         inner solver takes, and where this one was moved from.
-    ANCF_INLINE void analyze(const SparseMatrix& matrix) override;
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE FactorReport factorize(const SparseMatrix& matrix) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE void solve(const VectorX& b, VectorX& x) const override;
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// "scaled" and the name of the inner solver.
     [[nodiscard]] std::string_view name() const noexcept override { return name_; }

@@ -33,6 +33,12 @@ namespace ancf {
 [[nodiscard]] std::unique_ptr<LinearSolver> solver_named(
     std::string_view name, double singular_rcond = default_singular_rcond);
 
+namespace detail {
+
+/// Throws InvalidArgument with the names that are known.
+[[noreturn]] void reject_solver(std::string_view name, const std::vector<std::string>& known);
+
+}  // namespace detail
 }  // namespace ancf
 
 #if !defined(ANCF_COMPILED)

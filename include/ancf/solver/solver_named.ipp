@@ -15,18 +15,6 @@
 
 namespace ancf {
 
-namespace detail {
-
-/// Throws InvalidArgument with the names that are known.
-[[noreturn]] ANCF_INLINE void reject_solver(std::string_view name,
-                                            const std::vector<std::string>& known) {
-    std::string list;
-    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
-    reject("there is no linear solver \"", name, "\", only ", list);
-}
-
-}  // namespace detail
-
 ANCF_INLINE std::vector<std::string> solver_names() {
     return {"automatic", "block-tridiagonal", "eigen-ldlt", "eigen-lu"};
 }
@@ -40,6 +28,13 @@ ANCF_INLINE std::unique_ptr<LinearSolver> solver_named(std::string_view name,
         return std::make_unique<Automatic>(EigenLdlt(singular_rcond),
                                            BlockTridiagonal(singular_rcond));
     detail::reject_solver(name, solver_names());
+}
+
+ANCF_INLINE void detail::reject_solver(std::string_view name,
+                                       const std::vector<std::string>& known) {
+    std::string list;
+    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+    reject("there is no linear solver \"", name, "\", only ", list);
 }
 
 }  // namespace ancf

@@ -39,15 +39,15 @@ public:
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
 
     /// @throws InvalidArgument unless square and compressed; std::bad_alloc.
-    ANCF_INLINE void analyze(const SparseMatrix& matrix) override;
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs;
     ///         std::bad_alloc.
-    [[nodiscard]] ANCF_INLINE FactorReport factorize(const SparseMatrix& matrix) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE void solve(const VectorX& b, VectorX& x) const override;
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "klu"; }

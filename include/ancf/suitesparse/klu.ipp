@@ -16,21 +16,25 @@
 
 namespace ancf::suitesparse {
 
-struct Klu::Session {
-    // What KLU allocated it frees by any common of its own kind.
-    struct Free {
-        void operator()(klu_symbolic* symbolic) const noexcept {
-            klu_common common;
-            klu_defaults(&common);
-            klu_free_symbolic(&symbolic, &common);
-        }
-        void operator()(klu_numeric* numeric) const noexcept {
-            klu_common common;
-            klu_defaults(&common);
-            klu_free_numeric(&numeric, &common);
-        }
-    };
+namespace detail {
 
+/// Frees what KLU allocated, by any common of its own kind.
+struct FreeOfKlu {
+    void operator()(klu_symbolic* symbolic) const noexcept {
+        klu_common common;
+        klu_defaults(&common);
+        klu_free_symbolic(&symbolic, &common);
+    }
+    void operator()(klu_numeric* numeric) const noexcept {
+        klu_common common;
+        klu_defaults(&common);
+        klu_free_numeric(&numeric, &common);
+    }
+};
+
+}  // namespace detail
+
+struct Klu::Session {
     explicit Session(double pivot_tolerance) {
         klu_defaults(&common);
         common.tol = pivot_tolerance;
@@ -44,8 +48,8 @@ struct Klu::Session {
     }
 
     klu_common common;
-    std::unique_ptr<klu_symbolic, Free> symbolic;
-    std::unique_ptr<klu_numeric, Free> numeric;
+    std::unique_ptr<klu_symbolic, detail::FreeOfKlu> symbolic;
+    std::unique_ptr<klu_numeric, detail::FreeOfKlu> numeric;
 };
 
 ANCF_INLINE void Klu::Finish::operator()(Session* session) const noexcept { delete session; }

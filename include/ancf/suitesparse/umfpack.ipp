@@ -17,14 +17,18 @@
 
 namespace ancf::suitesparse {
 
-struct Umfpack::Session {
-    struct FreeSymbolic {
-        void operator()(void* symbolic) const noexcept { umfpack_di_free_symbolic(&symbolic); }
-    };
-    struct FreeNumeric {
-        void operator()(void* numeric) const noexcept { umfpack_di_free_numeric(&numeric); }
-    };
+namespace detail {
 
+struct FreeSymbolicOfUmfpack {
+    void operator()(void* symbolic) const noexcept { umfpack_di_free_symbolic(&symbolic); }
+};
+struct FreeNumericOfUmfpack {
+    void operator()(void* numeric) const noexcept { umfpack_di_free_numeric(&numeric); }
+};
+
+}  // namespace detail
+
+struct Umfpack::Session {
     explicit Session(const UmfpackOptions& options) {
         umfpack_di_defaults(control.data());
         control[UMFPACK_PRL] = 0.0;
@@ -38,8 +42,8 @@ struct Umfpack::Session {
     }
 
     std::array<double, UMFPACK_CONTROL> control;
-    std::unique_ptr<void, FreeSymbolic> symbolic;
-    std::unique_ptr<void, FreeNumeric> numeric;
+    std::unique_ptr<void, detail::FreeSymbolicOfUmfpack> symbolic;
+    std::unique_ptr<void, detail::FreeNumericOfUmfpack> numeric;
 };
 
 ANCF_INLINE void Umfpack::Finish::operator()(Session* session) const noexcept { delete session; }
