@@ -117,7 +117,7 @@ Times measure(const Settings& settings, int elements, const Rule& rule, LinearSo
     const double before = resident();
     Times times;
     const double began = now();
-    Assembly<Scene> assembly(scene, solver.storage());
+    Assembly assembly(scene, solver.storage());
     solver.analyze(assembly.tangent());
     times.pattern = (now() - began) * 1e3;
 

@@ -103,7 +103,7 @@ Cost measure(const char* name, const Settings& settings,
     sink = e[0];
 
     EigenLdlt solver;
-    Assembly<Model<Element>> assembly(model, solver.storage());
+    Assembly assembly(model, solver.storage());
     solver.analyze(assembly.tangent());
     const VectorX rest = VectorX::Zero(state.q.size());
     const int repeats = std::max(3, settings.repeats / 20);

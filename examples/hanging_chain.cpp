@@ -36,7 +36,6 @@
 #include <support/command_line.hpp>
 #include <support/files.hpp>
 #include <support/report.hpp>
-#include <support/solve.hpp>
 #include <support/solver.hpp>
 
 #include <algorithm>
@@ -228,7 +227,7 @@ ancf::StaticsReport Chain<Element>::settle() {
     ancf::StaticsReport all;
     const auto solve = [&](double stiffness) {
         model_.prototype(beam_.prototypes.front()) = cable(stiffness);
-        ancf::StaticsReport report = examples::solve_scene(model_, problem_.solver);
+        ancf::StaticsReport report = examples::solve(model_, problem_.solver);
         report.steps.insert(report.steps.begin(), all.steps.begin(), all.steps.end());
         all = std::move(report);
         return all.status == ancf::Status::converged;

@@ -28,6 +28,15 @@ void SolverOptions::add_to(CommandLine& line) {
                   "shorten corrections that double the residual");
 }
 
+ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
+    ancf::StaticsOptions statics = options.statics;
+    statics.newton = options.newton == "plain"   ? ancf::NewtonKind::plain
+                     : options.newton == "mixed" ? ancf::NewtonKind::mixed
+                                                 : ancf::NewtonKind::turned;
+    const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(options.solver);
+    return ancf::solve_statics(model, *solver, statics);
+}
+
 std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name) {
     if (name == "eigen") return ancf::solver_named("eigen-lu");
 #if ANCF_WITH_SUITESPARSE

@@ -124,9 +124,14 @@ ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage 
 }
 
 ANCF_INLINE void symmetrise(SparseMatrix& A) {
-    const SparseMatrix mirrored = A.transpose();
-    for (Eigen::Index k = 0; k < A.nonZeros(); ++k)
-        A.valuePtr()[k] = 0.5 * (A.valuePtr()[k] + mirrored.valuePtr()[k]);
+    const std::vector<double> values(A.valuePtr(), A.valuePtr() + A.nonZeros());
+    // rows ascend, so the mirror images of a column's entries are met in their order
+    std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
+    for (int j = 0; j < static_cast<int>(A.cols()); ++j)
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+            int& mirrored = next.data()[A.innerIndexPtr()[k]];
+            A.valuePtr()[k] = 0.5 * (values.data()[k] + values.data()[mirrored++]);
+        }
 }
 
 ANCF_INLINE bool all_finite(const SparseMatrix& matrix) noexcept {

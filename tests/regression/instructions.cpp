@@ -34,7 +34,7 @@ ANCF_NOINLINE double measured_evaluation(const Element& element, const Element::
     return result.energy + result.force[3] + result.tangent(3, 4);
 }
 
-ANCF_NOINLINE double measured_iteration(ancf::Assembly<Scene>& assembly,
+ANCF_NOINLINE double measured_iteration(ancf::Assembly& assembly,
                                         ancf::BlockTridiagonal& solver,
                                         const ancf::Configuration& at, ancf::VectorX& residual,
                                         ancf::VectorX& correction) {
@@ -62,7 +62,7 @@ int main() {
         q[k] += 1e-4 * static_cast<double>((k * 37) % 11 - 5);
     const ancf::VectorX rest = ancf::VectorX::Zero(q.size());
     const ancf::VectorX none;
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    ancf::Assembly assembly(scene, ancf::Storage::lower);
     ancf::BlockTridiagonal solver(0.0);
     solver.analyze(assembly.tangent());
     ancf::VectorX residual(assembly.numbering().unknowns()), correction(residual.size());

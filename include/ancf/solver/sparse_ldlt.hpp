@@ -39,6 +39,9 @@ public:
     /// Returns the number of rows.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(order_.size()); }
 
+    /// Returns the number of entries below the diagonal of L.
+    [[nodiscard]] int fill() const noexcept { return static_cast<int>(row_.size()); }
+
     /// Returns the pivot of a row of the matrix.
     [[nodiscard]] double pivot(int row) const {
         return pivots_[static_cast<std::size_t>(place_[static_cast<std::size_t>(row)])];

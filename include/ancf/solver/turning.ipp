@@ -59,7 +59,7 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
         out[k] = (length + along) * (cosine * unit[k] + sine * across[k]);
 }
 
-[[nodiscard]] ANCF_INLINE Frame product(const Frame& a, const Frame& b) {
+[[nodiscard]] ANCF_NOINLINE ANCF_INLINE Frame product(const Frame& a, const Frame& b) {
     Frame result{a.dimension};
     for (int j = 0; j < a.dimension; ++j)
         for (int k = 0; k < a.dimension; ++k)
