@@ -10,6 +10,7 @@
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
+#include <support/instances/cross_section.hpp>
 #include <support/instances/planar.hpp>
 
 namespace ida_driven_joints_test {
@@ -19,14 +20,15 @@ using ancf::sundials::Form;
 using ancf::sundials::Ida;
 using ancf::sundials::IdaOptions;
 
-TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]") {
+TEMPLATE_TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]",
+                   test::DrivenArm, test::DrivenCrank) {
     int checked = 0;
     for (const double angle : {0.1, 1.7, pi, 4.0, 20.0})
         for (const int steps : {1, 16})
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
                 CAPTURE(angle, steps, form == Form::index3);
-                test::DrivenArm arm(test::smooth_turn(angle));
-                DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+                TestType arm(test::smooth_turn(angle));
+                DynamicProblem<typename TestType::Scene> problem(arm.model);
                 IdaOptions options;
                 options.tolerance = 1e-3;
                 options.form = form;
