@@ -45,7 +45,7 @@ TEMPLATE_TEST_CASE("Assembly: a chain is the sum of its elements, each evaluated
         tangent.block<dofs, dofs>(first, first) += evaluation.tangent;
     }
 
-    Assembly<Scene> assembly(scene, Storage::full);
+    Assembly assembly(scene, Storage::full);
     REQUIRE_FALSE(assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent));
     CHECK(std::abs(assembly.strain_energy() - energy) <= 1e-13 * energy);
     CHECK((assembly.internal_force() - force).norm() <= 1e-13 * force.norm());
@@ -63,7 +63,7 @@ TEST_CASE("Assembly: the energy after a force is that of its own coordinates", "
                   4);
     const VectorX rest = VectorX::Zero(scene.state().q.size());
     VectorX q = scene.state().q;
-    Assembly<Scene> assembly(scene, Storage::full);
+    Assembly assembly(scene, Storage::full);
     REQUIRE_FALSE(assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent));
     CHECK(assembly.strain_energy() <= 1e-20);  // J, round-off: E A is 4e7 N
     q[2] += 0.1;

@@ -60,7 +60,7 @@ void check_scales(double base, long apart, const Run& run_at) {
               Approx(one.kinetic_largest).epsilon(1e-6));
         ++checked;
     }
-    CHECK(checked == 9);
+    CHECK(checked == 11);
 }
 
 /// All integrators on one scene, for 10 steps.

@@ -6,7 +6,6 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/planar_beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <support/catch.hpp>
@@ -19,13 +18,14 @@ using ancf::sundials::Form;
 using ancf::sundials::Ida;
 using ancf::sundials::IdaOptions;
 
-TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]") {
+TEMPLATE_TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]",
+                   test::DrivenArm, test::DrivenCrank) {
     int checked = 0;
     for (const double angle : {0.1, 1.7, pi, 4.0, 20.0})
         for (const int steps : {1, 16})
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
                 CAPTURE(angle, steps, form == Form::index3);
-                test::DrivenArm arm(test::smooth_turn(angle));
+                TestType arm(test::smooth_turn(angle));
                 DynamicProblem problem(arm.model);
                 IdaOptions options;
                 options.tolerance = 1e-3;

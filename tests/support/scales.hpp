@@ -43,11 +43,12 @@ inline std::ostream& operator<<(std::ostream& out, const Scale& scale) {
                << scale.time << " s";
 }
 
-/// Powers of a base in length, mass and time, and in two of them at once.
+/// Powers of a base in length, mass and time, in two of them and in all three at once.
 [[nodiscard]] inline std::vector<Scale> powers_of(double base) {
     const double up = base, down = 1.0 / base;
-    return {{up, 1.0, 1.0},   {down, 1.0, 1.0}, {1.0, up, 1.0},  {1.0, down, 1.0}, {1.0, 1.0, up},
-            {1.0, 1.0, down}, {up, up, down},   {down, up, 1.0}, {down, 1.0, down}};
+    return {{up, 1.0, 1.0},    {down, 1.0, 1.0}, {1.0, up, 1.0},    {1.0, down, 1.0},
+            {1.0, 1.0, up},    {1.0, 1.0, down}, {up, up, down},    {down, up, 1.0},
+            {down, 1.0, down}, {up, up, up},     {down, down, down}};
 }
 
 using PlanarScene = Model<CrossSectionBeam<2>>;

@@ -7,7 +7,7 @@
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
