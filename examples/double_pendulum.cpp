@@ -138,7 +138,7 @@ bool swing(const DoublePendulum& problem) {
     model.add(ancf::Revolute(model, first.last(), second.first(), Point(1.0, 1.0, 0.0)));
     model.set_gravity({0.0, -problem.gravity, 0.0});
 
-    examples::MotionWriter<Element> writer(model, {first, second}, section, second.last(),
+    examples::MotionWriter writer(model, std::vector{first, second}, section, second.last(),
                                            problem.output, "double-pendulum");
     Comparison comparison(problem.is_known());
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);

@@ -29,7 +29,6 @@
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
-#include <support/integrate.hpp>
 #include <support/motion.hpp>
 #include <support/progress.hpp>
 #include <support/report.hpp>

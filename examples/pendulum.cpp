@@ -142,7 +142,7 @@ bool swing(const Pendulum& problem) {
         model.add(ancf::Pin<dimension>(beam.first(), Point::Zero()));
     model.set_gravity(-problem.gravity * Point::Unit(1));
 
-    examples::MotionWriter<Element> writer(model, {beam}, problem.beam.section(), beam.last(),
+    examples::MotionWriter writer(model, std::vector{beam}, problem.beam.section(), beam.last(),
                                            problem.output, "pendulum");
     Comparison comparison(problem);
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);

@@ -38,9 +38,3 @@ using AllElements = ElementList<CrossSection, CrossSectionTransported, CrossSect
                                 PlanarCrossSection, PlanarContinuum, Cable, PlanarCable>;
 
 }  // namespace examples
-
-/// Calls a macro for every element type.
-#define ANCF_EXAMPLES_FOR_EACH_ELEMENT(apply)                                      \
-    apply(CrossSection) apply(CrossSectionTransported) apply(CrossSectionGeodesic) \
-        apply(CrossSectionQuintic) apply(CrossSectionPointwise) apply(Continuum)   \
-            apply(PlanarCrossSection) apply(PlanarContinuum) apply(Cable) apply(PlanarCable)

@@ -59,8 +59,7 @@ struct Motion {
 
 /// Integrates a model from its state, or from the state file, and shows the progress on a terminal.
 /// @throws InvalidArgument for a state file that does not fit.
-template <class Element>
-[[nodiscard]] Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
+[[nodiscard]] Motion integrate(ancf::Scene& model, const MotionOptions& options,
                                ancf::Schedule schedule);
 
 /// Says how a motion went: one line of cost, one of accuracy, and what failed.

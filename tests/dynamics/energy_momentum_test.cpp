@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>

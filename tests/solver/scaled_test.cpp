@@ -4,6 +4,7 @@
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/scaled.hpp>
+#include <ancf/solver/scaled.ipp>
 
 #include <solver/linear_solver_cases.hpp>
 #include <solver/linear_solver_properties.hpp>

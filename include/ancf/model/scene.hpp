@@ -65,6 +65,13 @@ struct PointMass {
 /// each has a group, in the order in which their first prototypes were added.
 class Scene {
 public:
+    /// Copies nodes, elements, supports, loads, constraints and state.
+    Scene(const Scene& other);
+    Scene(Scene&&) = default;
+    Scene& operator=(const Scene& other);
+    Scene& operator=(Scene&&) = default;
+    ~Scene() = default;
+
     /// Returns the dimension of space, 2 or 3.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
@@ -245,11 +252,6 @@ public:
 
 protected:
     explicit Scene(int dimension) noexcept : dimension_(dimension) {}
-    Scene(const Scene& other);
-    Scene(Scene&&) = default;
-    Scene& operator=(const Scene& other);
-    Scene& operator=(Scene&&) = default;
-    ~Scene() = default;
 
     /// Adds a node.
     /// @param vectors  r, r_x, r_y, r_z and r_xx, each of as many components as space has

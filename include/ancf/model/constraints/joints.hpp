@@ -28,8 +28,9 @@ namespace ancf {
 
 /// A frame at a node.
 ///
-/// By default that of its section: evenly between r_y and r_z, or, where a node has no r_z, t along
-/// r_x and n the part of r_y normal to it. What a joint transmits then enters through the section.
+/// By default that of its section: between r_y and r_z, so that a torque divides as the torsion of
+/// the node's elements does (Layout::torsion_share), or, where a node has no r_z, t along r_x and n
+/// the part of r_y normal to it. What a joint transmits then enters through the section.
 /// Two slopes make the frame t along the first, n the part of the second normal to t: with r_x and
 /// r_y the joint turns the tangent, and one element's shear alone passes the moment on, which is
 /// too soft by 3 M/(k G A l) whatever the mesh.

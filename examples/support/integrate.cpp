@@ -1,13 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Integration of a scene of any elements with an integrator chosen when the program runs.
-///
-/// Each integrator is compiled once for each element type, in this folder's sources.
-
-#pragma once
-
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
@@ -30,6 +23,8 @@
 
 namespace examples {
 
+namespace {
+
 /// The linear solver of integrators that bring none along.
 #if ANCF_WITH_SUITESPARSE
 using GeneralSolver = ancf::suitesparse::Klu;
@@ -38,7 +33,7 @@ using GeneralSolver = ancf::EigenLu;
 #endif
 
 /// Integrates by IDA.
-[[nodiscard]] inline Motion integrate_by_ida(ancf::DynamicProblem& problem,
+[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem,
                                              const MotionOptions& options,
                                              const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
@@ -57,7 +52,7 @@ using GeneralSolver = ancf::EigenLu;
 }
 
 /// Integrates by the integrator of the options.
-[[nodiscard]] inline Motion integrate_problem(ancf::DynamicProblem& problem,
+[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem,
                                               const MotionOptions& options,
                                               const ancf::Schedule& schedule,
                                               const ancf::Memory& memory) {
@@ -75,7 +70,9 @@ using GeneralSolver = ancf::EigenLu;
             "rho " + ancf::number_text(options.rho, 6)};
 }
 
-inline Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
+}  // namespace
+
+Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
     ancf::Memory memory;
     if (!options.restart.empty()) {
         ancf::SavedState saved = ancf::load_state(options.restart);
