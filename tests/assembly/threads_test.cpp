@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/assembly/schedule.ipp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/builders/beam.hpp>

@@ -13,6 +13,8 @@
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 
+#include <sunmatrix/sunmatrix_sparse.h>
+
 namespace jacobian_test {
 
 using ancf::MatrixX;
