@@ -51,7 +51,7 @@ namespace {
 
 using namespace ancf;
 using bench::detail::now;
-using Scene = Model<CrossSectionBeam<3>>;
+using Scene = Model;
 
 struct Settings {
     bool csv = false;
@@ -102,8 +102,9 @@ void build(Scene& scene, int elements, const Rule& rule) {
     const auto material = Material::isotropic(2e11, 0.3, 7800.0);
     CrossSectionOptions options;
     options.rule = rule;
-    const auto beam = straight_beam(scene, material, rectangle(0.02, 0.02), {0, 0, 0},
-                                    {0.1 * elements, 0, 0}, elements, options);
+    const auto beam =
+        straight_beam<CrossSectionBeam<3>>(scene, material, rectangle(0.02, 0.02), {0, 0, 0},
+                                           {0.1 * elements, 0, 0}, elements, options);
     scene.clamp(beam.first());
     VectorX& q = scene.state().q;
     for (Eigen::Index k = 0; k < q.size(); ++k)

@@ -57,7 +57,7 @@ function(_ancf_compiled_elements result)
                 string(APPEND text "template class ${element};\n")
             endif()
             string(APPEND text "template std::unique_ptr<ElementGroup> detail::make_group<${element}>();\n}\n")
-            _ancf_compiled_unit(sources ${stem} "${header};ancf/model/element_group.hpp" "${text}")
+            _ancf_compiled_unit(sources ${stem} "${header};ancf/model/group_of.hpp" "${text}")
         endforeach()
     endforeach()
     set(${result} ${sources} PARENT_SCOPE)
@@ -67,7 +67,11 @@ function(ancf_add_compiled name)
     _ancf_compiled_layers(layers section element model assembly solver dynamics output)
     _ancf_compiled_elements(elements)
     file(GLOB common RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ancf/*.ipp)
-    _ancf_compiled_unit(sources common "${common}" "")
+    _ancf_compiled_unit(sources common "${common}" "namespace ancf::detail {
+const char ANCF_LAYOUT = 0;
+const char header_only_and_compiled_units_do_not_mix = 0;
+}
+")
     add_library(${name} STATIC ${sources} ${layers} ${elements})
     target_link_libraries(${name} PUBLIC ancf::ancf)
     target_compile_definitions(${name} PUBLIC ANCF_COMPILED)

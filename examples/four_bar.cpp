@@ -43,7 +43,7 @@ namespace {
 
 using Point = ancf::Vector<double, 3>;
 using Element = ancf::CrossSectionBeam<3, ancf::Geodesic>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 using examples::scientific;
 
 constexpr double height = 0.12, span = 0.24;   // m
@@ -126,9 +126,11 @@ Run turn(const FourBar& problem, int elements) {
                                             ancf::SectionModel::saint_venant};
     const Point A(0, 0, 0), B(0, height, 0), C(span, height, 0), D(span, 0, 0), Z(0, 0, 1);
     Scene model;
-    const auto crank_bar = ancf::straight_beam(model, steel, wide, A, B, elements, options);
-    const auto coupler = ancf::straight_beam(model, steel, wide, B, C, elements, options);
-    const auto rocker = ancf::straight_beam(model, steel, slender, C, D, elements, options);
+    const auto crank_bar =
+        ancf::straight_beam<Element>(model, steel, wide, A, B, elements, options);
+    const auto coupler = ancf::straight_beam<Element>(model, steel, wide, B, C, elements, options);
+    const auto rocker =
+        ancf::straight_beam<Element>(model, steel, slender, C, D, elements, options);
     const double lean = problem.skew * ancf::pi / 180.0;
     model.add(ancf::DrivenRevolute(model, crank_bar.first(), Z, crank()));
     model.add(ancf::Revolute(model, crank_bar.last(), coupler.first(), Z));
@@ -161,11 +163,11 @@ Run turn(const FourBar& problem, int elements) {
         return true;
     };
     ancf::DynamicProblem dynamics(model);
-    examples::GeneralSolver solver;
+    const auto solver = examples::general_solver();
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;
     method.rho = problem.rho;
-    run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, solver, schedule);
+    run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, *solver, schedule);
     bar.clear();
     return run;
 }

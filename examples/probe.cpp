@@ -79,8 +79,8 @@ void print_numbers(const Row& row) {
 /// Writes the element as a model of its own, for the files that show it.
 template <class Element>
 void draw(const Probe& probe, const typename Element::Coordinates& e) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, probe.beam, 1);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, probe.beam, 1);
     model.state().q = e;
     probe.output.write(model, beam, probe.beam.section());
 }

@@ -17,10 +17,11 @@
 #endif
 
 int main() {
-    using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
+    using Scene = ancf::PlanarModel;
     Scene model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(7e5, 0.3, 5540.0),
-                                          ancf::rectangle(0.05, 0.05), {0, 0}, {1.2, 0}, 4);
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, ancf::Material::isotropic(7e5, 0.3, 5540.0), ancf::rectangle(0.05, 0.05), {0, 0},
+        {1.2, 0}, 4);
     model.add(ancf::Pin<2>(beam.first(), {0.0, 0.0}));
     model.set_gravity({0.0, -9.81});
     ancf::DynamicProblem problem(model);

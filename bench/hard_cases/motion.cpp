@@ -26,7 +26,7 @@ namespace hard_cases {
 namespace {
 
 using Beam = ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
-using Scene = ancf::Model<Beam>;
+using Scene = ancf::Model;
 using Point = ancf::Vector<double, 3>;
 
 Row make(std::string name, int elements, double limit) {
@@ -69,10 +69,10 @@ void right_angle(Rows& rows, bool quick) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e6, 1e6, 1.0);
     const auto slim = section(std::sqrt(1e-3), 10.0);
-    const auto first = ancf::straight_beam(scene, material, slim, {0, 0, 0}, {10, 0, 0},
-                                           row.elements / 2, options());
-    const auto second = ancf::straight_beam(scene, material, slim, {10, 0, 0}, {10, 10, 0},
-                                            row.elements / 2, options());
+    const auto first = ancf::straight_beam<Beam>(scene, material, slim, {0, 0, 0}, {10, 0, 0},
+                                                 row.elements / 2, options());
+    const auto second = ancf::straight_beam<Beam>(scene, material, slim, {10, 0, 0}, {10, 10, 0},
+                                                  row.elements / 2, options());
     scene.clamp(first.first(), ancf::Clamp::free_slope);
     scene.add(ancf::Weld(scene, first.last(), second.first()));
     scene.add(ancf::Force<3>(first.last(), {0, 0, 50}),
@@ -103,9 +103,9 @@ void spaghetti(Rows& rows, bool quick) {
     Row row = make("flying_spaghetti", 10, 1e-10);
     const double start = now();
     Scene scene;
-    const auto beam =
-        ancf::straight_beam(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
-                            section(std::sqrt(0.05), 10.0), {6, 0, 0}, {0, 8, 0}, 10, options());
+    const auto beam = ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
+                                                section(std::sqrt(0.05), 10.0), {6, 0, 0},
+                                                {0, 8, 0}, 10, options());
     const ancf::Amplitude torque = [](double t) {
         return std::max(0.0, 200.0 - 80.0 * std::abs(t - 2.5));
     };

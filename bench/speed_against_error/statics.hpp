@@ -94,7 +94,8 @@ inline const char* newton_suffix(ancf::NewtonKind newton) {
 
 /// Loads the end of a beam as the case has it.
 template <class Element>
-void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId end) {
+void add_load(ancf::BasicModel<Element::dimension>& model, const StaticCase& scene,
+              ancf::NodeId end) {
     using Point = ancf::Vector<double, Element::dimension>;
     using ancf::Field;
     if (scene.name == "model2") {
@@ -118,7 +119,8 @@ void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId
 /// Clamps the start of a beam along X: slender elements may stretch there, those of sections shear
 /// as well.
 template <class Element>
-void clamp(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId start) {
+void clamp(ancf::BasicModel<Element::dimension>& model, const StaticCase& scene,
+           ancf::NodeId start) {
     using ancf::Field;
     if (scene.name == "bend45") return model.clamp(start);
     model.clamp(start, ancf::Clamp::free_slope);
@@ -139,7 +141,7 @@ template <class Element>
 Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& solver_name,
           int elements, const ancf::StaticsOptions& options) {
     using Point = ancf::Vector<double, Element::dimension>;
-    ancf::Model<Element> model;
+    ancf::BasicModel<Element::dimension> model;
     typename Element::Options element_options;
     element_options.rule = rule;
     if constexpr (std::is_same_v<typename Element::Options, ancf::QuinticOptions>)
@@ -150,15 +152,16 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     ancf::Beam<Element> beam;
     if (scene.name == "bend45") {
         if constexpr (can_curve<Element>)
-            beam =
-                ancf::arc(model, material, section, Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0),
-                          scene.length / (pi / 4.0), pi / 4.0, elements, element_options);
+            beam = ancf::arc<Element>(model, material, section, Point(0, 0, 0), Point(1, 0, 0),
+                                      Point(0, 1, 0), scene.length / (pi / 4.0), pi / 4.0, elements,
+                                      element_options);
     } else {
-        beam = ancf::straight_beam(model, material, section, Point(Point::Zero()),
-                                   Point(Point::Unit(0) * scene.length), elements, element_options);
+        beam = ancf::straight_beam<Element>(model, material, section, Point(Point::Zero()),
+                                            Point(Point::Unit(0) * scene.length), elements,
+                                            element_options);
     }
-    clamp(model, scene, beam.first());
-    add_load(model, scene, beam.last());
+    clamp<Element>(model, scene, beam.first());
+    add_load<Element>(model, scene, beam.last());
     const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(solver_name);
     const ancf::StaticsReport report = ancf::solve_statics(model, *solver, options);
     Tip tip;

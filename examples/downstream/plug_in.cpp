@@ -34,7 +34,7 @@
 namespace {
 
 using Point = ancf::Vector<double, 2>;
-using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
+using Scene = ancf::PlanarModel;
 
 /// Gaussian elimination with partial pivoting, in place.
 class Gauss final : public ancf::LinearSolver {
@@ -138,7 +138,8 @@ Result bend(ancf::LinearSolver& solver) {
     const auto steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
     const auto section = ancf::rectangle(0.01, 0.01);
     Scene model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0}, {2, 0}, 8);
+    const auto beam =
+        ancf::straight_beam<ancf::CrossSectionBeam<2>>(model, steel, section, {0, 0}, {2, 0}, 8);
     model.clamp(beam.first());
     const Track track{beam.last(), 2.0, 0.5};
     model.add(track);

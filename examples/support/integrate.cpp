@@ -4,6 +4,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/output/csv.hpp>
 #include <ancf/output/state_file.hpp>
 
 #if ANCF_WITH_SUITESPARSE
@@ -18,6 +19,7 @@
 #include <support/motion.hpp>
 #include <support/progress.hpp>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -25,17 +27,9 @@ namespace examples {
 
 namespace {
 
-/// The linear solver of integrators that bring none along.
-#if ANCF_WITH_SUITESPARSE
-using GeneralSolver = ancf::suitesparse::Klu;
-#else
-using GeneralSolver = ancf::EigenLu;
-#endif
-
 /// Integrates by IDA.
-[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem,
-                                             const MotionOptions& options,
-                                             const ancf::Schedule& schedule) {
+[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem, const MotionOptions& options,
+                                      const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
     ancf::sundials::IdaOptions ida;
     ida.tolerance = options.tolerance;
@@ -52,25 +46,31 @@ using GeneralSolver = ancf::EigenLu;
 }
 
 /// Integrates by the integrator of the options.
-[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem,
-                                              const MotionOptions& options,
-                                              const ancf::Schedule& schedule,
-                                              const ancf::Memory& memory) {
+[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem, const MotionOptions& options,
+                                       const ancf::Schedule& schedule, const ancf::Memory& memory) {
     if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
-    GeneralSolver solver;
+    const std::unique_ptr<ancf::LinearSolver> solver = general_solver();
     if (options.integrator == "energy") {
         ancf::EnergyMomentumOptions method;
         method.step = options.step;
-        return {ancf::EnergyMomentum(method).integrate(problem, solver, schedule, memory), ""};
+        return {ancf::EnergyMomentum(method).integrate(problem, *solver, schedule, memory), ""};
     }
     ancf::GeneralizedAlphaOptions method;
     method.step = options.step;
     method.rho = options.rho;
-    return {ancf::GeneralizedAlpha(method).integrate(problem, solver, schedule, memory),
+    return {ancf::GeneralizedAlpha(method).integrate(problem, *solver, schedule, memory),
             "rho " + ancf::number_text(options.rho, 6)};
 }
 
 }  // namespace
+
+std::unique_ptr<ancf::LinearSolver> general_solver() {
+#if ANCF_WITH_SUITESPARSE
+    return std::make_unique<ancf::suitesparse::Klu>();
+#else
+    return std::make_unique<ancf::EigenLu>();
+#endif
+}
 
 Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
     ancf::Memory memory;

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/error.hpp>
+#include <ancf/solver/solver_named.hpp>
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/solver_named.hpp>
-#else
-#include <ancf/solver/solver_named.hpp>
 #endif
 
 #include <support/solver.hpp>

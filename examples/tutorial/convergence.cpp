@@ -20,9 +20,10 @@ namespace {
 
 /// Returns the first natural frequency of a steel cantilever, Hz.
 double frequency(int elements) {
-    ancf::Model<ancf::CrossSectionBeam<2>> model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0),
-                                          ancf::rectangle(0.01, 0.01), {0, 0}, {2, 0}, elements);
+    ancf::PlanarModel model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.01, 0.01), {0, 0},
+        {2, 0}, elements);
     model.clamp(beam.first());
 
     ancf::EigenLdlt solver;

@@ -89,10 +89,10 @@ struct Weight {
 };
 
 int main() {
-    ancf::Model<Bar> model;
+    ancf::PlanarModel model;
     const auto fixed = model.add_node({0.0, 0.0}), free = model.add_node({1.0, 1.0});
     const double l = std::sqrt(2.0), axial = 1000.0;  // m, N
-    model.connect(model.add_prototype(Bar{axial, 1.0, l}), fixed, free);
+    model.connect<Bar>(model.add_prototype(Bar{axial, 1.0, l}), fixed, free);
     model.pin(fixed);
     model.add(Diagonal{free});
     model.add(Weight{free});

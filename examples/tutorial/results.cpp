@@ -20,8 +20,8 @@ int main() {
     const auto section = ancf::rectangle(0.01, 0.01);                    // width, height in m
 
     using Element = ancf::CrossSectionBeam<3>;
-    ancf::Model<Element> model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0, 0}, {2, 0, 0}, 8);
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<Element>(model, steel, section, {0, 0, 0}, {2, 0, 0}, 8);
     model.clamp(beam.first());
     model.add(ancf::Force<3>(beam.last(), {0.0, 64.7, 0.0}));  // N
     ancf::EigenLdlt solver;

@@ -21,7 +21,7 @@ using ancf::Storage;
 using ancf::VectorX;
 using Bar = ancf::test::Bar<3>;
 using Beam = ancf::ContinuumBeam<3>;
-using Scene = ancf::Model<Beam, Bar>;
+using Scene = ancf::Model;
 
 /// |r - p|^2 = 1, a constraint with a curvature.
 struct Sphere {
@@ -40,8 +40,8 @@ struct Sphere {
 Scene make_scene() {
     Scene scene;
     const auto material = ancf::Material::from_moduli(100.0, 40.0, 2.0);
-    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.2, 0.3), {0, 0, 0},
-                                          {1, 0.5, 0.2}, 2);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, ancf::rectangle(0.2, 0.3),
+                                                {0, 0, 0}, {1, 0.5, 0.2}, 2);
     const auto anchor = scene.add_node({1, 2, 0});
     scene.connect<Bar>(scene.add_prototype(Bar(7.0, 0.5, 1.3)), anchor, beam.last());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);

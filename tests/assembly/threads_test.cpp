@@ -25,7 +25,7 @@
 namespace threads_test {
 
 using namespace ancf;
-using Scene = Model<CrossSectionBeam<3>, Cable<3>>;
+using Scene = Model;
 
 constexpr int beam_elements = 1100;  // several runs of each colour, the last one incomplete
 

@@ -27,7 +27,7 @@ using ancf::DynamicsReport;
 using ancf::Schedule;
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
-using BeamModel = ancf::Model<Element>;
+using BeamModel = ancf::Model;
 using Problem = ancf::DynamicProblem;
 
 constexpr double energy_scheme = -1.0;  // in the place of a damping parameter
@@ -35,9 +35,9 @@ constexpr double energy_scheme = -1.0;  // in the place of a damping parameter
 /// The paper's rubber beam, 1.2 m, without supports.
 ancf::Beam<Element> add_rubber(BeamModel& model, int elements, const Vector3& direction) {
     const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
-    return ancf::straight_beam(model, rubber, ancf::rectangle(0.05, 0.05), Vector3::Zero(),
-                               Vector3(1.2 * direction.normalized()), elements,
-                               ancf::CrossSectionOptions::paper());
+    return ancf::straight_beam<Element>(model, rubber, ancf::rectangle(0.05, 0.05), Vector3::Zero(),
+                                        Vector3(1.2 * direction.normalized()), elements,
+                                        ancf::CrossSectionOptions::paper());
 }
 
 /// Runs generalized-alpha with a damping parameter, or the energy-momentum scheme.

@@ -28,7 +28,7 @@ using ancf::Field;
 using ancf::Status;
 using Quintic = ancf::QuinticBeam<>;
 using Cubic = ancf::CrossSectionBeam<3, ancf::Geodesic>;
-using Scene = ancf::Model<Quintic, Cubic>;
+using Scene = ancf::Model;
 using Problem = ancf::DynamicProblem;
 
 const ancf::Material rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);

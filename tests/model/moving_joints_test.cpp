@@ -29,7 +29,7 @@ namespace moving_joints_test {
 using namespace ancf;
 using Bar = CrossSectionBeam<3>;
 using Rope = Cable<3>;
-using Scene = Model<Bar, Rope>;
+using Scene = Model;
 using Point = Vector<double, 3>;
 
 constexpr double gravity = 9.81;
@@ -39,8 +39,8 @@ Material steel() { return Material::isotropic(2e11, 0.3, 7800.0); }
 
 /// Adds a straight bar with the rule that does not lock.
 Beam<Bar> bar(Scene& model, const Point& from, const Point& to, int elements = 1) {
-    return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, elements,
-                         CrossSectionOptions::best());
+    return straight_beam<Bar>(model, steel(), rectangle(0.02, 0.02), from, to, elements,
+                              CrossSectionOptions::best());
 }
 
 /// A motion and its largest constraint violation.
@@ -224,13 +224,13 @@ TEST_CASE("Driven: one equation of a pin follows its motion, and its work is the
 
 TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
           "[constraint][dynamics][planar]") {
-    using Plane = Model<CrossSectionBeam<2>>;
+    using Plane = PlanarModel;
     using Point2 = Vector<double, 2>;
     constexpr double end = 0.5;
     Plane model;
     const auto flat = [&](const Point2& from, const Point2& to) {
-        return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, 1,
-                             CrossSectionOptions::best());
+        return straight_beam<CrossSectionBeam<2>>(model, steel(), rectangle(0.02, 0.02), from, to,
+                                                  1, CrossSectionOptions::best());
     };
     const auto first = flat({0.0, 0.0}, {0.5, 0.0}), second = flat({0.5, 0.0}, {0.8, 0.1});
     model.pin(first.first());

@@ -38,12 +38,12 @@ constexpr double side = 0.1, pull = 800.0, lift = 30.0, length = 2.0;
 
 /// A cantilever welded to space at its first node, under a force at its tip.
 struct Cantilever {
-    Model<Element> model;
+    PlanarModel model;
     Beam<Element> beam;
 
     Cantilever()
-        : beam(straight_beam(model, Material::isotropic(2e9, 0.3, 7800.0), rectangle(side, side),
-                             Point(0, 0), Point(length, 0), 4)) {
+        : beam(straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                      rectangle(side, side), Point(0, 0), Point(length, 0), 4)) {
         model.add(PlanarWeld(model, beam.first()));
         model.add(Force<2>(beam.last(), Point(pull, lift)));
     }
@@ -137,12 +137,12 @@ TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are 
 /// The rubber beam of 1.2 m, hung from its first node by a support or by a joint.
 struct Pendulum {
     static constexpr double mass = 5540.0 * 0.05 * 0.05 * 1.2, gravity = 9.81;
-    Model<Element> model;
+    PlanarModel model;
     Beam<Element> beam;
 
     explicit Pendulum(bool support, const Point& tip = Point(1.2, 0.0))
-        : beam(straight_beam(model, Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
-                             rectangle(0.05, 0.05), Point(0, 0), tip, 4)) {
+        : beam(straight_beam<Element>(model, Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
+                                      rectangle(0.05, 0.05), Point(0, 0), tip, 4)) {
         if (support)
             model.pin(beam.first());
         else
@@ -259,9 +259,10 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
     }
     SECTION("a clamp") {
         Cantilever scene;
-        Model<Element> clamped;
-        const auto beam = straight_beam(clamped, Material::isotropic(2e9, 0.3, 7800.0),
-                                        rectangle(side, side), Point(0, 0), Point(length, 0), 4);
+        PlanarModel clamped;
+        const auto beam =
+            straight_beam<Element>(clamped, Material::isotropic(2e9, 0.3, 7800.0),
+                                   rectangle(side, side), Point(0, 0), Point(length, 0), 4);
         clamped.clamp(beam.first(), Clamp::free_slope);
         clamped.add(Force<2>(beam.last(), Point(pull, lift)));
         EigenLu solver;
@@ -280,9 +281,9 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
 }
 
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {
-    Model<Cable<3>> model;
-    const auto cable = straight_beam(model, Material::isotropic(2e9, 0.3, 7800.0), circle(0.01),
-                                     {0, 0, 0}, {1, 0, 0}, 1);
+    Model model;
+    const auto cable = straight_beam<Cable<3>>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                               circle(0.01), {0, 0, 0}, {1, 0, 0}, 1);
     std::ostringstream out;
     TimeSeries series(out, model);
     series.add_section_forces<Cable<3>>("middle", 0, 0.5);

@@ -57,9 +57,7 @@ static_assert(ancf::require_element<Element>());
 static_assert(ancf::is_element_v<Element> == conforming);
 
 // expected: Model::add takes a load, which offers
-void use_added(ancf::Model<Bar>& model) { model.add(Added()); }
+void use_added(ancf::Model& model) { model.add(Added()); }
 
 // expected: the constraint is of another dimension than the model
-void use_pin(ancf::Model<Bar>& model) {
-    model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1}));
-}
+void use_pin(ancf::Model& model) { model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1})); }

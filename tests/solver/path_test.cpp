@@ -32,7 +32,7 @@ using ancf::CriticalKind;
 using ancf::Field;
 using ancf::Status;
 using Bar = ancf::test::Bar<3>;
-using Truss = ancf::Model<Bar>;
+using Truss = ancf::Model;
 
 constexpr double axial_stiffness = 100.0;
 constexpr ancf::NodeId apex{2};
@@ -52,14 +52,14 @@ private:
 
 /// Two bars from (-1, 0) and (1, 0) to an apex at the given height, pushed down by a unit force.
 template <class Kind>
-ancf::Model<Kind> make_truss(double height, const Kind& kind) {
-    ancf::Model<Kind> truss;
+ancf::BasicModel<Kind::dimension> make_truss(double height, const Kind& kind) {
+    ancf::BasicModel<Kind::dimension> truss;
     const auto left = truss.add_node({-1, 0, 0});
     const auto right = truss.add_node({1, 0, 0});
     const auto top = truss.add_node({0, height, 0});
     const int bar = truss.add_prototype(kind);
-    truss.connect(bar, left, top);
-    truss.connect(bar, right, top);
+    truss.template connect<Kind>(bar, left, top);
+    truss.template connect<Kind>(bar, right, top);
     truss.pin(left);
     truss.pin(right);
     truss.fix(top, Field::r, 2);
@@ -370,15 +370,16 @@ TEST_CASE("path: constraints move with the load factor", "[path]") {
 
 /// A cantilever of length 1 under its Euler load, as if of a square section with that height.
 template <class Element, class Axis>
-ancf::Model<Element> make_column(double width, double height, int elements, const Axis& tip) {
+ancf::BasicModel<Element::dimension> make_column(double width, double height, int elements,
+                                                 const Axis& tip) {
     constexpr double young = 2.07e11;
     ancf::CrossSectionOptions options;
     options.rule = ancf::Rule::mixed();
-    ancf::Model<Element> scene;
+    ancf::BasicModel<Element::dimension> scene;
     const Axis start = Axis::Zero();
     const auto beam =
-        ancf::straight_beam(scene, ancf::Material::isotropic(young, 0.3, 7850.0),
-                            ancf::rectangle(width, height), start, tip, elements, options);
+        ancf::straight_beam<Element>(scene, ancf::Material::isotropic(young, 0.3, 7850.0),
+                                     ancf::rectangle(width, height), start, tip, elements, options);
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     const double euler = ancf::pi * ancf::pi / 4.0 * young * std::pow(height, 4) / 12.0;
     scene.add(ancf::Force<Element::dimension>(beam.last(), -euler * tip));
@@ -522,12 +523,12 @@ struct Followed {
 /// Follows 100 points of the path of an arch: radius 100, EA 1e8, EI 1e6.
 template <class Element>
 Followed follow(const Arch& arch) {
-    ancf::Model<Element> scene;
+    ancf::PlanarModel scene;
     const double unit = arch.unit, half = arch.degrees * ancf::pi / 360.0;
-    const auto beam = ancf::arc(scene, ancf::Material::isotropic(1e8, 0.0, 1.0),
-                                section_of(unit * unit, 0.01 * std::pow(unit, 4)), {0, 0},
-                                {std::cos(half), std::sin(half)}, 100.0 * unit, -2.0 * half,
-                                arch.elements, mixed());
+    const auto beam = ancf::arc<Element>(scene, ancf::Material::isotropic(1e8, 0.0, 1.0),
+                                         section_of(unit * unit, 0.01 * std::pow(unit, 4)), {0, 0},
+                                         {std::cos(half), std::sin(half)}, 100.0 * unit,
+                                         -2.0 * half, arch.elements, mixed());
     if (arch.clamped)
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
     else
@@ -613,13 +614,13 @@ TEST_CASE("path: arches take one path whatever the first step", "[path]") {
 template <class Element>
 std::pair<double, double> limit_loads_of_lee(int elements, double least_cosine) {
     INFO(elements << " elements a leg");
-    ancf::Model<Element> scene;
+    ancf::PlanarModel scene;
     const auto section = section_of(6.0, 2.0);
     const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
     const auto column =
-        ancf::straight_beam(scene, material, section, {0, 0}, {0, 120}, elements, mixed());
-    const auto beam =
-        ancf::straight_beam(scene, material, section, {0, 120}, {120, 120}, elements, mixed());
+        ancf::straight_beam<Element>(scene, material, section, {0, 0}, {0, 120}, elements, mixed());
+    const auto beam = ancf::straight_beam<Element>(scene, material, section, {0, 120}, {120, 120},
+                                                   elements, mixed());
     scene.pin(column.first());
     scene.pin(beam.last());
     scene.add(ancf::PlanarWeld(scene, column.last(), beam.first(), Field::r_y));
@@ -679,8 +680,8 @@ TEST_CASE("path: it passes the crest of a load that falls again with its factor"
     const auto right = truss.add_node({1, 0, 0});
     const auto top = truss.add_node({0, 0.5, 0});
     const int bar = truss.add_prototype(Bar(axial_stiffness, 1.0, std::sqrt(1.25)));
-    truss.connect(bar, left, top);
-    truss.connect(bar, right, top);
+    truss.connect<Bar>(bar, left, top);
+    truss.connect<Bar>(bar, right, top);
     truss.pin(left);
     truss.pin(right);
     truss.fix(top, Field::r, 2);

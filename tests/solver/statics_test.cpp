@@ -23,8 +23,8 @@ namespace statics_test {
 using ancf::Field;
 using ancf::Status;
 using Bar = ancf::test::Bar<3>;
-using Chain = ancf::Model<Bar>;
-using Scene = ancf::Model<ancf::ContinuumBeam<3>>;
+using Chain = ancf::Model;
+using Scene = ancf::Model;
 
 constexpr double axial_stiffness = 100.0;
 
@@ -36,7 +36,7 @@ Chain make_chain() {
         const auto node = chain.add_node({1.0 * k, 0.0, 0.0});
         chain.fix(node, Field::r, 1);
         chain.fix(node, Field::r, 2);
-        if (k > 0) chain.connect(prototype, {k - 1}, node);
+        if (k > 0) chain.connect<Bar>(prototype, {k - 1}, node);
     }
     chain.pin({0});
     return chain;
@@ -46,8 +46,8 @@ Chain make_chain() {
 Scene make_cantilever(int elements = 2) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                          {1, 1, 0.5}, elements);
+    const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+        scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 1, 0.5}, elements);
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     return scene;
 }
@@ -217,8 +217,8 @@ TEST_CASE("statics: a bar beyond its limit load ends inverted", "[statics]") {
 Scene make_column(double load) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e9, 4e8, 1000.0);
-    const auto beam =
-        ancf::straight_beam(scene, material, ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8);
+    const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+        scene, material, ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8);
     scene.add(ancf::Force(beam.last(), {-load * 32.9, 0, 0}));
     return scene;
 }
@@ -317,8 +317,8 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
     SECTION("a scene without supports is singular") {
         Scene scene;
         const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                              {1, 0, 0}, 1);
+        const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+            scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 0, 0}, 1);
         scene.add(ancf::Force(beam.last(), {0, 1, 0}));
         const ancf::VectorX before = scene.state().q;
         const auto report = solve(scene);
@@ -365,8 +365,8 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
     SECTION("a moment about the slope it acts on") {
         Scene scene;
         const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                              {1, 0, 0}, 1);
+        const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+            scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 0, 0}, 1);
         scene.clamp(beam.first());
         scene.add(ancf::SlopeMoment(beam.last(), Field::r_z, {0, 0, 2}, 1.0));
         const ancf::VectorX before = scene.state().q;

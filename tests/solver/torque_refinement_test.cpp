@@ -57,10 +57,10 @@ Angles angles_at(const Vector3& y, const Vector3& z) {
 /// A strip of 0.01 x 0.1, a metre long, clamped and twisted by a moment at its end.
 template <class Element, class Options>
 Angles twist(int elements, const Options& options, Attachment attachment) {
-    Model<Element> strip;
+    BasicModel<Element::dimension> strip;
     const Section section = rectangle(0.01, 0.1);
     const auto beam =
-        straight_beam(strip, steel(), section, {0, 0, 0}, {1, 0, 0}, elements, options);
+        straight_beam<Element>(strip, steel(), section, {0, 0, 0}, {1, 0, 0}, elements, options);
     strip.clamp(beam.first(), Clamp::free_slope);
     strip.add(Moment(beam.last(), {torque_of(section), 0, 0}, attachment));
     EigenLu solver;
@@ -102,10 +102,10 @@ TEST_CASE("Moment: of Green's strain the cubic part of a torque alone divides ot
 /// Returns where the end of three welded beams comes to: around two corners, clamped at the origin.
 template <class Element>
 Vector3 corner(int elements, const CrossSectionOptions& options, bool rigid = false) {
-    Model<Element> frame;
+    BasicModel<Element::dimension> frame;
     const Section section = rectangle(0.02, 0.03);
     const auto leg = [&](const Vector3& from, const Vector3& to) {
-        return straight_beam(frame, steel(), section, from, to, elements, options);
+        return straight_beam<Element>(frame, steel(), section, from, to, elements, options);
     };
     const auto first = leg({0, 0, 0}, {1, 0, 0});
     const auto second = leg({1, 0, 0}, {1, 1, 0});
@@ -175,15 +175,17 @@ TEST_CASE("Moment: the share of each slope is that of the elements at its node w
           "[load][model]") {
     const Section upright = rectangle(0.01, 0.1), flat = rectangle(0.1, 0.01);
     const auto options = CrossSectionOptions::best();
-    Model<Published> scene;
-    const auto beam = straight_beam(scene, steel(), upright, {0, 0, 0}, {1, 0, 0}, 2, options);
+    Model scene;
+    const auto beam =
+        straight_beam<Published>(scene, steel(), upright, {0, 0, 0}, {1, 0, 0}, 2, options);
     const NodeId end = beam.last();
     // int y^2 dA against int z^2 dA of the section
     CHECK(scene.layout().torsion_share(end) == Approx(100.0 / 101.0).epsilon(1e-12));
     scene.add(Moment(end, {1, 0, 0}));
     // a strip on its side goes on from there: what the slopes carry on both sides is even
     const NodeId beyond = scene.add_node({2, 0, 0});
-    scene.connect(scene.add_prototype(Published(steel(), flat, 1.0, options)), end, beyond);
+    scene.connect<Published>(scene.add_prototype(Published(steel(), flat, 1.0, options)), end,
+                             beyond);
     CHECK(scene.layout().torsion_share(end) == Approx(0.5).epsilon(1e-12));
     CHECK(scene.layout().torsion_share(beyond) == Approx(1.0 / 101.0).epsilon(1e-12));
     scene.add(Moment(end, {1, 0, 0}));

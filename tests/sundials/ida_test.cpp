@@ -125,8 +125,8 @@ TEST_CASE("Ida: schedules, storage and scenes that cannot be meant are refused",
 
 TEST_CASE("Ida: a density changed after the problem was made is that of the run", "[ida][start]") {
     const auto heavier = [](Hanging& scene) {
-        scene.model->prototype(0) = Element(ancf::Material::from_moduli(0.7e6, 2.6923e5, 9000.0),
-                                            ancf::rectangle(0.05, 0.05), 0.6);
+        scene.model->prototype<Element>(0) = Element(
+            ancf::Material::from_moduli(0.7e6, 2.6923e5, 9000.0), ancf::rectangle(0.05, 0.05), 0.6);
     };
     Hanging changed = pendulum(2), fresh = pendulum(2);
     const ancf::State start = changed.model->state();
@@ -377,7 +377,7 @@ TEST_CASE("Ida: multipliers far below the round-off of the stiffness do not hold
     for (const int elements : {1, 4, 16}) {
         INFO(elements);
         Hanging light;
-        light.beam = ancf::straight_beam(
+        light.beam = ancf::straight_beam<Element>(
             *light.model, ancf::Material::from_moduli(0.7e6, 2.6923e5, 1e-6),
             ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, elements);
         light.model->set_gravity({0.0, -0.1, 0.0});
@@ -395,9 +395,9 @@ TEST_CASE("Ida: multipliers far below the round-off of the stiffness do not hold
 
 TEST_CASE("Ida: a scene whose forces hide in round-off ends with a status", "[ida][round-off]") {
     Hanging hopeless;
-    hopeless.beam =
-        ancf::straight_beam(*hopeless.model, ancf::Material::isotropic(2.1e11, 0.3, 1e-4),
-                            ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, 8);
+    hopeless.beam = ancf::straight_beam<Element>(
+        *hopeless.model, ancf::Material::isotropic(2.1e11, 0.3, 1e-4), ancf::rectangle(0.05, 0.05),
+        Point::Zero(), {1.2, 0.0, 0.0}, 8);
     hopeless.model->set_gravity({0.0, -1e-3, 0.0});
     hopeless.model->add(ancf::Pin<3>(hopeless.beam.first(), Point::Zero()));
     ancf::DynamicProblem problem(*hopeless.model);
@@ -449,8 +449,8 @@ TEST_CASE("Ida: joints hold in space", "[ida][joints]") {
     scene.model->add(ancf::Pin<3>(scene.beam.first(), Point::Zero()));
     const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(0.05, 0.05);
-    const auto second =
-        ancf::straight_beam(*scene.model, rubber, section, {1.2, 0.0, 0.0}, {1.2, 0.3, 0.6}, 2);
+    const auto second = ancf::straight_beam<Element>(*scene.model, rubber, section, {1.2, 0.0, 0.0},
+                                                     {1.2, 0.3, 0.6}, 2);
     if (welded)
         scene.model->add(ancf::Weld(*scene.model, scene.beam.last(), second.first()));
     else

@@ -109,7 +109,7 @@ TEST_CASE("scales: IDA moves scenes alike in any units, in about as many steps",
     SECTION("short runs of the second form, units of 1e-9 to 1e9") {
         check_about(free_tip, 2e-5, ggl, 1e9, 0.0);
         check_about(linked, 4e-4, ggl, 1e9, 0.05);  // 249 steps, 247 with all three 1e-9
-        check_about(welded, 4e-4, ggl, 1e9, 0.1);   // 212, 204 with a length of 1e-9
+        check_about(welded, 4e-4, ggl, 1e9, 0.2);   // 212, 188 with all three units 1e-9
     }
     SECTION("a thousand steps of the second form, units of powers of two") {
         check_about(welded, 2e-3, ggl, 2.0, 0.05);  // 1393, 1418 with a time of 1/2

@@ -33,16 +33,16 @@ inline Motion smooth_turn(double angle) {
 template <int Dimension>
 struct Driven {
     using Element = CrossSectionBeam<Dimension>;
-    using Scene = Model<Element>;
+    using Scene = BasicModel<Element::dimension>;
     using Point = Vector<double, Dimension>;
 
     Scene model;
     Beam<Element> beam;
 
     explicit Driven(Motion angle)
-        : beam(straight_beam(model, Material::isotropic(1e8, 0.3, 1000.0), rectangle(0.05, 0.05),
-                             Point(Point::Zero()), Point(0.5 * Point::UnitX()), 2,
-                             CrossSectionOptions::best())) {
+        : beam(straight_beam<Element>(
+              model, Material::isotropic(1e8, 0.3, 1000.0), rectangle(0.05, 0.05),
+              Point(Point::Zero()), Point(0.5 * Point::UnitX()), 2, CrossSectionOptions::best())) {
         if constexpr (Dimension == 2)
             model.add(PlanarWeld(model, beam.first(), std::move(angle)));
         else

@@ -31,7 +31,7 @@ public:
     /// Takes the pattern, of either storage and with the whole diagonal; values that are zero now
     /// and later are welcome.
     /// @param rows    number of rows of A; those of G follow.
-    /// @param blocks  of each row its block, from 0: a node, a constraint; none: rows by themselves.
+    /// @param blocks  of each row its block, from 0: a node, a constraint; none: each row alone.
     /// @throws InvalidArgument where an entry of the diagonal is not stored.
     void analyze(const SparseMatrix& pattern, int rows, std::vector<int> blocks = {});
 

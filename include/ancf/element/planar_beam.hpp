@@ -429,7 +429,8 @@ namespace ancf {
 extern template class CrossSectionBeam<2>;
 extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2>>();
 extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
 
 }  // namespace ancf
 #endif

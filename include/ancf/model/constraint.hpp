@@ -150,7 +150,8 @@ namespace detail {
 
 /// The most that a driven angle may change in one step, rad. A joint knows its angle but for whole
 /// turns, so below half a turn a step can only end in the right one. Up to pi/3 its equations are
-/// sines (constraints/turn.hpp), of which one correction finds the turn of a slope: it adds tan(angle).
+/// sines (constraints/turn.hpp), of which one correction finds the turn of a slope: it adds
+/// tan(angle).
 inline constexpr double largest_driven_turn = pi / 3.0;
 
 /// The constraint that is driven furthest between two times.

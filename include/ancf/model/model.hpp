@@ -13,7 +13,6 @@
 
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -40,18 +39,22 @@ public:
     NodeId add_node(const Argument& position, const Slopes& slopes = Slopes::Identity(),
                     const Point& curvature = Point::Zero());
 
-    /// Adds a load or a constraint of this dimension, as Scene::add does.
-    template <class What>
-    void add(What what, Amplitude amplitude = {}) {
-        constexpr int of = detail::dimension_of<What>::value;
-        static_assert(of == 0 || of == Dimension,
-                      "the load or constraint is of another dimension than the model; in the plane "
-                      "write Force<2>, Pin<2>, Distance<2>, FixedCoordinate<2>");
-        if constexpr (is_load_v<What> && (of == 0 || of == Dimension)) {
-            Scene::add(std::move(what), std::move(amplitude));
-        } else if constexpr (of == 0 || of == Dimension) {
-            Scene::add(std::move(what));
-        }
+    /// Adds a load of this dimension, as Scene::add does.
+    template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
+    void add(Load load, Amplitude amplitude = {}) {
+        static_assert(fits<Load>,
+                      "the load is of another dimension than the model; in the plane "
+                      "write Force<2>, PlanarSlopeMoment");
+        if constexpr (fits<Load>) Scene::add(std::move(load), std::move(amplitude));
+    }
+
+    /// Adds a constraint of this dimension, as Scene::add does.
+    template <class Constraint, std::enable_if_t<!is_load_v<Constraint>, int> = 0>
+    void add(Constraint constraint) {
+        static_assert(fits<Constraint>,
+                      "the constraint is of another dimension than the model; in the plane write "
+                      "Pin<2>, Distance<2>, FixedCoordinate<2>, PlanarWeld");
+        if constexpr (fits<Constraint>) Scene::add(std::move(constraint));
     }
 
     /// Sets the acceleration of gravity, m/s^2.
@@ -65,7 +68,7 @@ public:
         return result;
     }
 
-    // Where a scene is -----------------------------------------------------------------------------
+    // Where a scene is ------------------------------------------------------------------------
 
     /// Returns one vector of a node as it stands now.
     /// @throws InvalidArgument where the node does not carry it.
@@ -98,6 +101,11 @@ public:
     }
 
 private:
+    // Whether a load or a constraint is of this dimension, or of any.
+    template <class What>
+    static constexpr bool fits =
+        detail::dimension_of<What>::value == 0 || detail::dimension_of<What>::value == Dimension;
+
     static Point vector_at(const VectorX& of, int first) {
         Point result;
         for (int k = 0; k < Dimension; ++k) result[k] = of[first + k];
@@ -112,7 +120,7 @@ private:
     }
 };
 
-using SpaceModel = BasicModel<3>;   ///< a model in space
+using Model = BasicModel<3>;        ///< a model in space
 using PlanarModel = BasicModel<2>;  ///< a model in the plane
 
 template <int Dimension>
@@ -143,45 +151,5 @@ void BasicModel<Dimension>::set_gravity(const Argument& gravity, Amplitude ampli
     for (int k = 0; k < Dimension; ++k) components[static_cast<std::size_t>(k)] = gravity[k];
     set_gravity_components(components, std::move(amplitude));
 }
-
-/// A scene of elements of the given types, all of one dimension.
-template <class... Elements>
-class Model : public BasicModel<std::tuple_element_t<0, std::tuple<Elements...>>::dimension> {
-    static_assert(sizeof...(Elements) > 0, "a model lists the element types that it may hold");
-
-public:
-    /// The first of the listed types.
-    using DefaultElement = std::tuple_element_t<0, std::tuple<Elements...>>;
-
-    template <class Element>
-    int add_prototype(Element element) {
-        return Scene::add_prototype(std::move(element));
-    }
-    template <class Element = DefaultElement>
-    int connect(int prototype, NodeId first, NodeId second) {
-        return Scene::connect<Element>(prototype, first, second);
-    }
-    template <class Element = DefaultElement>
-    [[nodiscard]] const GroupOf<Element>& group() const {
-        return Scene::group<Element>();
-    }
-    template <class Element = DefaultElement>
-    [[nodiscard]] Element& prototype(int index) {
-        return Scene::prototype<Element>(index);
-    }
-    template <class Element = DefaultElement>
-    int make_own_prototype(int element) {
-        return Scene::make_own_prototype<Element>(element);
-    }
-    template <class Element = DefaultElement>
-    [[nodiscard]] typename Element::Coordinates element_coordinates(int index,
-                                                                    const VectorX& q) const {
-        return Scene::element_coordinates<Element>(index, q);
-    }
-    template <class Element = DefaultElement>
-    [[nodiscard]] typename Element::Coordinates element_coordinates(int index) const {
-        return Scene::element_coordinates<Element>(index);
-    }
-};
 
 }  // namespace ancf

@@ -14,6 +14,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
+#include <ancf/model/group_of.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/model/node.hpp>
@@ -75,7 +76,7 @@ public:
     /// Returns the dimension of space, 2 or 3.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
-    // Elements -----------------------------------------------------------------------------------
+    // Elements --------------------------------------------------------------------------------
 
     /// Adds an element type's constant data for several equal elements to share.
     /// @return its index for `connect`.
@@ -106,8 +107,8 @@ public:
     /// Returns a prototype for a change of stiffness, density or rest length at any time.
     ///
     ///     using Beam = ancf::CrossSectionBeam<3>;
-    ///     model.prototype<Beam>(beam.prototypes[0]) = Beam(material, section, length);  // the beam
-    ///     model.prototype<Beam>(model.make_own_prototype<Beam>(3)) = ...;               // element 3
+    ///     model.prototype<Beam>(beam.prototypes[0]) = Beam(material, section, length);  // all
+    ///     model.prototype<Beam>(model.make_own_prototype<Beam>(3)) = ...;  // element 3 alone
     ///
     /// The next evaluation takes over the change, mass and gravity included, also of a problem made
     /// before. What was computed from the elements keeps its values: line loads, all damping,
@@ -155,7 +156,7 @@ public:
     /// @throws InvalidArgument for a node that does not exist.
     void release(NodeId node, Field field);
 
-    // Loads, constraints, masses -------------------------------------------------------------------
+    // Loads, constraints, masses --------------------------------------------------------------
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
     /// @throws InvalidArgument for a node that does not exist, a load of another dimension or a
@@ -190,7 +191,7 @@ public:
     /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
     void add_mass(NodeId node, double mass);
 
-    // What a scene holds ---------------------------------------------------------------------------
+    // What a scene holds ----------------------------------------------------------------------
 
     /// Returns how often the model has changed, its state aside.
     [[nodiscard]] const Revision& revision() const noexcept { return revision_; }
@@ -225,7 +226,7 @@ public:
     /// @throws InvalidArgument where the node does not carry it.
     [[nodiscard]] int coordinate(NodeId node, Field field) const;
 
-    // Where a scene is -----------------------------------------------------------------------------
+    // Where a scene is ------------------------------------------------------------------------
 
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] const State& state() const {

@@ -31,7 +31,8 @@ struct MatrixEntry {
 /// Factorises a symmetric matrix, definite or not.
 class SparseLdlt {
 public:
-    /// @param lower   compressed, with the lower half or more: what is above the diagonal is skipped.
+    /// @param lower   compressed, with the lower half or more: what is above the diagonal is left
+    ///                aside.
     /// @param blocks  of each row its block, from 0: a node. Rows of one block stay together.
     /// @return        false where a pivot is zero or not finite; no solution may then be asked for.
     [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks);

@@ -67,17 +67,22 @@ struct Beam : Chain {};
 
 namespace detail {
 
-/// The element that a builder takes: the one that is named, else that of the model.
-template <class Element, class ModelType>
-struct ElementOf {
+/// The element that a builder takes, which its caller names.
+template <class Element, int Dimension>
+struct NamedElement {
+    static_assert(Element::dimension == Dimension,
+                  "the element is of another dimension than the model");
     using type = Element;
 };
-template <class ModelType>
-struct ElementOf<void, ModelType> {
-    using type = typename ModelType::DefaultElement;
+template <int Dimension>
+struct NamedElement<void, Dimension> {
+    static_assert(Dimension == 0,
+                  "a builder needs the element's type: write "
+                  "straight_beam<ancf::CrossSectionBeam<3>>(model, ...)");
+    using type = void;
 };
-template <class Element, class ModelType>
-using element_of_t = typename ElementOf<Element, ModelType>::type;
+template <class Element, int Dimension>
+using named_element_t = typename NamedElement<Element, Dimension>::type;
 
 /// Returns the distance of a beam's ends.
 template <int Dimension>
@@ -112,20 +117,20 @@ void connect_next(Scene& model, Beam<Element>& beam) {
 /// @return          the chain's nodes, elements and prototype.
 /// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element,
 ///         slopes that are not finite, and what the element's constructor refuses.
-template <class Element = void, class ModelType, class... Options>
-auto straight_beam_with_slopes(ModelType& model, const Material& material, const Section& section,
-                               const typename ModelType::Argument& from,
-                               const typename ModelType::Argument& to,
-                               const typename ModelType::Slopes& slopes, int elements,
+template <class Element = void, int Dimension, class... Options>
+auto straight_beam_with_slopes(BasicModel<Dimension>& model, const Material& material,
+                               const Section& section,
+                               const typename BasicModel<Dimension>::Argument& from,
+                               const typename BasicModel<Dimension>::Argument& to,
+                               const typename BasicModel<Dimension>::Slopes& slopes, int elements,
                                Options&&... options) {
-    using Chosen = detail::element_of_t<Element, ModelType>;
-    constexpr int dimension = ModelType::dimension;
+    using Chosen = detail::named_element_t<Element, Dimension>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
-    const double length = detail::distance_apart<dimension>(from, to);
+    const double length = detail::distance_apart<Dimension>(from, to);
     Beam<Chosen> beam;
     beam.prototypes.push_back(model.add_prototype(
         Chosen(material, section, length / elements, std::forward<Options>(options)...)));
-    beam.nodes = detail::add_nodes_between<dimension>(model, from, to, slopes, elements);
+    beam.nodes = detail::add_nodes_between<Dimension>(model, from, to, slopes, elements);
     for (int k = 0; k < elements; ++k) detail::connect_next(model, beam);
     return beam;
 }
@@ -139,14 +144,16 @@ auto straight_beam_with_slopes(ModelType& model, const Material& material, const
 /// @return          the chain: its nodes from `from` to `to`, its elements and its prototype.
 /// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element, and
 ///         what the element's constructor refuses.
-template <class Element = void, class ModelType, class... Options>
-auto straight_beam(ModelType& model, const Material& material, const Section& section,
-                   const typename ModelType::Argument& from, const typename ModelType::Argument& to,
-                   int elements, Options&&... options) {
-    static_cast<void>(detail::distance_apart<ModelType::dimension>(from, to));
+template <class Element = void, int Dimension, class... Options>
+auto straight_beam(BasicModel<Dimension>& model, const Material& material, const Section& section,
+                   const typename BasicModel<Dimension>::Argument& from,
+                   const typename BasicModel<Dimension>::Argument& to, int elements,
+                   Options&&... options) {
+    static_cast<void>(detail::distance_apart<Dimension>(from, to));
     return straight_beam_with_slopes<Element>(
-        model, material, section, from, to, reference_slopes(typename ModelType::Point(to - from)),
-        elements, std::forward<Options>(options)...);
+        model, material, section, from, to,
+        reference_slopes(typename BasicModel<Dimension>::Point(to - from)), elements,
+        std::forward<Options>(options)...);
 }
 
 /// Returns the list of both nodes' vectors that an element uses.
@@ -191,7 +198,7 @@ void add_line_load(BasicModel<Element::dimension>& model, const Beam<Element>& b
                    const Amplitude& amplitude = {}) {
     detail::require(force_per_length.allFinite(), "add_line_load: components must be finite, got ",
                     detail::components(force_per_length));
-    const auto& group = static_cast<const Scene&>(model).group<Element>();
+    const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {
         const VectorX force = detail::line_load(group.element(index), force_per_length);
         model.add(GeneralisedForce(coupling_of<Element>(group.connection(index)), force),

@@ -70,13 +70,13 @@ void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
 /// @param lengths  parameter range of each element, m: with unit slopes r_x the arc length. One
 ///                 entry: all elements are equal up to a rigid motion and share one prototype.
 /// @throws InvalidArgument for fewer than two points or a number of lengths that does not fit.
-template <class Element = void, class ModelType, class... Options>
-auto beam_through(ModelType& model, const Material& material, const Section& section,
-                  const std::vector<CurvePoint<ModelType::dimension>>& points,
+template <class Element = void, int Dimension, class... Options>
+auto beam_through(BasicModel<Dimension>& model, const Material& material, const Section& section,
+                  const std::vector<CurvePoint<Dimension>>& points,
                   const std::vector<double>& lengths, Options&&... options) {
-    using Chosen = detail::element_of_t<Element, ModelType>;
+    using Chosen = detail::named_element_t<Element, Dimension>;
     Beam<Chosen> beam;
-    beam.nodes = detail::add_curve_nodes<ModelType::dimension>(model, points, lengths);
+    beam.nodes = detail::add_curve_nodes<Dimension>(model, points, lengths);
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         if (k < lengths.size()) {
             typename Chosen::Coordinates e;
@@ -95,8 +95,8 @@ auto beam_through(ModelType& model, const Material& material, const Section& sec
 /// `angle`, rad, on the given radius, m. The section's y axis points along the normal, to the
 /// centre.
 /// @throws InvalidArgument for a radius or an angle that is not positive, or parallel directions.
-template <class Element = void, class ModelType, class... Options>
-auto arc(ModelType& model, const Material& material, const Section& section,
+template <class Element = void, int Dimension, class... Options>
+auto arc(BasicModel<Dimension>& model, const Material& material, const Section& section,
          const VectorArgument<3>& from, const VectorArgument<3>& tangent,
          const VectorArgument<3>& normal, double radius, double angle, int elements,
          Options&&... options) {
@@ -107,8 +107,8 @@ auto arc(ModelType& model, const Material& material, const Section& section,
 
 /// Adds an arc of a circle in the plane; a positive angle turns counterclockwise.
 /// @throws InvalidArgument for a radius that is not positive or an angle of zero.
-template <class Element = void, class ModelType, class... Options>
-auto arc(ModelType& model, const Material& material, const Section& section,
+template <class Element = void, int Dimension, class... Options>
+auto arc(BasicModel<Dimension>& model, const Material& material, const Section& section,
          const VectorArgument<2>& from, const VectorArgument<2>& tangent, double radius,
          double angle, int elements, Options&&... options) {
     const auto curve = detail::arc_curve(from, tangent, radius, angle, elements);
@@ -121,8 +121,8 @@ auto arc(ModelType& model, const Material& material, const Section& section,
 /// The section's y axis points to the axis of the helix.
 /// @param pitch  advance along the axis per turn, m, of either sign.  @param turns  > 0
 /// @throws InvalidArgument for a radius or turns that are not positive, or parallel directions.
-template <class Element = void, class ModelType, class... Options>
-auto helix(ModelType& model, const Material& material, const Section& section,
+template <class Element = void, int Dimension, class... Options>
+auto helix(BasicModel<Dimension>& model, const Material& material, const Section& section,
            const VectorArgument<3>& centre, const VectorArgument<3>& axis,
            const VectorArgument<3>& outward, double radius, double pitch, double turns,
            int elements, Options&&... options) {
@@ -137,8 +137,8 @@ auto helix(ModelType& model, const Material& material, const Section& section,
 /// the section is carried from node to node by the smallest rotation of the tangent.
 /// @param y_axis  section's y direction at the first point, made normal to the tangent there
 /// @throws InvalidArgument for fewer than two points, points that coincide, or parallel directions.
-template <class Element = void, class ModelType, class... Options>
-auto spline(ModelType& model, const Material& material, const Section& section,
+template <class Element = void, int Dimension, class... Options>
+auto spline(BasicModel<Dimension>& model, const Material& material, const Section& section,
             const std::vector<Vector<double, 3>>& through, const VectorArgument<3>& y_axis,
             Options&&... options) {
     const auto curve = detail::spline_curve(through, y_axis);

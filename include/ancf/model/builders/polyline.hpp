@@ -35,11 +35,11 @@ void weld(BasicModel<3>& model, NodeId a, NodeId b);
 /// The section's y axis of each piece follows reference_slopes() of its direction.
 /// @return the pieces, in order: a Beam for each two neighbouring points.
 /// @throws InvalidArgument for fewer than two points, points that coincide or no elements.
-template <class Element = void, class ModelType, class... Options>
-auto polyline(ModelType& model, const Material& material, const Section& section,
-              const std::vector<typename ModelType::Point>& through, int elements,
+template <class Element = void, int Dimension, class... Options>
+auto polyline(BasicModel<Dimension>& model, const Material& material, const Section& section,
+              const std::vector<typename BasicModel<Dimension>::Point>& through, int elements,
               const Options&... options) {
-    using Chosen = detail::element_of_t<Element, ModelType>;
+    using Chosen = detail::named_element_t<Element, Dimension>;
     static_assert(Chosen::fields.contains(Field::r_y),
                   "polyline welds sections at its corners: cables have none, join them by Pin");
     detail::require(through.size() >= 2, "polyline: at least two points are needed, got ",
