@@ -20,8 +20,10 @@
 #include <Eigen/Core>
 
 #if defined(ANCF_COMPILED)
+/// Helpers of ANCF_LAYOUT.
 #define ANCF_PASTE_LAYOUT(alignment, lanes, world, major) \
     compiled_for_alignment_##alignment##_lanes_##lanes##_eigen_##world##_##major
+/// Helpers of ANCF_LAYOUT.
 #define ANCF_LAYOUT_OF(alignment, lanes, world, major) \
     ANCF_PASTE_LAYOUT(alignment, lanes, world, major)
 /// The name of the layout that the flags of this unit lead to.

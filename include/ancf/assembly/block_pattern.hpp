@@ -39,8 +39,9 @@ public:
     /// Returns the first row of a block.
     [[nodiscard]] int first(int block) const { return first_[static_cast<std::size_t>(block)]; }
 
-    /// Returns the first row of every block, and the stored rows in its first column.
+    /// Returns the first row of every block.
     [[nodiscard]] const int* first_rows() const noexcept { return first_.data(); }
+    /// Returns the number of stored rows in the first column of every block.
     [[nodiscard]] const int* heights() const noexcept { return height_.data(); }
 
     /// Returns the index of the first value of a block column; the number of blocks gives the end.

@@ -106,17 +106,19 @@ public:
     virtual double add(const ElementRun& run, const GroupTarget& target) const = 0;
 
 protected:
+    /// What a type of element is.
     struct Type {
-        const void* id;
-        std::string_view name;
-        Fields fields;
-        int dofs;
-        bool evaluates_mixed;
+        const void* id;         ///< type_id() of it
+        std::string_view name;  ///< as the compiler writes it
+        Fields fields;          ///< of a node
+        int dofs;               ///< of an element
+        bool evaluates_mixed;   ///< has the tangent of mixed integration points
     };
 
+    /// @param type  what derived classes know
     explicit ElementGroup(const Type& type) noexcept : type_(type) {}
-    ElementGroup(const ElementGroup&) = default;
-    ElementGroup& operator=(const ElementGroup&) = default;
+    ElementGroup(const ElementGroup&) = default;             ///< by clone() alone
+    ElementGroup& operator=(const ElementGroup&) = default;  ///< by derived classes alone
 
     /// Returns what tells a type from others, without run-time type information.
     template <class Element>

@@ -68,8 +68,11 @@ class Scene {
 public:
     /// Copies nodes, elements, supports, loads, constraints and state.
     Scene(const Scene& other);
+    /// Takes all of that over.
     Scene(Scene&&) = default;
+    /// Copies all of that.
     Scene& operator=(const Scene& other);
+    /// Takes all of that over.
     Scene& operator=(Scene&&) = default;
     ~Scene() = default;
 
@@ -252,11 +255,13 @@ public:
     }
 
 protected:
+    /// @param dimension  of space, 2 or 3
     explicit Scene(int dimension) noexcept : dimension_(dimension) {}
 
     /// Adds a node.
     /// @param vectors  r, r_x, r_y, r_z and r_xx, each of as many components as space has
     NodeId add_initial_node(const std::array<double, 3 * field_count>& vectors);
+    /// Sets the acceleration of gravity, m/s^2; what is beyond the dimension is zero.
     void set_gravity_components(const std::array<double, 3>& gravity, Amplitude amplitude);
 
 private:

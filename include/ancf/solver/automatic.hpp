@@ -46,6 +46,7 @@ public:
 
     /// The one that is moved from keeps no general solver: it serves chains alone.
     Automatic(Automatic&& other) noexcept;
+    /// The one that is moved from keeps no general solver: it serves chains alone.
     Automatic& operator=(Automatic&& other) noexcept;
     Automatic(const Automatic&) = delete;
     Automatic& operator=(const Automatic&) = delete;

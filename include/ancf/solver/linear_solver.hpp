@@ -83,10 +83,10 @@ public:
 
 protected:
     LinearSolver() = default;
-    LinearSolver(const LinearSolver&) = default;
-    LinearSolver(LinearSolver&&) = default;
-    LinearSolver& operator=(const LinearSolver&) = default;
-    LinearSolver& operator=(LinearSolver&&) = default;
+    LinearSolver(const LinearSolver&) = default;             ///< by derived classes alone
+    LinearSolver(LinearSolver&&) = default;                  ///< by derived classes alone
+    LinearSolver& operator=(const LinearSolver&) = default;  ///< by derived classes alone
+    LinearSolver& operator=(LinearSolver&&) = default;       ///< by derived classes alone
 };
 
 namespace detail {
