@@ -7,9 +7,12 @@
 ///     clamp |=========o   the tip slides along the track x = L - a y^2, pulled by a magnet
 ///                     )   beside it
 ///
-/// - `Gauss` eliminates in a dense matrix with pivots: what ancf asks of a linear solver.
+/// - `Gauss` eliminates in a dense matrix with pivots: a class derived from ancf::LinearSolver.
 /// - `Track` is one equation on the position of a node.
 /// - `Magnet` attracts a node in inverse proportion to the square of the distance.
+///
+/// Constraint and load have no base class. The same file compiles header-only and with
+/// ancf::compiled.
 ///
 /// The program checks itself: Newton's method converges in few steps, which a wrong derivative of
 /// the track would prevent; the magnet's stiffness is the derivative of its force; the tip is on
@@ -34,7 +37,6 @@
 namespace {
 
 using Point = ancf::Vector<double, 2>;
-using Scene = ancf::PlanarModel;
 
 /// Gaussian elimination with partial pivoting, in place.
 class Gauss final : public ancf::LinearSolver {
@@ -137,7 +139,7 @@ struct Result {
 Result bend(ancf::LinearSolver& solver) {
     const auto steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
     const auto section = ancf::rectangle(0.01, 0.01);
-    Scene model;
+    ancf::PlanarModel model;
     const auto beam =
         ancf::straight_beam<ancf::CrossSectionBeam<2>>(model, steel, section, {0, 0}, {2, 0}, 8);
     model.clamp(beam.first());
