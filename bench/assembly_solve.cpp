@@ -13,13 +13,13 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/block_tridiagonal.hpp>
-#include <ancf/solver/eigen_solver.hpp>
 #if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/cholmod.hpp>
+#include <ancf/suitesparse/solver_named.hpp>
+#else
+#include <ancf/solver/solver_named.hpp>
 #endif
 
 #include <CLI/CLI.hpp>
@@ -34,6 +34,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,7 +51,7 @@ namespace {
 
 using namespace ancf;
 using bench::detail::now;
-using Scene = Model<CrossSectionBeam<3>>;
+using Scene = Model;
 
 struct Settings {
     bool csv = false;
@@ -101,23 +102,23 @@ void build(Scene& scene, int elements, const Rule& rule) {
     const auto material = Material::isotropic(2e11, 0.3, 7800.0);
     CrossSectionOptions options;
     options.rule = rule;
-    const auto beam = straight_beam(scene, material, rectangle(0.02, 0.02), {0, 0, 0},
-                                    {0.1 * elements, 0, 0}, elements, options);
+    const auto beam =
+        straight_beam<CrossSectionBeam<3>>(scene, material, rectangle(0.02, 0.02), {0, 0, 0},
+                                           {0.1 * elements, 0, 0}, elements, options);
     scene.clamp(beam.first());
     VectorX& q = scene.state().q;
     for (Eigen::Index k = 0; k < q.size(); ++k)
         q[k] += 1e-4 * static_cast<double>((k * 37) % 11 - 5);
 }
 
-template <class Solver>
-Times measure(const Settings& settings, int elements, const Rule& rule, Solver solver) {
+Times measure(const Settings& settings, int elements, const Rule& rule, LinearSolver& solver) {
     Scene scene;
     build(scene, elements, rule);
     const VectorX rest = VectorX::Zero(scene.state().q.size());
     const double before = resident();
     Times times;
     const double began = now();
-    Assembly<Scene> assembly(scene, Solver::storage);
+    Assembly assembly(scene, solver.storage());
     solver.analyze(assembly.tangent());
     times.pattern = (now() - began) * 1e3;
 
@@ -137,21 +138,17 @@ Times measure(const Settings& settings, int elements, const Rule& rule, Solver s
     return times;
 }
 
-Times measure(const Settings& settings, int elements, const Rule& rule, const std::string& solver) {
+/// Returns the solver of one of the names of all_solvers().
+std::unique_ptr<LinearSolver> solver_of(const std::string& name) {
     constexpr double singular_rcond = 0.0;  // a long cantilever is ill-conditioned
-    if (solver == "block-tridiagonal")
-        return measure(settings, elements, rule, BlockTridiagonal(singular_rcond));
-#if ANCF_WITH_SUITESPARSE
-    if (solver == "cholmod") {
-        suitesparse::CholmodOptions options;
-        options.singular_rcond = singular_rcond;
-        return measure(settings, elements, rule, suitesparse::Cholmod(options));
-    }
-#endif
 #if ANCF_BENCH_LAPACK
-    if (solver == "lapack-banded") return measure(settings, elements, rule, bench::LapackBanded());
+    if (name == "lapack-banded") return std::make_unique<bench::LapackBanded>();
 #endif
-    return measure(settings, elements, rule, EigenLdlt(singular_rcond));
+#if ANCF_WITH_SUITESPARSE
+    return suitesparse::solver_named(name, singular_rcond);
+#else
+    return solver_named(name, singular_rcond);
+#endif
 }
 
 std::vector<std::string> all_solvers() {
@@ -189,7 +186,7 @@ void report(const Settings& settings) {
             for (const int threads : settings.threads)
                 for (const int elements : settings.elements) {
                     set_threads(threads);
-                    const Times t = measure(settings, elements, rule, solver);
+                    const Times t = measure(settings, elements, rule, *solver_of(solver));
                     if (settings.csv)
                         std::printf("%d,%s,%d,%d,%s,%.4f,%.4f,%.4f,%.4f,%.0f\n", elements,
                                     name.c_str(), lanes, threads, solver.c_str(), t.pattern,

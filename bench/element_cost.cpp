@@ -17,10 +17,10 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -77,18 +77,18 @@ template <class Element>
 Cost measure(const char* name, const Settings& settings,
              const typename Element::Options& options = mixed<Element>()) {
     using Point = Vector<double, Element::dimension>;
-    Model<Element> model;
+    BasicModel<Element::dimension> model;
     const auto material = Material::isotropic(2e11, 0.3, 7800.0);
     const Point from = Point::Zero(), to = Point::Unit(0) * 0.1 * settings.elements;
-    const auto beam =
-        straight_beam(model, material, rectangle(0.02, 0.02), from, to, settings.elements, options);
+    const auto beam = straight_beam<Element>(model, material, rectangle(0.02, 0.02), from, to,
+                                             settings.elements, options);
     model.clamp(beam.first());
     State& state = model.state();
     for (int k = 0; k < state.q.size(); ++k) state.q[k] += 1e-3 * ((k * 37) % 11 - 5);
 
     Cost cost{name, Element::dofs, 0, 0.0, 0.0, 0.0};
-    const Element& element = model.group().element(0);
-    typename Element::Coordinates e = model.element_coordinates(1);
+    const Element& element = model.template group<Element>().element(0);
+    typename Element::Coordinates e = model.template element_coordinates<Element>(1);
     Vector<bench::Counting, Element::dofs> counted;
     for (int k = 0; k < Element::dofs; ++k) counted[k] = e[k];
     bench::Counting::reset();
@@ -103,7 +103,7 @@ Cost measure(const char* name, const Settings& settings,
     sink = e[0];
 
     EigenLdlt solver;
-    Assembly<Model<Element>> assembly(model, EigenLdlt::storage);
+    Assembly assembly(model, solver.storage());
     solver.analyze(assembly.tangent());
     const VectorX rest = VectorX::Zero(state.q.size());
     const int repeats = std::max(3, settings.repeats / 20);

@@ -16,7 +16,7 @@
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/klu.hpp>
 #else
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #endif
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
@@ -50,7 +50,7 @@ template <class Scene>
 Integrator<Scene> ida(std::string name, sundials::Form form) {
     return {std::move(name), "tolerance",
             [form](Scene& model, const Schedule& schedule, double tolerance) {
-                DynamicProblem<Scene> problem(model);
+                DynamicProblem problem(model);
                 sundials::IdaOptions options;
                 options.form = form;
                 options.tolerance = tolerance;
@@ -70,11 +70,11 @@ DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
     ProblemOptions with_lower_storage;
     with_lower_storage.storage = Storage::lower;
     if (model.constraints().empty()) {
-        DynamicProblem<Scene> problem(model, with_lower_storage);
+        DynamicProblem problem(model, with_lower_storage);
         BlockTridiagonal solver;
         return integrator.integrate(problem, solver, schedule);
     }
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     GeneralSolver solver;
     return integrator.integrate(problem, solver, schedule);
 }
@@ -106,7 +106,7 @@ Integrator<Scene> adaptive_generalized_alpha(std::string name) {
 template <class Scene>
 Integrator<Scene> energy_momentum(std::string name) {
     return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
-                DynamicProblem<Scene> problem(model);
+                DynamicProblem problem(model);
                 EnergyMomentumOptions options;
                 options.step = step;
                 options.follow_energy = false;

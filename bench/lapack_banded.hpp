@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 extern "C" {
@@ -25,11 +26,12 @@ void dgbtrs_(const char* transposed, const int* size, const int* below, const in
 namespace ancf::bench {
 
 /// Solves symmetric systems in the given order of the unknowns, within their band.
-class LapackBanded {
+class LapackBanded final : public LinearSolver {
 public:
-    static constexpr Storage storage = Storage::lower;  ///< the lower half is read
+    /// The lower half is read.
+    [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
-    void analyze(const SparseMatrix& lower) {
+    void analyze(const SparseMatrix& lower) override {
         size_ = static_cast<int>(lower.cols());
         width_ = 0;
         each_entry(lower,
@@ -39,7 +41,7 @@ public:
         pivots_.resize(static_cast<std::size_t>(size_));
     }
 
-    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) {
+    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) override {
         std::fill(band_.begin(), band_.end(), 0.0);
         each_entry(lower, [&](int row, int column, double value) {
             at(row, column) = value;
@@ -52,7 +54,7 @@ public:
         return report;
     }
 
-    void solve(const VectorX& b, VectorX& x) const {
+    void solve(const VectorX& b, VectorX& x) const override {
         x = b;
         const int sides = 1;
         int info = 0;
@@ -60,6 +62,8 @@ public:
                 x.data(), &size_, &info, 1);
         detail::require(info == 0, "dgbtrs refused argument ", -info);
     }
+
+    [[nodiscard]] std::string_view name() const noexcept override { return "lapack-banded"; }
 
 private:
     template <class Action>

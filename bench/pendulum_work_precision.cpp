@@ -11,8 +11,8 @@
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/material.hpp>
@@ -37,7 +37,7 @@
 namespace {
 
 using Point = ancf::Vector<double, 3>;
-using Scene = ancf::Model<ancf::CrossSectionBeam<3>>;
+using Scene = ancf::Model;
 
 struct Pendulum {
     Scene model;
@@ -52,9 +52,9 @@ Pendulum build(const std::string& name, int elements) {
                                 : ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(depth, depth).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
     Pendulum pendulum;
-    const auto beam = ancf::straight_beam(pendulum.model, material, section, Point::Zero(),
-                                          {steel ? 2.0 : 1.2, 0.0, 0.0}, elements,
-                                          ancf::CrossSectionOptions::paper());
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        pendulum.model, material, section, Point::Zero(), {steel ? 2.0 : 1.2, 0.0, 0.0}, elements,
+        ancf::CrossSectionOptions::paper());
     if (name == "link")
         pendulum.model.add(ancf::Distance<3>(beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     else

@@ -4,7 +4,7 @@
 # Looks for what ancf stands on; used by ancf's own build and by its installed package alike, so that
 # the same header package serves a consumer with Eigen only and one with everything.
 #
-# ancf_find_dependencies(PART): PART is core, suitesparse or sundials. Sets ancf_PART_FOUND and, where it
+# ancf_find_dependencies(PART): PART is core, compiled, suitesparse or sundials. Sets ancf_PART_FOUND and, where it
 # is false, ancf_PART_MESSAGE: what is missing and how to get it.
 #
 # These are macros: find_package must leave its targets and variables with the caller.
@@ -14,6 +14,8 @@ set(_ancf_module_dir ${CMAKE_CURRENT_LIST_DIR})
 macro(ancf_find_dependencies part)
     if("${part}" STREQUAL "core")
         _ancf_find_eigen()
+    elseif("${part}" STREQUAL "compiled")
+        _ancf_find_compiled()
     elseif("${part}" STREQUAL "suitesparse")
         _ancf_find_suitesparse()
     elseif("${part}" STREQUAL "sundials")
@@ -21,7 +23,7 @@ macro(ancf_find_dependencies part)
     else()
         set(ancf_${part}_FOUND FALSE)
         set(ancf_${part}_MESSAGE
-            "ancf has no component '${part}'; there are: suitesparse, sundials (the core needs no name)")
+            "ancf has no component '${part}'; there are: compiled, suitesparse, sundials (the core needs no name)")
     endif()
 endmacro()
 
@@ -49,6 +51,13 @@ macro(_ancf_find_eigen)
     else()
         set(ancf_core_FOUND TRUE)
     endif()
+endmacro()
+
+# The compiled library of this installation, or another one of the same version.
+macro(_ancf_find_compiled)
+    find_package(ancf_compiled ${ancf_VERSION} EXACT QUIET CONFIG HINTS "${_ancf_module_dir}/../../..")
+    set(ancf_compiled_MESSAGE
+        "ancf ${ancf_VERSION} is here without its compiled library: install it by `cmake --preset install-compiled`")
 endmacro()
 
 macro(_ancf_find_suitesparse)

@@ -3,9 +3,10 @@
 #
 # What ancf's own programs are compiled with. Nothing here reaches a consumer of the library.
 #
-# ancf_core_development: the core with the warnings and the sanitizers.
+# ancf_core_development: the headers of the core with the warnings and the sanitizers.
 # ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
-# ancf_add_program(NAME SOURCE...): an example or bench program with ancf_development.
+# ancf_add_program(NAME LIBRARY SOURCE...): an example or bench program with ancf_development and a compiled library,
+# ancf_compiled or ancf_compiled_native.
 
 add_library(ancf_core_development INTERFACE)
 target_compile_options(ancf_core_development INTERFACE
@@ -41,9 +42,19 @@ foreach(component suitesparse sundials)
     endif()
 endforeach()
 
-function(ancf_add_program name)
+# Links a program with a compiled library and what of it belongs to the components that are there.
+function(ancf_link name library)
+    target_link_libraries(${name} PUBLIC ${library} ancf_development)
+    foreach(component suitesparse sundials)
+        if(TARGET ancf::${component})
+            target_link_libraries(${name} PUBLIC ${library}_${component})
+        endif()
+    endforeach()
+endfunction()
+
+function(ancf_add_program name library)
     add_executable(${name} ${ARGN})
-    target_link_libraries(${name} PRIVATE ancf_development)
+    ancf_link(${name} ${library})
 endfunction()
 
 # ancf_require_package(NAME TARGET FOR DEBIAN FEDORA HOMEBREW CONDA): finds what only the repository's own programs need.
@@ -64,4 +75,19 @@ if(ANCF_WITH_OPENMP)
     elseif(NOT ANCF_WITH_OPENMP STREQUAL AUTO)
         message(FATAL_ERROR "ANCF_WITH_OPENMP is ON, but the compiler has no OpenMP")
     endif()
+endif()
+
+# For benchmarks, the compiled library with all instructions of this machine and with threads: its objects have another
+# layout.
+if(NOT MSVC)
+    ancf_add_compiled(ancf_compiled_native)
+    target_link_libraries(ancf_compiled_native PUBLIC ancf_threads)
+    # GCC 12 takes fault with its own AVX-512 header.
+    target_compile_options(ancf_compiled_native PUBLIC -march=native
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
+    foreach(component suitesparse sundials)
+        if(TARGET ancf::${component})
+            ancf_add_compiled_component(ancf_compiled_native ${component})
+        endif()
+    endforeach()
 endif()

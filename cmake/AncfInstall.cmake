@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Headers, CMake package, pkg-config file, Debian package. Nothing depends on the architecture.
+# Headers, CMake package, pkg-config file, Debian package: nothing of them depends on the architecture. With
+# ANCF_INSTALL_COMPILED the compiled library as well, with a package and a pkg-config file of its own.
 
 include(CMakePackageConfigHelpers)
 
 set(ANCF_INSTALL_CMAKEDIR ${CMAKE_INSTALL_DATADIR}/cmake/ancf)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ancf DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.hpp")
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "*.ipp")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(TARGETS ancf EXPORT ancfTargets)
@@ -35,6 +36,39 @@ string(REGEX REPLACE "/$" "" ANCF_PC_TO_PREFIX "${ANCF_PC_TO_PREFIX}")
 configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/ancf.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
+if(ANCF_INSTALL_COMPILED)
+    set(ANCF_INSTALL_COMPILED_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/ancf_compiled)
+    set(libraries ancf_compiled)
+    install(TARGETS ancf_compiled EXPORT ancfCompiledTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT compiled)
+    install(EXPORT ancfCompiledTargets NAMESPACE ancf:: DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR}
+        COMPONENT compiled)
+    foreach(component suitesparse sundials)
+        if(TARGET ancf_compiled_${component})
+            list(APPEND libraries ancf_compiled_${component})
+            install(TARGETS ancf_compiled_${component} EXPORT ancfCompiled_${component}Targets
+                ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT compiled)
+            install(EXPORT ancfCompiled_${component}Targets NAMESPACE ancf::
+                DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR} COMPONENT compiled)
+        endif()
+    endforeach()
+    set_target_properties(${libraries} PROPERTIES EXCLUDE_FROM_ALL OFF)
+    configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/ancf_compiledConfig.cmake.in
+        ${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfig.cmake
+        INSTALL_DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR})
+    write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfigVersion.cmake
+        COMPATIBILITY ExactVersion)
+    install(FILES
+        ${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfig.cmake
+        ${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfigVersion.cmake
+        DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR} COMPONENT compiled)
+    file(RELATIVE_PATH ANCF_COMPILED_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+    string(REGEX REPLACE "/$" "" ANCF_COMPILED_PC_TO_PREFIX "${ANCF_COMPILED_PC_TO_PREFIX}")
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf-compiled.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf-compiled.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/cmake/ancf-compiled.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+        COMPONENT compiled)
+endif()
+
 if(PROJECT_IS_TOP_LEVEL)
     set(CPACK_GENERATOR DEB)
     set(CPACK_PACKAGE_NAME libancf-dev)
@@ -48,5 +82,7 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
     set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libsuitesparse-dev, libsundials-dev")
+    # the headers alone: the same package for every machine
+    set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};${PROJECT_NAME};Unspecified;/")
     include(CPack)
 endif()

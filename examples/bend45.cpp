@@ -15,7 +15,7 @@
 /// (47.150439, 15.684801, 53.474859).
 
 #include <ancf/constants.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>
@@ -89,10 +89,10 @@ struct Result {
 
 template <class Element>
 Result solve(const Bend& problem, int elements) {
-    ancf::Model<Element> model;
-    const auto beam = ancf::arc(model, problem.beam.material(), problem.beam.section(),
-                                Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), radius, angle,
-                                elements, problem.beam.element_options<Element>());
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = ancf::arc<Element>(model, problem.beam.material(), problem.beam.section(),
+                                         Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), radius,
+                                         angle, elements, problem.beam.element_options<Element>());
     model.clamp(beam.first(), problem.beam.clamped());
     model.add(ancf::Force<3>(beam.last(), Point(0.0, 0.0, problem.force)));
     auto report = examples::solve(model, problem.solver);

@@ -156,8 +156,8 @@ struct Result {
 
 template <class Element>
 Result solve(const Cantilever& problem, int elements) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, problem.beam, elements);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     constexpr int dimension = Element::dimension;
     model.add(ancf::Force<dimension>(beam.last(), problem.force.head<dimension>()));

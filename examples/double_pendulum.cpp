@@ -122,14 +122,14 @@ private:
 /// Integrates the motion and writes it; returns whether it is as known.
 template <class Element>
 bool swing(const DoublePendulum& problem) {
-    ancf::Model<Element> model;
+    ancf::BasicModel<Element::dimension> model;
     const auto& geometry = problem.beam.geometry;
     const auto material =
         ancf::Material::from_moduli(geometry.young, geometry.shear, problem.density);
     const auto section = problem.beam.section();
     const auto add_beam = [&](const Point& from, const Point& to) {
-        return ancf::straight_beam(model, material, section, from, to, problem.elements,
-                                   problem.beam.element_options<Element>());
+        return ancf::straight_beam<Element>(model, material, section, from, to, problem.elements,
+                                            problem.beam.element_options<Element>());
     };
     const Point elbow(geometry.length, 0.0, 0.0);
     const auto first = add_beam(Point::Zero(), elbow);
@@ -138,8 +138,8 @@ bool swing(const DoublePendulum& problem) {
     model.add(ancf::Revolute(model, first.last(), second.first(), Point(1.0, 1.0, 0.0)));
     model.set_gravity({0.0, -problem.gravity, 0.0});
 
-    examples::MotionWriter<Element> writer(model, {first, second}, section, second.last(),
-                                           problem.output, "double-pendulum");
+    examples::MotionWriter writer(model, std::vector{first, second}, section, second.last(),
+                                  problem.output, "double-pendulum");
     Comparison comparison(problem.is_known());
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
     const int tip = model.coordinate(second.last(), ancf::Field::r);

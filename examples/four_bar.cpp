@@ -22,14 +22,13 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
-#include <support/integrate.hpp>
 #include <support/motion.hpp>
 #include <support/progress.hpp>
 #include <support/report.hpp>
@@ -44,7 +43,7 @@ namespace {
 
 using Point = ancf::Vector<double, 3>;
 using Element = ancf::CrossSectionBeam<3, ancf::Geodesic>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 using examples::scientific;
 
 constexpr double height = 0.12, span = 0.24;   // m
@@ -127,9 +126,11 @@ Run turn(const FourBar& problem, int elements) {
                                             ancf::SectionModel::saint_venant};
     const Point A(0, 0, 0), B(0, height, 0), C(span, height, 0), D(span, 0, 0), Z(0, 0, 1);
     Scene model;
-    const auto crank_bar = ancf::straight_beam(model, steel, wide, A, B, elements, options);
-    const auto coupler = ancf::straight_beam(model, steel, wide, B, C, elements, options);
-    const auto rocker = ancf::straight_beam(model, steel, slender, C, D, elements, options);
+    const auto crank_bar =
+        ancf::straight_beam<Element>(model, steel, wide, A, B, elements, options);
+    const auto coupler = ancf::straight_beam<Element>(model, steel, wide, B, C, elements, options);
+    const auto rocker =
+        ancf::straight_beam<Element>(model, steel, slender, C, D, elements, options);
     const double lean = problem.skew * ancf::pi / 180.0;
     model.add(ancf::DrivenRevolute(model, crank_bar.first(), Z, crank()));
     model.add(ancf::Revolute(model, crank_bar.last(), coupler.first(), Z));
@@ -161,12 +162,12 @@ Run turn(const FourBar& problem, int elements) {
         bar.show(time, end);
         return true;
     };
-    ancf::DynamicProblem<Scene> dynamics(model);
-    examples::GeneralSolver solver;
+    ancf::DynamicProblem dynamics(model);
+    const auto solver = examples::general_solver();
     ancf::GeneralizedAlphaOptions method;
     method.step = problem.step;
     method.rho = problem.rho;
-    run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, solver, schedule);
+    run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, *solver, schedule);
     bar.clear();
     return run;
 }

@@ -22,7 +22,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/material.hpp>
@@ -36,7 +36,6 @@
 #include <support/command_line.hpp>
 #include <support/files.hpp>
 #include <support/report.hpp>
-#include <support/solve.hpp>
 #include <support/solver.hpp>
 
 #include <algorithm>
@@ -151,7 +150,7 @@ double catenary_sag(double span, double length) {
 template <class Element>
 class Chain {
 public:
-    using Point = typename ancf::Model<Element>::Point;
+    using Point = typename ancf::BasicModel<Element::dimension>::Point;
 
     Chain(const HangingChain& problem, double length, int elements)
         : problem_(problem), length_(length), elements_(elements) {
@@ -159,9 +158,9 @@ public:
         for (int k = 0; k <= elements; ++k) {
             beam_.nodes.push_back(model_.add_node(Point::Zero()));
             if (k > 0)
-                beam_.elements.push_back(
-                    model_.connect(beam_.prototypes.front(),
-                                   beam_.nodes[static_cast<std::size_t>(k) - 1], beam_.last()));
+                beam_.elements.push_back(model_.template connect<Element>(
+                    beam_.prototypes.front(), beam_.nodes[static_cast<std::size_t>(k) - 1],
+                    beam_.last()));
         }
         model_.set_gravity(-gravity * Point::Unit(1));
         start(1.0);
@@ -176,11 +175,13 @@ public:
     [[nodiscard]] double sag() const {
         const int middle = elements_ / 2;
         const double xi = elements_ % 2 == 0 ? 0.0 : 0.5;
-        const auto e = model_.element_coordinates(std::min(middle, elements_ - 1));
-        return -model_.group().element(0).position(e, middle < elements_ ? xi : 1.0)[1];
+        const auto e =
+            model_.template element_coordinates<Element>(std::min(middle, elements_ - 1));
+        return -model_.template group<Element>().element(0).position(
+            e, middle < elements_ ? xi : 1.0)[1];
     }
 
-    [[nodiscard]] const ancf::Model<Element>& model() const { return model_; }
+    [[nodiscard]] const ancf::BasicModel<Element::dimension>& model() const { return model_; }
     [[nodiscard]] const ancf::Beam<Element>& beam() const { return beam_; }
 
 private:
@@ -219,7 +220,7 @@ private:
     const HangingChain& problem_;
     double length_;
     int elements_;
-    ancf::Model<Element> model_;
+    ancf::BasicModel<Element::dimension> model_;
     ancf::Beam<Element> beam_;
 };
 
@@ -227,8 +228,8 @@ template <class Element>
 ancf::StaticsReport Chain<Element>::settle() {
     ancf::StaticsReport all;
     const auto solve = [&](double stiffness) {
-        model_.prototype(beam_.prototypes.front()) = cable(stiffness);
-        ancf::StaticsReport report = examples::solve_scene(model_, problem_.solver);
+        model_.template prototype<Element>(beam_.prototypes.front()) = cable(stiffness);
+        ancf::StaticsReport report = examples::solve(model_, problem_.solver);
         report.steps.insert(report.steps.begin(), all.steps.begin(), all.steps.end());
         all = std::move(report);
         return all.status == ancf::Status::converged;

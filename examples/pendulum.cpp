@@ -126,15 +126,15 @@ private:
 template <class Element>
 bool swing(const Pendulum& problem) {
     constexpr int dimension = Element::dimension;
-    using Point = typename ancf::Model<Element>::Point;
-    ancf::Model<Element> model;
+    using Point = typename ancf::BasicModel<Element::dimension>::Point;
+    ancf::BasicModel<Element::dimension> model;
     const auto& geometry = problem.beam.geometry;
     const auto material =
         ancf::Material::from_moduli(geometry.young, geometry.shear, problem.density);
     const auto beam =
-        ancf::straight_beam(model, material, problem.beam.section(), Point(Point::Zero()),
-                            Point(geometry.length * Point::UnitX()), problem.elements,
-                            problem.beam.element_options<Element>());
+        ancf::straight_beam<Element>(model, material, problem.beam.section(), Point(Point::Zero()),
+                                     Point(geometry.length * Point::UnitX()), problem.elements,
+                                     problem.beam.element_options<Element>());
     if (problem.link > 0.0)
         model.add(
             ancf::Distance<dimension>(beam.first(), problem.link * Point::Unit(1), problem.link));
@@ -142,8 +142,8 @@ bool swing(const Pendulum& problem) {
         model.add(ancf::Pin<dimension>(beam.first(), Point::Zero()));
     model.set_gravity(-problem.gravity * Point::Unit(1));
 
-    examples::MotionWriter<Element> writer(model, {beam}, problem.beam.section(), beam.last(),
-                                           problem.output, "pendulum");
+    examples::MotionWriter writer(model, std::vector{beam}, problem.beam.section(), beam.last(),
+                                  problem.output, "pendulum");
     Comparison comparison(problem);
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
     const int height = model.coordinate(beam.last(), ancf::Field::r) + 1;

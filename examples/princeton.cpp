@@ -118,8 +118,8 @@ struct Result {
 
 template <class Element>
 Result solve(const Princeton& problem, const Load& load) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, problem.beam, problem.elements);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, problem.beam, problem.elements);
     model.clamp(beam.first(), problem.beam.clamped());
     const double angle = load.angle * ancf::pi / 180.0;
     const Point force(0.0, load.force * std::cos(angle), load.force * std::sin(angle));

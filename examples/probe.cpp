@@ -13,7 +13,7 @@
 /// defaults are those of Model II of [Dufva2006]: L 2, 0.01 x 0.01, E 2.07e11, G 7.9615e10.
 
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/types.hpp>
@@ -79,8 +79,8 @@ void print_numbers(const Row& row) {
 /// Writes the element as a model of its own, for the files that show it.
 template <class Element>
 void draw(const Probe& probe, const typename Element::Coordinates& e) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, probe.beam, 1);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, probe.beam, 1);
     model.state().q = e;
     probe.output.write(model, beam, probe.beam.section());
 }

@@ -114,8 +114,8 @@ struct Result {
 
 template <class Element>
 Result solve(const Semicircle& problem, int elements) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, problem.beam, elements);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     const ancf::Field slope = problem.slope == "r_x" ? ancf::Field::r_x : ancf::Field::r_y;
     if constexpr (Element::dimension == 2)

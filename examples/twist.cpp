@@ -90,8 +90,8 @@ struct Result {
 
 template <class Element>
 Result solve(const Twist& problem, int elements) {
-    ancf::Model<Element> model;
-    const auto beam = examples::straight_beam(model, problem.beam, elements);
+    ancf::BasicModel<Element::dimension> model;
+    const auto beam = examples::straight_beam<Element>(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     for (const ancf::Field slope : {ancf::Field::r_y, ancf::Field::r_z})
         model.add(ancf::SlopeMoment(beam.last(), slope, Point::UnitX(), problem.torque / 2.0));

@@ -6,8 +6,8 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 
@@ -17,13 +17,14 @@
 #endif
 
 int main() {
-    using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
+    using Scene = ancf::PlanarModel;
     Scene model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(7e5, 0.3, 5540.0),
-                                          ancf::rectangle(0.05, 0.05), {0, 0}, {1.2, 0}, 4);
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, ancf::Material::isotropic(7e5, 0.3, 5540.0), ancf::rectangle(0.05, 0.05), {0, 0},
+        {1.2, 0}, 4);
     model.add(ancf::Pin<2>(beam.first(), {0.0, 0.0}));
     model.set_gravity({0.0, -9.81});
-    ancf::DynamicProblem<Scene> problem(model);
+    ancf::DynamicProblem problem(model);
     SOLVER solver;
     const auto report = ancf::GeneralizedAlpha(ancf::GeneralizedAlphaOptions{})
                             .integrate(problem, solver, ancf::equal_intervals(0.0, 0.1, 0.05));

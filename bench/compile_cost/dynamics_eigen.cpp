@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The planar pendulum of dynamics.cpp with Eigen's sparse LU, a template of its own.
+// The planar pendulum of dynamics.cpp with Eigen's sparse LU.
 
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #define SOLVER ancf::EigenLu
 #include "dynamics.cpp"

@@ -4,11 +4,11 @@
 // Hard cases of the cable, which has neither shear nor torsion: bending, against the elastica.
 
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <hard_cases/cases.hpp>
@@ -21,7 +21,7 @@ namespace hard_cases {
 namespace {
 
 using Element = ancf::Cable<3, ancf::EngineeringAxial>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 using Point = ancf::Vector<double, 3>;
 
 Row make(std::string name, int elements, double limit) {
@@ -33,9 +33,9 @@ class Cantilever {
 public:
     Cantilever(double height, int elements) {
         const double young = 12.0 / std::pow(height, 4);
-        beam_ =
-            ancf::straight_beam(scene_, ancf::Material::from_moduli(young, 0.4 * young, 1.0),
-                                ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0}, elements);
+        beam_ = ancf::straight_beam<Element>(
+            scene_, ancf::Material::from_moduli(young, 0.4 * young, 1.0),
+            ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0}, elements);
         scene_.clamp(beam_.first(), ancf::Clamp::full);
     }
 

@@ -7,11 +7,11 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_joints.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/cases.hpp>
 
@@ -26,7 +26,7 @@ namespace hard_cases {
 namespace {
 
 using Beam = ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
-using Scene = ancf::Model<Beam>;
+using Scene = ancf::Model;
 using Point = ancf::Vector<double, 3>;
 
 Row make(std::string name, int elements, double limit) {
@@ -56,7 +56,7 @@ ancf::CrossSectionOptions options() {
 
 /// Runs an integrator and fills in what it tells.
 template <class Integrator>
-void integrate(const Integrator& integrator, ancf::DynamicProblem<Scene>& problem, Row& row,
+void integrate(const Integrator& integrator, ancf::DynamicProblem& problem, Row& row,
                const ancf::Schedule& schedule) {
     ancf::EigenLu solver;
     set(row, integrator.integrate(problem, solver, schedule));
@@ -69,10 +69,10 @@ void right_angle(Rows& rows, bool quick) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e6, 1e6, 1.0);
     const auto slim = section(std::sqrt(1e-3), 10.0);
-    const auto first = ancf::straight_beam(scene, material, slim, {0, 0, 0}, {10, 0, 0},
-                                           row.elements / 2, options());
-    const auto second = ancf::straight_beam(scene, material, slim, {10, 0, 0}, {10, 10, 0},
-                                            row.elements / 2, options());
+    const auto first = ancf::straight_beam<Beam>(scene, material, slim, {0, 0, 0}, {10, 0, 0},
+                                                 row.elements / 2, options());
+    const auto second = ancf::straight_beam<Beam>(scene, material, slim, {10, 0, 0}, {10, 10, 0},
+                                                  row.elements / 2, options());
     scene.clamp(first.first(), ancf::Clamp::free_slope);
     scene.add(ancf::Weld(scene, first.last(), second.first()));
     scene.add(ancf::Force<3>(first.last(), {0, 0, 50}),
@@ -88,7 +88,7 @@ void right_angle(Rows& rows, bool quick) {
         const double height = at.state.q[scene.coordinate(second.last(), ancf::Field::r) + 2];
         worsen(row.error, std::abs(height / theory.at(seen++).second - 1.0));
     };
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::GeneralizedAlphaOptions how;
     how.step = 0.025;
     integrate(ancf::GeneralizedAlpha(how), problem, row, schedule);
@@ -103,15 +103,15 @@ void spaghetti(Rows& rows, bool quick) {
     Row row = make("flying_spaghetti", 10, 1e-10);
     const double start = now();
     Scene scene;
-    const auto beam =
-        ancf::straight_beam(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
-                            section(std::sqrt(0.05), 10.0), {6, 0, 0}, {0, 8, 0}, 10, options());
+    const auto beam = ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
+                                                section(std::sqrt(0.05), 10.0), {6, 0, 0},
+                                                {0, 8, 0}, 10, options());
     const ancf::Amplitude torque = [](double t) {
         return std::max(0.0, 200.0 - 80.0 * std::abs(t - 2.5));
     };
     scene.add(ancf::Force<3>(beam.first(), {0.1, 0, 0}), torque);
     scene.add(ancf::Moment(beam.first(), {0, 0.5, 1}), torque);
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::Schedule schedule;
     schedule.end = quick ? 6.0 : 105.0;
     for (double time = 5.0; time <= schedule.end; time += 0.5) schedule.times.push_back(time);

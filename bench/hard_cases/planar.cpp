@@ -3,7 +3,7 @@
 
 // Hard cases in the plane with engineering strains, against Reissner's theory.
 
-#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/path.hpp>
@@ -30,8 +30,8 @@ void cantilever(Rows& rows, bool deep, int elements) {
     Scene scene;
     const auto section = deep ? ancf::rectangle(0.1, 0.5) : ancf::rectangle(0.01, 0.01);
     const auto beam =
-        ancf::straight_beam(scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0), section,
-                            {0, 0}, {2, 0}, elements, mixed());
+        ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0),
+                                  section, {0, 0}, {2, 0}, elements, mixed());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     scene.add(ancf::Force<2>(beam.last(), {0, deep ? 2.5e6 : 1.5 * 2.07e11 * 1e-8 / 48.0}));
     ancf::EigenLdlt solver;
@@ -50,8 +50,8 @@ void column(Rows& rows) {
     Scene scene;
     const double height = 1e-3, bending = 1e9 * std::pow(height, 4) / 12.0;
     const auto beam =
-        ancf::straight_beam(scene, ancf::Material::from_moduli(1e9, 4e8, 1000.0),
-                            ancf::rectangle(height, height), {0, 0}, {1, 0}, 16, mixed());
+        ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(1e9, 4e8, 1000.0),
+                                  ancf::rectangle(height, height), {0, 0}, {1, 0}, 16, mixed());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     const double load = 1.151719620469 * 0.25 * pi * pi * bending;
     scene.add(ancf::Force<2>(beam.last(), {-load, 0}),
@@ -79,16 +79,16 @@ void frame(Rows& rows, int refinement) {
     const auto section =
         ancf::Section::from_moments(moments).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
     const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
-    const auto leg =
-        ancf::straight_beam(scene, material, section, {0, 0}, {0, 120}, 6 * refinement, mixed());
-    const auto corner =
-        ancf::straight_beam(scene, material, section, {0, 120}, {24, 120}, 2 * refinement, mixed());
+    const auto leg = ancf::straight_beam<Beam>(scene, material, section, {0, 0}, {0, 120},
+                                               6 * refinement, mixed());
+    const auto corner = ancf::straight_beam<Beam>(scene, material, section, {0, 120}, {24, 120},
+                                                  2 * refinement, mixed());
     const double own = 8.0 / refinement;
     const int rest = scene.add_prototype(Beam(material, section, own, mixed()));
     ancf::NodeId end = corner.last();
     for (int k = 1; k <= 12 * refinement; ++k) {
         const ancf::NodeId next = scene.add_node({24.0 + own * k, 120.0});
-        scene.connect(rest, end, next);
+        scene.connect<Beam>(rest, end, next);
         end = next;
     }
     scene.pin(leg.first());

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 
 #include <hard_cases/cases.hpp>
@@ -19,7 +19,7 @@ namespace hard_cases::planar {
 
 using Beam =
     ancf::CrossSectionBeam<2, ancf::Projected, ancf::LinearShear, ancf::EngineeringMeasure>;
-using Scene = ancf::Model<Beam>;
+using Scene = ancf::PlanarModel;
 using Plane = ancf::Vector<double, 2>;
 
 inline Row make(std::string name, int elements, double limit) {

@@ -6,9 +6,9 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/model/constraints_motion.hpp>
-#include <ancf/model/constraints_points.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/constraints/points.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <hard_cases/planar.hpp>
 
@@ -28,9 +28,8 @@ using namespace planar;
 using ancf::Field;
 
 /// Runs generalized-alpha without much damping and fills in what it tells.
-template <class Element>
-void integrate(ancf::Model<Element>& scene, Row& row, double step, const ancf::Schedule& schedule) {
-    ancf::DynamicProblem<ancf::Model<Element>> problem(scene);
+void integrate(ancf::Scene& scene, Row& row, double step, const ancf::Schedule& schedule) {
+    ancf::DynamicProblem problem(scene);
     ancf::GeneralizedAlphaOptions options;
     options.step = step;
     options.rho = 0.9;
@@ -50,8 +49,8 @@ void spin_up(Rows& rows, bool quick) {
     const auto section =
         ancf::Section::from_moments(moments).with_shear_correction(1.0, 1.0).with_torsion_constant(
             1e-3);
-    const auto beam = ancf::straight_beam(scene, ancf::Material::from_moduli(2.8e7, 1e7, 1.2),
-                                          section, {0, 0}, {10, 0}, row.elements, mixed());
+    const auto beam = ancf::straight_beam<Beam>(scene, ancf::Material::from_moduli(2.8e7, 1e7, 1.2),
+                                                section, {0, 0}, {10, 0}, row.elements, mixed());
     constexpr double rate = 2.0 * pi / 15.0;
     const auto angle = [](double t) {
         return t <= 15.0 ? 0.4 * (0.5 * t * t + (std::cos(rate * t) - 1.0) / (rate * rate))
@@ -91,12 +90,12 @@ void spin_up(Rows& rows, bool quick) {
 
 /// Adds a pendulum of square section, pinned and under gravity.
 template <class Element>
-ancf::Beam<Element> make_pendulum(ancf::Model<Element>& scene, const ancf::Material& material,
+ancf::Beam<Element> make_pendulum(ancf::PlanarModel& scene, const ancf::Material& material,
                                   double height, double length, int elements) {
     const auto section =
         ancf::rectangle(height, height).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
-    const auto beam =
-        ancf::straight_beam(scene, material, section, {0, 0}, {length, 0}, elements, mixed());
+    const auto beam = ancf::straight_beam<Element>(scene, material, section, {0, 0}, {length, 0},
+                                                   elements, mixed());
     scene.pin(beam.first());
     scene.set_gravity({0.0, -9.81});
     return beam;
@@ -104,15 +103,15 @@ ancf::Beam<Element> make_pendulum(ancf::Model<Element>& scene, const ancf::Mater
 
 /// Adds the paper's.
 template <class Element>
-ancf::Beam<Element> rubber_pendulum(ancf::Model<Element>& scene, int elements) {
-    return make_pendulum(scene, ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0), 0.05, 1.2,
-                         elements);
+ancf::Beam<Element> rubber_pendulum(ancf::PlanarModel& scene, int elements) {
+    return make_pendulum<Element>(scene, ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0), 0.05,
+                                  1.2, elements);
 }
 
 /// Runs the energy-momentum scheme and fills in the energy that the scene gains or loses, relative
 /// to the largest kinetic energy.
 void keep_energy(Scene& scene, Row& row, double step, double duration) {
-    ancf::DynamicProblem<Scene> problem(scene);
+    ancf::DynamicProblem problem(scene);
     ancf::EnergyMomentumOptions options;
     options.step = step;
     ancf::EigenLu solver;
@@ -128,7 +127,7 @@ void pendulum(Rows& rows, bool quick) {
     Row row = make("pendulum", 16, 2e-3);
     const double start = now();
     Scene scene;
-    const auto beam = rubber_pendulum(scene, row.elements);
+    const auto beam = rubber_pendulum<Beam>(scene, row.elements);
     const std::array<std::pair<double, Plane>, 3> theory{{
         {0.3, {1.087608741, -0.445045527}},
         {0.5, {0.374397683, -1.305257813}},
@@ -165,8 +164,8 @@ void green_pendulum(Rows& rows, bool quick) {
         {1.0, {-1.188550, -0.128545}, 17.764223, 0.962546, -18.726769},
     }};
     const double start = now();
-    ancf::Model<ancf::CrossSectionBeam<2>> scene;
-    const auto beam = rubber_pendulum(scene, 32);
+    ancf::PlanarModel scene;
+    const auto beam = rubber_pendulum<ancf::CrossSectionBeam<2>>(scene, 32);
     double tip = 0.0, kinetic = 0.0, strain = 0.0, potential = 0.0;
     ancf::Schedule schedule;
     for (const Instant& instant : theory)
@@ -205,7 +204,7 @@ void long_pendulum(Rows& rows, bool quick) {
     Row row = make("pendulum_100_s", 8, 1e-10);
     const double start = now();
     Scene scene;
-    rubber_pendulum(scene, row.elements);
+    rubber_pendulum<Beam>(scene, row.elements);
     keep_energy(scene, row, 5e-3, quick ? 2.0 : 100.0);
     row.seconds = now() - start;
     rows.push_back(row);
@@ -216,8 +215,8 @@ void steel_pendulum(Rows& rows, bool quick) {
     Row row = make("pendulum_steel", 4, 1e-10);
     const double start = now();
     Scene scene;
-    make_pendulum(scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0), 0.01, 2.0,
-                  row.elements);
+    make_pendulum<Beam>(scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0), 0.01, 2.0,
+                        row.elements);
     keep_energy(scene, row, 1e-3, quick ? 0.3 : 1.2);
     row.seconds = now() - start;
     rows.push_back(row);
@@ -232,8 +231,8 @@ void redundant(Rows& rows, bool quick) {
         Scene scene;
         const auto steel = ancf::Material::isotropic(2e11, 0.3, 7800.0);
         const auto bar = [&](const Plane& from, const Plane& to) {
-            return ancf::straight_beam(scene, steel, ancf::rectangle(0.01, 0.01), from, to,
-                                       row.elements / 3, mixed());
+            return ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+                scene, steel, ancf::rectangle(0.01, 0.01), from, to, row.elements / 3, mixed());
         };
         const auto crank = bar({0, 0}, {0, 0.2}), coupler = bar({0, 0.2}, {0.5, 0.35}),
                    rocker = bar({0.5, 0.35}, {0.4, 0});
@@ -246,7 +245,7 @@ void redundant(Rows& rows, bool quick) {
         scene.set_gravity({9.81, 0.0});
         ancf::ProblemOptions twice;
         twice.redundancy = ancf::Redundancy::minimum_norm;
-        ancf::DynamicProblem<Scene> problem(scene, twice);
+        ancf::DynamicProblem problem(scene, twice);
         ancf::GeneralizedAlphaOptions options;
         options.step = 1e-3;
         ancf::EigenLu solver;

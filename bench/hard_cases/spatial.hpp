@@ -11,9 +11,9 @@
 
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_sections.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/constraints/sections.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -55,7 +55,7 @@ inline constexpr bool is_reissner<
 template <class Element>
 class Spatial {
 public:
-    using Scene = ancf::Model<Element>;
+    using Scene = ancf::BasicModel<Element::dimension>;
     using Options = typename Element::Options;
     /// Whether torsion follows the section's torsion constant on request.
     static constexpr bool warps = std::is_base_of_v<ancf::CrossSectionOptions, Options>;
@@ -139,9 +139,9 @@ public:
             const auto section = ancf::Section::from_moments(moments)
                                      .with_shear_correction(1.0, 1.0)
                                      .with_torsion_constant(0.01);
-            const auto beam = ancf::straight_beam(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0),
-                                                  section, {0, 0, 0}, {10, 0, 0}, row.elements,
-                                                  options(ancf::SectionModel::saint_venant));
+            const auto beam = ancf::straight_beam<Element>(
+                scene, ancf::Material::from_moduli(1e4, 1e4, 1.0), section, {0, 0, 0}, {10, 0, 0},
+                row.elements, options(ancf::SectionModel::saint_venant));
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             for (const ancf::NodeId node : beam.nodes)
                 if (node != beam.first()) scene.add(ancf::RigidSection(node));
@@ -259,8 +259,9 @@ private:
                                          : 0.12 / (elements * elements));
             const double start = now();
             Scene scene;
-            const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(height, height),
-                                                  {0, 0, 0}, {length, 0, 0}, elements, options());
+            const auto beam =
+                ancf::straight_beam<Element>(scene, material, ancf::rectangle(height, height),
+                                             {0, 0, 0}, {length, 0, 0}, elements, options());
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const Point across(0.0, std::cos(angle), std::sin(angle));
             scene.add(ancf::Force<3>(beam.last(), force * across));
@@ -275,8 +276,8 @@ private:
     Point loaded_tip(Row& row, const ancf::Material& material, const ancf::Section& section,
                      double length, double force) const {
         Scene scene;
-        const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {length, 0, 0},
-                                              row.elements, options());
+        const auto beam = ancf::straight_beam<Element>(scene, material, section, {0, 0, 0},
+                                                       {length, 0, 0}, row.elements, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
         solve(scene, row, ancf::NewtonKind::mixed);
@@ -345,8 +346,9 @@ private:
             const double start = now();
             Scene scene;
             const auto material = ancf::Material::from_moduli(1e9, 4e8, 1000.0);
-            const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(height, height),
-                                                  {0, 0, 0}, {1, 0, 0}, row.elements, options());
+            const auto beam =
+                ancf::straight_beam<Element>(scene, material, ancf::rectangle(height, height),
+                                             {0, 0, 0}, {1, 0, 0}, row.elements, options());
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             scene.add(ancf::Force<3>(beam.last(), {0, 10.0 * bending(material, height), 0}));
             solve(scene, row, ancf::NewtonKind::mixed);
@@ -366,8 +368,8 @@ private:
             const double length = 2.0, height = 0.01;
             const auto material = ancf::Material::isotropic(2.07e11, nu, 7850.0);
             const auto beam =
-                ancf::straight_beam(scene, material, ancf::rectangle(height, height), {0, 0, 0},
-                                    {length, 0, 0}, row.elements, options());
+                ancf::straight_beam<Element>(scene, material, ancf::rectangle(height, height),
+                                             {0, 0, 0}, {length, 0, 0}, row.elements, options());
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const double force = 1.5 * bending(material, height) / (length * length);
             scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
@@ -405,9 +407,10 @@ private:
             for (const double part : lengths) {
                 const double own = part / sum * length;
                 const ancf::NodeId next = scene.add_node({x += own, 0, 0});
-                scene.connect(scene.add_prototype(Element(material, ancf::rectangle(height, height),
-                                                          own, options())),
-                              last, next);
+                scene.template connect<Element>(
+                    scene.add_prototype(
+                        Element(material, ancf::rectangle(height, height), own, options())),
+                    last, next);
                 last = next;
             }
             scene.clamp(root, ancf::Clamp::free_slope);
@@ -435,8 +438,9 @@ private:
         Scene scene;
         const double height = semicircle ? 0.035 : 0.005;
         const auto material = ancf::Material::from_moduli(2e8, 1e8, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(height, height),
-                                              {0, 0, 0}, {1, 0, 0}, elements, options());
+        const auto beam =
+            ancf::straight_beam<Element>(scene, material, ancf::rectangle(height, height),
+                                         {0, 0, 0}, {1, 0, 0}, elements, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         const double moment = 2.0 * pi * circles * bending(material, height);
         scene.add(ancf::Moment(beam.last(), {0, 0, moment}));
@@ -457,7 +461,7 @@ private:
         const double start = now();
         Scene scene;
         const double length = 0.254, width = 0.00254, height = 0.00635, shear = 3.17159e10;
-        const auto beam = ancf::straight_beam(
+        const auto beam = ancf::straight_beam<Element>(
             scene, ancf::Material::from_moduli(8.27371e10, shear, 2700.0),
             ancf::rectangle(width, height), {0, 0, 0}, {length, 0, 0}, elements, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
@@ -492,7 +496,7 @@ private:
             Scene scene;
             const double length = 0.254;
             const auto section = ancf::rectangle(0.00254, 0.00635);
-            const auto beam = ancf::straight_beam(
+            const auto beam = ancf::straight_beam<Element>(
                 scene, ancf::Material::from_moduli(8.27371e10, 3.17159e10, 2700.0),
                 torque.wagner ? section : to_second_order(section), {0, 0, 0}, {length, 0, 0},
                 row.elements,
@@ -540,9 +544,9 @@ private:
                 Scene scene;
                 const auto section = ancf::rectangle(1.0, 1.0).with_shear_correction(
                     torsion.correction, torsion.correction);
-                const auto beam = ancf::arc(scene, ancf::Material::from_moduli(1e7, 5e6, 1.0),
-                                            section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 100.0,
-                                            0.25 * pi, elements, options(torsion.model));
+                const auto beam = ancf::arc<Element>(
+                    scene, ancf::Material::from_moduli(1e7, 5e6, 1.0), section, {0, 0, 0},
+                    {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options(torsion.model));
                 scene.clamp(beam.first(), ancf::Clamp::free_slope);
                 scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
                 solve(scene, row, ancf::NewtonKind::mixed);
@@ -570,7 +574,7 @@ private:
             const double start = now();
             Scene scene;
             const double length = 0.508, thin = 3.2024e-3, high = 12.377e-3;
-            const auto beam = ancf::straight_beam(
+            const auto beam = ancf::straight_beam<Element>(
                 scene, ancf::Material::isotropic(71.7e9, 0.31, 2700.0), ancf::rectangle(thin, high),
                 {0, 0, 0}, {length, 0, 0}, elements, options(ancf::SectionModel::saint_venant));
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
@@ -606,9 +610,9 @@ private:
             slopes.col(2) << 0.0, -std::sin(angle), std::cos(angle);
             points.push_back({{12.0 * part, 0.0, 0.0}, slopes});
         }
-        const auto beam = ancf::beam_through(scene, ancf::Material::isotropic(29e6, 0.22, 1.0),
-                                             ancf::rectangle(0.32, 1.1), points,
-                                             std::vector<double>{12.0 / elements}, options());
+        const auto beam = ancf::beam_through<Element>(
+            scene, ancf::Material::isotropic(29e6, 0.22, 1.0), ancf::rectangle(0.32, 1.1), points,
+            std::vector<double>{12.0 / elements}, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), Point::Unit(along)));
         solve(scene, row, ancf::NewtonKind::plain);
@@ -628,10 +632,10 @@ private:
             Scene scene;
             const auto material = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
             const auto section = ancf::rectangle(0.002, 0.1);
-            const auto beam =
-                ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements,
-                                    options(saint_venant ? ancf::SectionModel::saint_venant
-                                                         : ancf::SectionModel::paper));
+            const auto beam = ancf::straight_beam<Element>(
+                scene, material, section, {0, 0, 0}, {1, 0, 0}, elements,
+                options(saint_venant ? ancf::SectionModel::saint_venant
+                                     : ancf::SectionModel::paper));
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             scene.add(ancf::Force<3>(beam.last(), {0, -1, 0}));
             ancf::ModalOptions how;
@@ -659,7 +663,7 @@ private:
         Row row = make("lateral_buckling_path", quick ? 32 : 64, quick ? 4e-4 : 1e-4);
         const double start = now();
         Scene scene;
-        const auto beam = ancf::straight_beam(
+        const auto beam = ancf::straight_beam<Element>(
             scene, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.002, 0.1),
             {0, 0, 0}, {1, 0, 0}, row.elements, options(ancf::SectionModel::saint_venant));
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
@@ -680,8 +684,8 @@ private:
         Scene scene;
         const auto section = ancf::rectangle(0.1, 0.1);
         const auto material = ancf::Material::isotropic(1e9, 0.3, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0},
-                                              row.elements, options());
+        const auto beam = ancf::straight_beam<Element>(scene, material, section, {0, 0, 0},
+                                                       {1, 0, 0}, row.elements, options());
         const std::array<std::pair<ancf::Field, int>, 4> free{{{ancf::Field::r, 0},
                                                                {ancf::Field::r_x, 0},
                                                                {ancf::Field::r_y, 1},
@@ -712,9 +716,9 @@ private:
         const double start = now();
         Scene scene;
         const double height = 0.005, young = 2.07e11, density = 7850.0;
-        const auto beam = ancf::straight_beam(scene, ancf::Material::isotropic(young, 0.3, density),
-                                              ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0},
-                                              8, options());
+        const auto beam = ancf::straight_beam<Element>(
+            scene, ancf::Material::isotropic(young, 0.3, density), ancf::rectangle(height, height),
+            {0, 0, 0}, {1, 0, 0}, 8, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         ancf::EigenLdlt solver;
         const auto report = ancf::natural_modes(scene, solver);

@@ -15,8 +15,8 @@
 
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 
@@ -51,19 +51,19 @@ struct Motion {
 
 template <class Element>
 Motion run_pendulum(const std::string& name, const ancf::Rule& rule, int elements,
-                    const ancf::bench::Integrator<ancf::Model<Element>>& integrator,
+                    const ancf::bench::Integrator<ancf::BasicModel<Element::dimension>>& integrator,
                     double setting) {
     constexpr int dimension = Element::dimension;
     using Point = ancf::Vector<double, dimension>;
-    ancf::Model<Element> model;
+    ancf::BasicModel<Element::dimension> model;
     typename Element::Options options;
     options.rule = rule;
     if constexpr (std::is_base_of_v<ancf::CrossSectionOptions, typename Element::Options>)
         options.rotary_inertia = ancf::RotaryInertia::lumped;
     const auto material = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
-    const auto beam = ancf::straight_beam(model, material, section, Point(Point::Zero()),
-                                          Point(Point::Unit(0) * 1.2), elements, options);
+    const auto beam = ancf::straight_beam<Element>(model, material, section, Point(Point::Zero()),
+                                                   Point(Point::Unit(0) * 1.2), elements, options);
     if (name == "link")
         model.add(ancf::Distance<dimension>(beam.first(), Point(Point::Unit(1) * 0.4), 0.4));
     else
@@ -131,7 +131,7 @@ struct Reference {
 /// Integrates two fine meshes.
 template <class Element>
 Reference fine_reference(const std::string& scene, const ancf::Rule& rule, bool quick) {
-    using Scene = ancf::Model<Element>;
+    using Scene = ancf::BasicModel<Element::dimension>;
     const auto best = ancf::bench::generalized_alpha<Scene>("", 0.8);
     const double step = quick ? 1e-3 : 5e-5;  // s
     const int mesh = quick ? 16 : 64;
@@ -148,7 +148,7 @@ Reference fine_reference(const std::string& scene, const ancf::Rule& rule, bool 
 template <class Element>
 void run_pendulums(const Plan& plan, const Report& report, const std::string& name,
                    const std::vector<ancf::Rule>& rules, const ancf::Rule& fine, bool limit) {
-    using Scene = ancf::Model<Element>;
+    using Scene = ancf::BasicModel<Element::dimension>;
     const std::vector<int> meshes =
         plan.quick ? std::vector<int>{8} : std::vector<int>{2, 4, 8, 16};
     for (const std::string& scene : {std::string("pendulum"), std::string("link")}) {

@@ -14,20 +14,21 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/statics.hpp>
 
-#include <any_solver.hpp>
+#include <linear_solvers.hpp>
 #include <rows.hpp>
 
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,7 +94,8 @@ inline const char* newton_suffix(ancf::NewtonKind newton) {
 
 /// Loads the end of a beam as the case has it.
 template <class Element>
-void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId end) {
+void add_load(ancf::BasicModel<Element::dimension>& model, const StaticCase& scene,
+              ancf::NodeId end) {
     using Point = ancf::Vector<double, Element::dimension>;
     using ancf::Field;
     if (scene.name == "model2") {
@@ -117,7 +119,8 @@ void add_load(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId
 /// Clamps the start of a beam along X: slender elements may stretch there, those of sections shear
 /// as well.
 template <class Element>
-void clamp(ancf::Model<Element>& model, const StaticCase& scene, ancf::NodeId start) {
+void clamp(ancf::BasicModel<Element::dimension>& model, const StaticCase& scene,
+           ancf::NodeId start) {
     using ancf::Field;
     if (scene.name == "bend45") return model.clamp(start);
     model.clamp(start, ancf::Clamp::free_slope);
@@ -138,7 +141,7 @@ template <class Element>
 Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& solver_name,
           int elements, const ancf::StaticsOptions& options) {
     using Point = ancf::Vector<double, Element::dimension>;
-    ancf::Model<Element> model;
+    ancf::BasicModel<Element::dimension> model;
     typename Element::Options element_options;
     element_options.rule = rule;
     if constexpr (std::is_same_v<typename Element::Options, ancf::QuinticOptions>)
@@ -149,17 +152,18 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     ancf::Beam<Element> beam;
     if (scene.name == "bend45") {
         if constexpr (can_curve<Element>)
-            beam =
-                ancf::arc(model, material, section, Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0),
-                          scene.length / (pi / 4.0), pi / 4.0, elements, element_options);
+            beam = ancf::arc<Element>(model, material, section, Point(0, 0, 0), Point(1, 0, 0),
+                                      Point(0, 1, 0), scene.length / (pi / 4.0), pi / 4.0, elements,
+                                      element_options);
     } else {
-        beam = ancf::straight_beam(model, material, section, Point(Point::Zero()),
-                                   Point(Point::Unit(0) * scene.length), elements, element_options);
+        beam = ancf::straight_beam<Element>(model, material, section, Point(Point::Zero()),
+                                            Point(Point::Unit(0) * scene.length), elements,
+                                            element_options);
     }
-    clamp(model, scene, beam.first());
-    add_load(model, scene, beam.last());
-    AnySolver solver(solver_name);
-    const ancf::StaticsReport report = ancf::solve_statics(model, solver, options);
+    clamp<Element>(model, scene, beam.first());
+    add_load<Element>(model, scene, beam.last());
+    const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(solver_name);
+    const ancf::StaticsReport report = ancf::solve_statics(model, *solver, options);
     Tip tip;
     tip.status = report.status;
     tip.iterations = report.iterations();
@@ -231,8 +235,7 @@ Tip limit_of(const StaticCase& scene, const ancf::Rule& rule, int elements) {
     ancf::StaticsOptions options;
     options.adaptive = true;
     options.steps = 10;
-    const std::string solver(ancf::BlockTridiagonal::name());
-    return solve<Element>(scene, rule, solver, elements, options);
+    return solve<Element>(scene, rule, "block-tridiagonal", elements, options);
 }
 
 /// Returns how far a tip is from its limit, relative to the length; radians for the twist.
@@ -251,8 +254,8 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
     options.adaptive = true;
     const std::vector<int> meshes =
         plan.quick ? std::vector<int>{4, 16} : std::vector<int>{1, 2, 3, 4, 6, 8, 12, 16, 32, 64};
-    const std::string usual(ancf::BlockTridiagonal::name());
-    const auto solvers = plan.quick ? std::vector<std::string>{usual} : AnySolver::names();
+    const std::string usual = "block-tridiagonal";
+    const auto solvers = plan.quick ? std::vector<std::string>{usual} : linear_solvers();
     for (const StaticCase& scene : static_cases()) {
         if (!takes_part<Element>(scene.name) || !plan.wants(scene.name)) continue;
         const Tip limit = limit_of<Element>(scene, fine, plan.quick ? 64 : 256);

@@ -7,19 +7,23 @@
 ///     clamp |=========o   the tip slides along the track x = L - a y^2, pulled by a magnet
 ///                     )   beside it
 ///
-/// - `Gauss` eliminates in a dense matrix with pivots: what ancf asks of a linear solver.
+/// - `Gauss` eliminates in a dense matrix with pivots: a class derived from ancf::LinearSolver.
 /// - `Track` is one equation on the position of a node.
 /// - `Magnet` attracts a node in inverse proportion to the square of the distance.
+///
+/// Constraint and load have no base class. The same file compiles header-only and with
+/// ancf::compiled.
 ///
 /// The program checks itself: Newton's method converges in few steps, which a wrong derivative of
 /// the track would prevent; the magnet's stiffness is the derivative of its force; the tip is on
 /// the track; and ancf's own solver gives the same equilibrium.
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <algorithm>
@@ -33,16 +37,17 @@
 namespace {
 
 using Point = ancf::Vector<double, 2>;
-using Scene = ancf::Model<ancf::CrossSectionBeam<2>>;
 
 /// Gaussian elimination with partial pivoting, in place.
-class Gauss {
+class Gauss final : public ancf::LinearSolver {
 public:
-    static constexpr ancf::Storage storage = ancf::Storage::full;
+    [[nodiscard]] ancf::Storage storage() const noexcept override { return ancf::Storage::full; }
 
-    void analyze(const ancf::SparseMatrix& matrix) { size_ = static_cast<int>(matrix.cols()); }
+    void analyze(const ancf::SparseMatrix& matrix) override {
+        size_ = static_cast<int>(matrix.cols());
+    }
 
-    [[nodiscard]] ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) {
+    [[nodiscard]] ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) override {
         ancf::FactorReport report;
         factors_ = matrix;
         order_.setLinSpaced(size_, 0, size_ - 1);
@@ -65,7 +70,7 @@ public:
         return report;
     }
 
-    void solve(const ancf::VectorX& b, ancf::VectorX& x) const {
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const override {
         ancf::VectorX y = b(order_);
         for (int k = 0; k < size_; ++k)
             y.tail(size_ - k - 1) -= y[k] * factors_.col(k).tail(size_ - k - 1);
@@ -76,7 +81,7 @@ public:
         x = std::move(y);
     }
 
-    [[nodiscard]] static std::string_view name() { return "gauss"; }
+    [[nodiscard]] std::string_view name() const noexcept override { return "gauss"; }
 
 private:
     int size_ = 0;
@@ -131,12 +136,12 @@ struct Result {
 };
 
 /// Bends the beam with a given linear solver.
-template <class LinearSolver>
-Result bend(LinearSolver solver) {
+Result bend(ancf::LinearSolver& solver) {
     const auto steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
     const auto section = ancf::rectangle(0.01, 0.01);
-    Scene model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0}, {2, 0}, 8);
+    ancf::PlanarModel model;
+    const auto beam =
+        ancf::straight_beam<ancf::CrossSectionBeam<2>>(model, steel, section, {0, 0}, {2, 0}, 8);
     model.clamp(beam.first());
     const Track track{beam.last(), 2.0, 0.5};
     model.add(track);
@@ -172,8 +177,10 @@ double stiffness_error(const Magnet& magnet, const Point& place) {
 }  // namespace
 
 int main() try {
-    const Result ours = bend(Gauss());
-    const Result theirs = bend(ancf::EigenLu());
+    Gauss gauss;
+    ancf::EigenLu lu;
+    const Result ours = bend(gauss);
+    const Result theirs = bend(lu);
     const double stiff = stiffness_error({{0}, {2.0, 2.0}, 150.0}, {1.8, 0.3});
     std::cout << "status " << to_string(ours.report.status) << " after " << ours.report.iterations()
               << " iterations in " << ours.report.steps.size() << " steps\ntip "

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
 
@@ -37,14 +37,14 @@ private:
 /// Returns the angle by which r_x of the last node stands to the X axis in the XY plane, degrees;
 /// whole turns are counted along the centre line.
 template <class Element>
-[[nodiscard]] double bending_angle(const ancf::Model<Element>& model,
+[[nodiscard]] double bending_angle(const ancf::BasicModel<Element::dimension>& model,
                                    const ancf::Beam<Element>& beam) {
     constexpr int chords = 32;  // per element
     TurnCounter turns;
     turns.add(1.0, 0.0);
     for (const int index : beam.elements) {
-        const auto& element = model.group().element(index);
-        const auto e = model.element_coordinates(index);
+        const auto& element = model.template group<Element>().element(index);
+        const auto e = model.template element_coordinates<Element>(index);
         auto before = element.position(e, 0.0);
         for (int k = 1; k <= chords; ++k) {
             const auto after = element.position(e, static_cast<double>(k) / chords);
@@ -60,7 +60,7 @@ template <class Element>
 /// Returns the angle by which r_y of the last node has turned about X, degrees; whole turns are
 /// counted from node to node.
 template <class Element>
-[[nodiscard]] double twist_angle(const ancf::Model<Element>& model,
+[[nodiscard]] double twist_angle(const ancf::BasicModel<Element::dimension>& model,
                                  const ancf::Beam<Element>& beam) {
     TurnCounter turns;
     turns.add(1.0, 0.0);

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <ancf/element/quadrature.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/model/support.hpp>
 #include <ancf/section/material.hpp>
@@ -174,12 +174,12 @@ struct BeamOptions {
 
 /// Adds the beam to a model, from the origin along X.
 template <class Element>
-[[nodiscard]] ancf::Beam<Element> straight_beam(ancf::Model<Element>& model,
+[[nodiscard]] ancf::Beam<Element> straight_beam(ancf::BasicModel<Element::dimension>& model,
                                                 const BeamOptions& beam, int elements) {
-    using Point = typename ancf::Model<Element>::Point;
-    return ancf::straight_beam(model, beam.material(), beam.section(), Point(Point::Zero()),
-                               Point(beam.geometry.length * Point::UnitX()), elements,
-                               beam.element_options<Element>());
+    using Point = typename ancf::BasicModel<Element::dimension>::Point;
+    return ancf::straight_beam<Element>(
+        model, beam.material(), beam.section(), Point(Point::Zero()),
+        Point(beam.geometry.length * Point::UnitX()), elements, beam.element_options<Element>());
 }
 
 /// Returns a point of the plane or of space in space.

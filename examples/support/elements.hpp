@@ -3,12 +3,9 @@
 
 /// @file
 /// The element types that the example programs choose from when they run.
-///
-/// What is heavy to compile is compiled once for each of them, in this folder's sources.
 
 #pragma once
 
-#include <ancf/assembly/assembly.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
@@ -41,15 +38,3 @@ using AllElements = ElementList<CrossSection, CrossSectionTransported, CrossSect
                                 PlanarCrossSection, PlanarContinuum, Cable, PlanarCable>;
 
 }  // namespace examples
-
-/// Calls a macro for every element type.
-#define ANCF_EXAMPLES_FOR_EACH_ELEMENT(apply)                                      \
-    apply(CrossSection) apply(CrossSectionTransported) apply(CrossSectionGeodesic) \
-        apply(CrossSectionQuintic) apply(CrossSectionPointwise) apply(Continuum)   \
-            apply(PlanarCrossSection) apply(PlanarContinuum) apply(Cable) apply(PlanarCable)
-
-// Assemblers are instantiated in solve_*.cpp alone.
-#define ANCF_EXAMPLES_DECLARE(Element) \
-    extern template class ancf::Assembly<ancf::Model<examples::Element>>;
-ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_DECLARE)
-#undef ANCF_EXAMPLES_DECLARE

@@ -48,26 +48,15 @@ void OutputOptions::check() const {
     }
 }
 
-template <class Element>
-void OutputOptions::write(const ancf::Model<Element>& model, const ancf::Beam<Element>& beam,
-                          const ancf::Section& section) const {
-    constexpr int stations = 17;  // per element
-    if (!vtk.empty()) {
-        ancf::Surface surface;
-        surface.add(model, beam, section, stations);
-        ancf::write_vtk(vtk, surface);
-    }
+void OutputOptions::write_files(const ancf::Surface& surface,
+                                const std::vector<ancf::ShapeStation>& line) const {
+    if (!vtk.empty()) ancf::write_vtk(vtk, surface);
     if (!shape.empty()) {
         std::ofstream out(shape);
-        ancf::write_shape(out, ancf::deformed_shape(model, beam, section, stations));
+        ancf::write_shape(out, line);
         out.close();
         ancf::detail::require(!out.fail(), "cannot write ", shape);
     }
 }
-
-#define ANCF_EXAMPLES_WRITE(Element)                                                            \
-    template void OutputOptions::write(const ancf::Model<Element>&, const ancf::Beam<Element>&, \
-                                       const ancf::Section&) const;
-ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_WRITE)
 
 }  // namespace examples

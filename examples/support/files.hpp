@@ -6,14 +6,16 @@
 
 #pragma once
 
-#include <ancf/model/beam.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/output/shape.hpp>
+#include <ancf/output/surface.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
-#include <support/elements.hpp>
 
 #include <string>
+#include <vector>
 
 namespace examples {
 
@@ -40,8 +42,19 @@ struct OutputOptions {
     /// Writes the files that were asked for.
     /// @throws InvalidArgument for a file that cannot be written.
     template <class Element>
-    void write(const ancf::Model<Element>& model, const ancf::Beam<Element>& beam,
-               const ancf::Section& section) const;
+    void write(const ancf::Scene& model, const ancf::Beam<Element>& beam,
+               const ancf::Section& section) const {
+        if (vtk.empty() && shape.empty()) return;
+        ancf::Surface surface;
+        surface.add(model, beam, section, stations);
+        write_files(surface, ancf::deformed_shape(model, beam, section, stations));
+    }
+
+private:
+    static constexpr int stations = 17;  // per element
+
+    void write_files(const ancf::Surface& surface,
+                     const std::vector<ancf::ShapeStation>& line) const;
 };
 
 }  // namespace examples

@@ -7,12 +7,13 @@
 #pragma once
 
 #include <ancf/dynamics/report.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/solver/linear_solver.hpp>
 
 #include <support/command_line.hpp>
-#include <support/elements.hpp>
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace examples {
@@ -49,6 +50,9 @@ struct MotionOptions {
 /// @throws InvalidArgument naming the option and the value.
 void require_countable(const std::string& option, double interval, double duration);
 
+/// Returns the linear solver of integrators that bring none along.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> general_solver();
+
 /// How a motion went.
 struct Motion {
     ancf::DynamicsReport report;
@@ -59,8 +63,7 @@ struct Motion {
 
 /// Integrates a model from its state, or from the state file, and shows the progress on a terminal.
 /// @throws InvalidArgument for a state file that does not fit.
-template <class Element>
-[[nodiscard]] Motion integrate(ancf::Model<Element>& model, const MotionOptions& options,
+[[nodiscard]] Motion integrate(ancf::Scene& model, const MotionOptions& options,
                                ancf::Schedule schedule);
 
 /// Says how a motion went: one line of cost, one of accuracy, and what failed.

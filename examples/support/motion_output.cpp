@@ -13,12 +13,6 @@
 
 namespace examples {
 
-namespace {
-
-constexpr int stations = 17;  // per element
-
-}  // namespace
-
 void MotionOutputOptions::add_to(CommandLine& line) {
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
@@ -26,14 +20,10 @@ void MotionOutputOptions::add_to(CommandLine& line) {
     line.add_file("--shapes", shapes, "centre lines and outlines at every output time, as CSV");
 }
 
-template <class Element>
-MotionWriter<Element>::MotionWriter(const ancf::Model<Element>& model,
-                                    std::vector<ancf::Beam<Element>> beams,
-                                    const ancf::Section& section, ancf::NodeId tip,
-                                    const MotionOutputOptions& options, const std::string& name)
+MotionWriter::MotionWriter(const ancf::Scene& model, const ancf::Section& section,
+                           ancf::NodeId tip, const MotionOutputOptions& options,
+                           const std::string& name)
     : shown_(model),
-      beams_(std::move(beams)),
-      section_(section),
       tip_(model.coordinate(tip, ancf::Field::r)),
       options_(options),
       sheet_(options.csv,
@@ -51,12 +41,11 @@ MotionWriter<Element>::MotionWriter(const ancf::Model<Element>& model,
     shapes_ << '\n';
 }
 
-template <class Element>
-void MotionWriter<Element>::write(const ancf::Snapshot& seen) {
+void MotionWriter::write(const ancf::Snapshot& seen) {
     const double time = seen.state.time;
     const double* place = seen.state.q.data() + tip_;
     const ancf::Energies& energies = seen.energies;
-    const double z = Element::dimension == 3 ? place[Element::dimension - 1] : 0.0;
+    const double z = shown_.dimension() == 3 ? place[2] : 0.0;
     sheet_.add_csv(time, place[0], place[1], z, energies.kinetic, energies.strain,
                    energies.potential, energies.total(), seen.violation, seen.violation_rate);
     sheet_.add_table({fixed(time, 3), fixed(place[0], 6), fixed(place[1], 6), fixed(z, 6),
@@ -68,14 +57,13 @@ void MotionWriter<Element>::write(const ancf::Snapshot& seen) {
     if (shapes_.is_open()) write_shapes(time);
     if (!series_) return;
     ancf::Surface surface;
-    for (const auto& beam : beams_) surface.add(shown_, beam, section_, stations);
+    for (const auto& add : surfaces_) add(shown_, surface);
     series_->add(time, surface);
 }
 
-template <class Element>
-void MotionWriter<Element>::write_shapes(double time) {
-    for (std::size_t k = 0; k < beams_.size(); ++k)
-        for (const auto& station : ancf::deformed_shape(shown_, beams_[k], section_, stations)) {
+void MotionWriter::write_shapes(double time) {
+    for (std::size_t k = 0; k < shapes_of_.size(); ++k)
+        for (const auto& station : shapes_of_[k](shown_)) {
             shapes_ << ancf::number_text(time) << ',' << k << ',' << ancf::number_text(station.s);
             for (const double value : station.centre) shapes_ << ',' << ancf::number_text(value);
             for (const auto& corner : station.outline)
@@ -84,15 +72,11 @@ void MotionWriter<Element>::write_shapes(double time) {
         }
 }
 
-template <class Element>
-void MotionWriter<Element>::finish(const std::string& title) {
+void MotionWriter::finish(const std::string& title) {
     sheet_.finish(title);
     if (!shapes_.is_open()) return;
     shapes_.close();
     ancf::detail::require(!shapes_.fail(), "cannot write ", options_.shapes);
 }
-
-#define ANCF_EXAMPLES_MOTION_WRITER(Element) template class MotionWriter<Element>;
-ANCF_EXAMPLES_FOR_EACH_ELEMENT(ANCF_EXAMPLES_MOTION_WRITER)
 
 }  // namespace examples

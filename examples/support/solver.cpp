@@ -1,6 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/error.hpp>
+#include <ancf/solver/solver_named.hpp>
+#if ANCF_WITH_SUITESPARSE
+#include <ancf/suitesparse/solver_named.hpp>
+#endif
+
 #include <support/solver.hpp>
 
 namespace examples {
@@ -19,6 +25,26 @@ void SolverOptions::add_to(CommandLine& line) {
     line.add_flag("--adaptive", statics.adaptive, "halve a load step that fails");
     line.add_flag("--line-search", statics.line_search,
                   "shorten corrections that double the residual");
+}
+
+ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
+    ancf::StaticsOptions statics = options.statics;
+    statics.newton = options.newton == "plain"   ? ancf::NewtonKind::plain
+                     : options.newton == "mixed" ? ancf::NewtonKind::mixed
+                                                 : ancf::NewtonKind::turned;
+    const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(options.solver);
+    return ancf::solve_statics(model, *solver, statics);
+}
+
+std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name) {
+    if (name == "eigen") return ancf::solver_named("eigen-lu");
+#if ANCF_WITH_SUITESPARSE
+    // L D L^T: a tangent on the way to equilibrium need not be positive definite
+    return ancf::suitesparse::solver_named(name == "cholmod" ? "cholmod-simplicial" : name);
+#else
+    ancf::detail::reject("--solver ", name,
+                         " needs SuiteSparse, and this program was built without it");
+#endif
 }
 
 }  // namespace examples

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The options of a static solution, and the solution of models of one element type.
+/// The options of a static solution, and the solution of a model.
 
 #pragma once
 
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/command_line.hpp>
-#include <support/elements.hpp>
 
+#include <memory>
 #include <string>
 
 namespace examples {
@@ -26,10 +27,13 @@ struct SolverOptions {
     void add_to(CommandLine& line);
 };
 
+/// Returns the linear solver that --solver names.
+/// @throws InvalidArgument for one that is not there.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name);
+
 /// Brings a model to equilibrium.
 /// @throws InvalidArgument for a linear solver that is not there.
-template <class Element>
-[[nodiscard]] ancf::StaticsReport solve(ancf::Model<Element>& model, const SolverOptions& options);
+[[nodiscard]] ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options);
 
 /// Returns the load steps of a run: those asked for, or those that an adaptive run tried.
 [[nodiscard]] inline int steps(const SolverOptions& options, const ancf::StaticsReport& report) {
@@ -37,8 +41,7 @@ template <class Element>
 }
 
 /// Returns the number of unknown coordinates.
-template <class Scene>
-[[nodiscard]] int free_coordinates(const Scene& model) {
+[[nodiscard]] inline int free_coordinates(const ancf::Scene& model) {
     return model.layout().size() - static_cast<int>(model.supports().size());
 }
 

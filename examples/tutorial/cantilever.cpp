@@ -5,8 +5,8 @@
 /// Step 2 of the tutorial: a cantilever, bent by a force at its tip.
 
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <cmath>
@@ -16,8 +16,9 @@ int main() {
     const auto steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);  // Pa, 1, kg/m^3
     const auto section = ancf::rectangle(0.01, 0.01);                    // width, height in m
 
-    ancf::Model<ancf::CrossSectionBeam<3>> model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0, 0}, {2, 0, 0}, 8);
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(model, steel, section,
+                                                                     {0, 0, 0}, {2, 0, 0}, 8);
     model.clamp(beam.first());
     model.add(ancf::Force<3>(beam.last(), {0.0, 64.7, 0.0}));  // N, keeps its direction
 

@@ -5,10 +5,10 @@
 /// Step 5 of the tutorial: how far a mesh is from its limit, told by three meshes.
 
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/modal.hpp>
 #include <ancf/solver/richardson.hpp>
 
@@ -20,9 +20,10 @@ namespace {
 
 /// Returns the first natural frequency of a steel cantilever, Hz.
 double frequency(int elements) {
-    ancf::Model<ancf::CrossSectionBeam<2>> model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0),
-                                          ancf::rectangle(0.01, 0.01), {0, 0}, {2, 0}, elements);
+    ancf::PlanarModel model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.01, 0.01), {0, 0},
+        {2, 0}, elements);
     model.clamp(beam.first());
 
     ancf::EigenLdlt solver;

@@ -6,9 +6,9 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <iostream>
 
@@ -16,9 +16,11 @@ int main() {
     const auto rubber = ancf::Material::isotropic(1e7, 0.3, 1200.0);  // Pa, 1, kg/m^3
     const auto section = ancf::rectangle(0.03, 0.03);                 // m
 
-    ancf::Model<ancf::CrossSectionBeam<3>> model;
-    const auto upper = ancf::straight_beam(model, rubber, section, {0, 0, 0}, {0.5, 0, 0}, 2);
-    const auto lower = ancf::straight_beam(model, rubber, section, {0.5, 0, 0}, {1, 0, 0}, 2);
+    ancf::Model model;
+    const auto upper = ancf::straight_beam<ancf::CrossSectionBeam<3>>(model, rubber, section,
+                                                                      {0, 0, 0}, {0.5, 0, 0}, 2);
+    const auto lower = ancf::straight_beam<ancf::CrossSectionBeam<3>>(model, rubber, section,
+                                                                      {0.5, 0, 0}, {1, 0, 0}, 2);
     model.add(ancf::Revolute(model, upper.first(), {0, 0, 1}));                // to the ground
     model.add(ancf::Revolute(model, upper.last(), lower.first(), {0, 0, 1}));  // about Z
     model.set_gravity({0.0, -9.81, 0.0});

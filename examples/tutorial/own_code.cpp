@@ -52,17 +52,17 @@ struct Bar {
 };
 
 /// A dense factorisation.
-class Dense {
+class Dense final : public ancf::LinearSolver {
 public:
-    static constexpr ancf::Storage storage = ancf::Storage::full;
-    void analyze(const ancf::SparseMatrix&) {}
-    ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) {
+    ancf::Storage storage() const noexcept override { return ancf::Storage::full; }
+    void analyze(const ancf::SparseMatrix&) override {}
+    ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) override {
         lu_.compute(ancf::MatrixX(matrix));
         const bool good = lu_.rcond() > 1e-15;
         return {good ? ancf::Status::converged : ancf::Status::singular};
     }
-    void solve(const ancf::VectorX& b, ancf::VectorX& x) const { x = lu_.solve(b); }
-    static std::string_view name() { return "dense"; }
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const override { x = lu_.solve(b); }
+    std::string_view name() const noexcept override { return "dense"; }
 
 private:
     Eigen::PartialPivLU<ancf::MatrixX> lu_;
@@ -89,10 +89,10 @@ struct Weight {
 };
 
 int main() {
-    ancf::Model<Bar> model;
+    ancf::PlanarModel model;
     const auto fixed = model.add_node({0.0, 0.0}), free = model.add_node({1.0, 1.0});
     const double l = std::sqrt(2.0), axial = 1000.0;  // m, N
-    model.connect(model.add_prototype(Bar{axial, 1.0, l}), fixed, free);
+    model.connect<Bar>(model.add_prototype(Bar{axial, 1.0, l}), fixed, free);
     model.pin(fixed);
     model.add(Diagonal{free});
     model.add(Weight{free});

@@ -6,8 +6,8 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <cmath>
 #include <iostream>
@@ -16,8 +16,9 @@ int main() {
     const auto rubber = ancf::Material::isotropic(0.7e6, 0.3, 5540.0);  // Pa, 1, kg/m^3
     const auto section = ancf::rectangle(0.05, 0.05);                   // m
 
-    ancf::Model<ancf::CrossSectionBeam<2>> model;
-    const auto beam = ancf::straight_beam(model, rubber, section, {0, 0}, {1.2, 0}, 4);
+    ancf::PlanarModel model;
+    const auto beam =
+        ancf::straight_beam<ancf::CrossSectionBeam<2>>(model, rubber, section, {0, 0}, {1.2, 0}, 4);
     model.pin(beam.first());
     model.set_gravity({0.0, -9.81});  // m/s^2
 

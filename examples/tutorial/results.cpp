@@ -7,9 +7,9 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/transmitted_forces.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/output/vtk.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <cmath>
@@ -20,8 +20,8 @@ int main() {
     const auto section = ancf::rectangle(0.01, 0.01);                    // width, height in m
 
     using Element = ancf::CrossSectionBeam<3>;
-    ancf::Model<Element> model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0, 0}, {2, 0, 0}, 8);
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<Element>(model, steel, section, {0, 0, 0}, {2, 0, 0}, 8);
     model.clamp(beam.first());
     model.add(ancf::Force<3>(beam.last(), {0.0, 64.7, 0.0}));  // N
     ancf::EigenLdlt solver;

@@ -9,10 +9,12 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <sstream>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -97,18 +99,7 @@ public:
         : kind_(Kind::natural), natural_(value) {}
 
     /// Writes the part, numbers with the stream's digits.
-    void write(std::ostream& out) const {
-        switch (kind_) {
-            case Kind::text: out << text_; break;
-            case Kind::letter: out << letter_; break;
-            case Kind::real: out << real_; break;
-            case Kind::integer: out << std::to_string(integer_); break;
-            case Kind::natural: out << std::to_string(natural_); break;
-            case Kind::row:
-                for (std::ptrdiff_t k = 0; k < row_.count; ++k)
-                    out << (k > 0 ? " " : "") << row_.values[k];
-        }
-    }
+    void write(std::ostream& out) const;
 
 private:
     enum class Kind { text, letter, real, integer, natural, row };
@@ -126,18 +117,11 @@ private:
 
 /// Returns all parts in one text.
 /// @param digits  of numbers that are not integers
-[[nodiscard, gnu::cold]] inline std::string joined(std::initializer_list<MessagePart> parts,
-                                                   int digits = 17) {
-    std::ostringstream stream;
-    stream.precision(digits);
-    for (const MessagePart& part : parts) part.write(stream);
-    return stream.str();
-}
+[[nodiscard, gnu::cold]] std::string joined(std::initializer_list<MessagePart> parts,
+                                            int digits = 17);
 
 /// Throws InvalidArgument with all parts in one message.
-[[noreturn, gnu::cold]] inline void reject_parts(std::initializer_list<MessagePart> parts) {
-    throw InvalidArgument(joined(parts));
-}
+[[noreturn, gnu::cold]] void reject_parts(std::initializer_list<MessagePart> parts);
 
 /// Throws InvalidArgument with all parts in one message.
 template <class... Parts>
@@ -163,3 +147,7 @@ inline void require_positive(std::string_view name, double value) {
 
 }  // namespace detail
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/error.ipp>  // IWYU pragma: export
+#endif

@@ -8,6 +8,8 @@
 
 #pragma once
 
+#include <ancf/compiled.hpp>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 

@@ -11,13 +11,13 @@
 /// Changes with what breaks callers.
 #define ANCF_VERSION_MAJOR 0
 /// Changes with what is added.
-#define ANCF_VERSION_MINOR 1
+#define ANCF_VERSION_MINOR 2
 /// Changes with what is mended.
 #define ANCF_VERSION_PATCH 0
 
 namespace ancf {
 
 /// "major.minor.patch"; equal to the version of the CMake package.
-inline constexpr std::string_view version = "0.1.0";
+inline constexpr std::string_view version = "0.2.0";
 
 }  // namespace ancf

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks the headers: layers include in one direction only, and every file opens as the house does.
 
+Files of definitions, *.ipp, keep to the rules of the header of that name, which includes them at its end.
+
     check_headers.py ROOT         exits 1 with one line per finding
     check_headers.py --self-test  exits 1 unless every rule refuses a tree that breaks it
 """
@@ -13,10 +15,11 @@ import tempfile
 
 LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
 COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all of them, never each other
-COMMON = ["algebra.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
+COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
           "version.hpp"]
 UMBRELLA = "ancf.hpp"
-ABOVE = [UMBRELLA, "instances.hpp"]  # include any layer, no header includes them
+ABOVE = [UMBRELLA]  # include any layer, no header includes them
+DEFINITIONS = re.compile(r"#if !defined\(ANCF_COMPILED\)\n#include <ancf/([a-z_0-9/]+\.ipp)>.*\n#endif\n\Z")
 LICENCE = ("// SPDX-FileCopyrightText: 2026 The ancf authors\n"
            "// SPDX-License-Identifier: BSD-3-Clause\n")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -24,6 +27,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 def may_include(includer, included):
     """Whether the header `includer` may include `included`, both relative to include/ancf."""
+    includer, included = (name.replace(".ipp", ".hpp") for name in (includer, included))
     source, target = includer.split("/")[0], included.split("/")[0]
     if included in ABOVE:
         return False
@@ -40,7 +44,7 @@ def may_include(includer, included):
 
 def place_findings(name):
     folder = name.split("/")[0]
-    if "/" not in name and name not in COMMON + ABOVE:
+    if "/" not in name and name.replace(".ipp", ".hpp") not in COMMON + ABOVE:
         yield "stands in no layer"
     if "/" in name and folder not in LAYERS + COMPONENTS:
         yield f"stands in the unknown layer {folder}"
@@ -67,6 +71,19 @@ def form_findings(name, text):
         yield "has no #pragma once"
 
 
+def definition_findings(name, text, texts):
+    """A header and its file of definitions belong together; nothing else includes the latter."""
+    of_header = name.replace(".hpp", ".ipp")
+    last = DEFINITIONS.search(text)
+    if name.endswith(".hpp") and of_header in texts and (not last or last.group(1) != of_header):
+        yield f"does not end with <ancf/{of_header}> unless ANCF_COMPILED"
+    if name.endswith(".ipp") and f"#include <ancf/{name.replace('.ipp', '.hpp')}>" not in text:
+        yield "does not include its header"
+    for _, path in INCLUDE.findall(text):
+        if path.endswith(".ipp") and path != f"ancf/{of_header}":
+            yield f"includes <{path}>: take its header"
+
+
 def umbrella_findings(texts):
     """Every core header is to be had through the umbrella."""
     reached, waiting = set(), [UMBRELLA]
@@ -84,9 +101,10 @@ def umbrella_findings(texts):
 def findings(root):
     base = pathlib.Path(root) / "include" / "ancf"
     texts = {header.relative_to(base).as_posix(): header.read_text(encoding="utf-8")
-             for header in sorted(base.rglob("*.hpp"))}
+             for header in sorted([*base.rglob("*.hpp"), *base.rglob("*.ipp")])}
     for name, text in texts.items():
-        for rule in (place_findings(name), include_findings(name, text), form_findings(name, text)):
+        for rule in (place_findings(name), include_findings(name, text), form_findings(name, text),
+                     definition_findings(name, text, texts)):
             for finding in rule:
                 yield f"include/ancf/{name}: {finding}"
     yield from umbrella_findings(texts)
@@ -97,12 +115,14 @@ def findings(root):
 def self_test():
     """Every wrong header is refused for its reason, and a right one for none."""
     opening = LICENCE + "\n/// @file\n/// A header.\n\n#pragma once\n\n"
+    ending = "\n#if !defined(ANCF_COMPILED)\n#include <ancf/model/c.ipp>  // IWYU pragma: export\n#endif\n"
     right = {
         "section/a.hpp": opening + "#include <ancf/error.hpp>\n#include <Eigen/Core>\n",
         "model/b.hpp": opening + "#include <ancf/section/a.hpp>\n#include <ancf/model/c.hpp>\n",
         "suitesparse/d.hpp": opening + "#include <ancf/solver/e.hpp>\n#include <cholmod.h>\n",
         "ancf.hpp": opening + "#include <ancf/model/b.hpp>\n#include <ancf/error.hpp>\n",
-        "model/c.hpp": opening,
+        "model/c.hpp": opening + ending,
+        "model/c.ipp": opening + "#include <ancf/model/c.hpp>\n#include <ancf/section/a.hpp>\n",
         "error.hpp": opening,
     }
     wrong = [
@@ -125,10 +145,17 @@ def self_test():
         ("model/a.hpp", opening[3:], "SPDX"),
         ("model/a.hpp", LICENCE + "\n#pragma once\n", "@file"),
         ("model/a.hpp", opening.replace("#pragma once", ""), "#pragma once"),
+        ("model/a.ipp", opening.replace("#pragma once", ""), "#pragma once"),
+        ("model/a.ipp", opening, "its header"),
+        ("model/a.hpp", opening + ending, "take its header"),
+        ("model/a.ipp", opening + "#include <ancf/output/b.hpp>\n", "must not include"),
+        ("stray.ipp", opening, "no layer"),
     ]
     failures = [f"accepted: {name} ({reason})" for name, text, reason in wrong
                 if not any(reason in line for line in findings_of({name: text}))]
     failures += [f"refused: {line}" for line in findings_of(right)]
+    if not any("does not end" in line for line in findings_of({**right, "model/c.hpp": opening})):
+        failures.append("accepted: a header that leaves its definitions out")
     if not any("does not reach" in line for line in findings_of({**right, "output/g.hpp": opening})):
         failures.append("accepted: an umbrella that leaves a header out")
     if not findings_of({}):

@@ -18,8 +18,8 @@ VERSIONS = {  # file: where its version stands; the first is the one the others 
     "CHANGELOG.md": r"^## \[?([0-9][0-9.]*)",
 }
 FOLDERS = ["include", "tests", "examples", "bench", "docs", "cmake", "scripts"]
-SUFFIXES = {".hpp", ".cpp", ".py", ".md", ".txt", ".cmake", ".in", ".gp", ".sh", ""}
-CODE = {".hpp", ".cpp"}
+SUFFIXES = {".hpp", ".ipp", ".cpp", ".py", ".md", ".txt", ".cmake", ".in", ".gp", ".sh", ""}
+CODE = {".hpp", ".ipp", ".cpp"}
 COLUMNS = 100
 OPEN_ENDS = re.compile(r"\b(TO" + "DO|FIX" + "ME|XX" + "X)\\b")
 

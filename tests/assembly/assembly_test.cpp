@@ -4,7 +4,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/continuum_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/bar.hpp>
@@ -21,7 +21,7 @@ using ancf::Storage;
 using ancf::VectorX;
 using Bar = ancf::test::Bar<3>;
 using Beam = ancf::ContinuumBeam<3>;
-using Scene = ancf::Model<Beam, Bar>;
+using Scene = ancf::Model;
 
 /// |r - p|^2 = 1, a constraint with a curvature.
 struct Sphere {
@@ -40,8 +40,8 @@ struct Sphere {
 Scene make_scene() {
     Scene scene;
     const auto material = ancf::Material::from_moduli(100.0, 40.0, 2.0);
-    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.2, 0.3), {0, 0, 0},
-                                          {1, 0.5, 0.2}, 2);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, ancf::rectangle(0.2, 0.3),
+                                                {0, 0, 0}, {1, 0.5, 0.2}, 2);
     const auto anchor = scene.add_node({1, 2, 0});
     scene.connect<Bar>(scene.add_prototype(Bar(7.0, 0.5, 1.3)), anchor, beam.last());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
@@ -66,7 +66,7 @@ struct Evaluated {
 
 Evaluated evaluate(const Scene& scene, const VectorX& q, const VectorX& multipliers,
                    Storage storage = Storage::full) {
-    ancf::Assembly<Scene> assembly(scene, storage);
+    ancf::Assembly assembly(scene, storage);
     const VectorX v = VectorX::Zero(q.size());
     const auto fault = assembly.evaluate({q, v, multipliers, {}}, ancf::Request::tangent);
     REQUIRE_FALSE(fault);
@@ -80,7 +80,7 @@ TEST_CASE("Assembly: a node carries the vectors that its elements need, no more"
     const Scene scene = make_scene();
     CHECK(scene.layout().size() == 3 * 12 + 3);
     CHECK(scene.layout().fields(3) == ancf::Fields(Field::r));
-    const ancf::Assembly<Scene> assembly(scene, Storage::full);
+    const ancf::Assembly assembly(scene, Storage::full);
     CHECK(assembly.numbering().free_coordinates() == 39 - 9 - 1);
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("Assembly: repeated evaluations give equal bits", "[assembly]") {
 
 TEST_CASE("Assembly: mass as matrix and as product agree, gravity has the weight", "[assembly]") {
     const Scene scene = make_scene();
-    ancf::Assembly<Scene> assembly(scene, Storage::full);
+    ancf::Assembly assembly(scene, Storage::full);
     const auto& numbering = assembly.numbering();
     VectorX free = VectorX::LinSpaced(numbering.unknowns(), -1.0, 2.0);
     VectorX a = VectorX::Zero(scene.layout().size());
@@ -156,7 +156,7 @@ TEST_CASE("Assembly: loads grow with the load factor at the same rate however la
     Scene scene = make_scene();
     const ancf::NodeId end{scene.nodes() - 1};
     scene.add(ancf::Force<3>(end, {0, 0, 1}), [](double factor) { return 3.0 * factor * factor; });
-    const ancf::Assembly<Scene> assembly(scene, Storage::full);
+    const ancf::Assembly assembly(scene, Storage::full);
     const VectorX& q = scene.state().q;
     const int height = scene.coordinate(end, Field::r) + 2;
     const VectorX unit = assembly.load_rate(q, 0.0);
@@ -173,7 +173,7 @@ TEST_CASE("Assembly: loads grow with the load factor at the same rate however la
 TEST_CASE("Assembly: internal forces of any state have no resultant", "[assembly]") {
     const Scene scene = make_scene();
     const VectorX q = disturbed(scene, 11);
-    ancf::Assembly<Scene> assembly(scene, Storage::full);
+    ancf::Assembly assembly(scene, Storage::full);
     REQUIRE_FALSE(
         assembly.evaluate({q, VectorX::Zero(q.size()), VectorX(), {}}, ancf::Request::force));
     const auto sum = ancf::resultant(scene, q, assembly.internal_force());
@@ -185,7 +185,7 @@ TEST_CASE("Assembly: internal forces of any state have no resultant", "[assembly
 
 TEST_CASE("Assembly: the first element that fails is named", "[assembly][bad-input]") {
     const Scene scene = make_scene();
-    ancf::Assembly<Scene> assembly(scene, Storage::full);
+    ancf::Assembly assembly(scene, Storage::full);
     const VectorX v = VectorX::Zero(scene.state().q.size());
     SECTION("not finite") {
         VectorX q = scene.state().q;
@@ -209,7 +209,7 @@ TEST_CASE("Assembly: the first element that fails is named", "[assembly][bad-inp
 TEST_CASE("Assembly: the largest turn of an element is the angle between its slopes",
           "[assembly]") {
     const Scene scene = make_scene();
-    const ancf::Assembly<Scene> assembly(scene, Storage::full);
+    const ancf::Assembly assembly(scene, Storage::full);
     VectorX q = scene.state().q;
     for (const double angle : {0.3, 2.0}) {
         for (int node = 0; node < 3; ++node)  // the fourth has no slope
@@ -224,7 +224,7 @@ TEST_CASE("Assembly: the largest turn of an element is the angle between its slo
 
     Scene braced = make_scene();  // a bar has no slopes, whatever its nodes carry
     braced.connect<Bar>(0, {0}, {2});
-    const ancf::Assembly<Scene> of_braced(braced, Storage::full);
+    const ancf::Assembly of_braced(braced, Storage::full);
     for (int node = 0; node < 3; ++node)
         q.segment<3>(braced.coordinate({node}, Field::r_x)) << std::cos(0.7 * node),
             std::sin(0.7 * node), 0.0;
@@ -239,23 +239,23 @@ TEST_CASE("Assembly: scenes that cannot be assembled are refused", "[assembly][b
     const VectorX v = VectorX::Zero(q.size());
     SECTION("a load on a vector that the node does not carry") {
         scene.add(ancf::FollowerForce({3}, {1, 0, 0}));
-        CHECK_THROWS_AS(ancf::Assembly<Scene>(scene, Storage::full), ancf::InvalidArgument);
+        CHECK_THROWS_AS(ancf::Assembly(scene, Storage::full), ancf::InvalidArgument);
     }
     SECTION("a support on a vector that the node does not carry") {
         scene.fix({3}, Field::r_x);
-        CHECK_THROWS_AS(ancf::Assembly<Scene>(scene, Storage::full), ancf::InvalidArgument);
+        CHECK_THROWS_AS(ancf::Assembly(scene, Storage::full), ancf::InvalidArgument);
     }
     SECTION("an unsymmetric load in lower storage") {
         scene.add(ancf::Moment({1}, {1, 0, 0}));
-        CHECK_THROWS_AS(ancf::Assembly<Scene>(scene, Storage::lower), ancf::InvalidArgument);
-        CHECK_NOTHROW(ancf::Assembly<Scene>(scene, Storage::full));
+        CHECK_THROWS_AS(ancf::Assembly(scene, Storage::lower), ancf::InvalidArgument);
+        CHECK_NOTHROW(ancf::Assembly(scene, Storage::full));
     }
     SECTION("a constraint in lower storage") {
         scene.add(Sphere{{1}});
-        CHECK_THROWS_AS(ancf::Assembly<Scene>(scene, Storage::lower), ancf::InvalidArgument);
+        CHECK_THROWS_AS(ancf::Assembly(scene, Storage::lower), ancf::InvalidArgument);
     }
     SECTION("vectors of a wrong size") {
-        ancf::Assembly<Scene> assembly(scene, Storage::full);
+        ancf::Assembly assembly(scene, Storage::full);
         const VectorX wrong = VectorX::Zero(q.size() + 1);
         CHECK_THROWS_AS(assembly.evaluate({wrong, v, VectorX(), {}}, ancf::Request::force),
                         ancf::InvalidArgument);
@@ -268,7 +268,7 @@ TEST_CASE("Assembly: scenes that cannot be assembled are refused", "[assembly][b
 
 TEST_CASE("Assembly: an empty model has an empty system", "[assembly]") {
     const Scene scene;
-    ancf::Assembly<Scene> assembly(scene, Storage::lower);
+    ancf::Assembly assembly(scene, Storage::lower);
     CHECK(assembly.numbering().unknowns() == 0);
     const VectorX none;
     CHECK_FALSE(assembly.evaluate({none, none, none, {}}, ancf::Request::tangent));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/assembly/block_pattern.hpp>
+#include <ancf/error.hpp>
 
 #include <support/catch.hpp>
 

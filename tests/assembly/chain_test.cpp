@@ -9,7 +9,7 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/element/torsion_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <support/catch.hpp>
@@ -22,12 +22,12 @@ using namespace ancf;
 TEMPLATE_TEST_CASE("Assembly: a chain is the sum of its elements, each evaluated alone",
                    "[assembly][pack]", CrossSectionBeam<3>, (CrossSectionBeam<3, Geodesic>),
                    CrossSectionBeam<2>, ContinuumBeam<3>, TorsionBeam, Cable<3>) {
-    using Scene = Model<TestType>;
+    using Scene = BasicModel<TestType::dimension>;
     using Point = typename Scene::Point;
     constexpr int dofs = TestType::dofs, elements = 21;  // packs and some left over
     Scene scene;
-    straight_beam(scene, Material::isotropic(2e9, 0.3, 1200.0), rectangle(0.2, 0.2),
-                  Point(Point::Zero()), Point(Point::Unit(0) * 4.2), elements);
+    straight_beam<TestType>(scene, Material::isotropic(2e9, 0.3, 1200.0), rectangle(0.2, 0.2),
+                            Point(Point::Zero()), Point(Point::Unit(0) * 4.2), elements);
     test::Random random(3);
     VectorX q = scene.state().q;
     for (double& value : q) value += random.uniform(-0.01, 0.01);
@@ -39,13 +39,13 @@ TEMPLATE_TEST_CASE("Assembly: a chain is the sum of its elements, each evaluated
     for (int k = 0; k < elements; ++k) {
         const int first = k * dofs / 2;  // nodes are numbered along the chain
         const Vector<double, dofs> e = q.segment<dofs>(first);
-        const auto evaluation = scene.group().element(k).evaluate(e);
+        const auto evaluation = scene.template group<TestType>().element(k).evaluate(e);
         energy += evaluation.energy;
         force.segment<dofs>(first) += evaluation.force;
         tangent.block<dofs, dofs>(first, first) += evaluation.tangent;
     }
 
-    Assembly<Scene> assembly(scene, Storage::full);
+    Assembly assembly(scene, Storage::full);
     REQUIRE_FALSE(assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent));
     CHECK(std::abs(assembly.strain_energy() - energy) <= 1e-13 * energy);
     CHECK((assembly.internal_force() - force).norm() <= 1e-13 * force.norm());
@@ -57,13 +57,13 @@ TEMPLATE_TEST_CASE("Assembly: a chain is the sum of its elements, each evaluated
 }
 
 TEST_CASE("Assembly: the energy after a force is that of its own coordinates", "[assembly]") {
-    using Scene = Model<CrossSectionBeam<2>>;
+    using Scene = PlanarModel;
     Scene scene;
-    straight_beam(scene, Material::isotropic(2e9, 0.3, 1200.0), rectangle(0.1, 0.2), {0, 0}, {4, 0},
-                  4);
+    straight_beam<CrossSectionBeam<2>>(scene, Material::isotropic(2e9, 0.3, 1200.0),
+                                       rectangle(0.1, 0.2), {0, 0}, {4, 0}, 4);
     const VectorX rest = VectorX::Zero(scene.state().q.size());
     VectorX q = scene.state().q;
-    Assembly<Scene> assembly(scene, Storage::full);
+    Assembly assembly(scene, Storage::full);
     REQUIRE_FALSE(assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent));
     CHECK(assembly.strain_energy() <= 1e-20);  // J, round-off: E A is 4e7 N
     q[2] += 0.1;

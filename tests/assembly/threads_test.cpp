@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/assembly/schedule.ipp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <support/catch.hpp>
@@ -24,7 +25,7 @@
 namespace threads_test {
 
 using namespace ancf;
-using Scene = Model<CrossSectionBeam<3>, Cable<3>>;
+using Scene = Model;
 
 constexpr int beam_elements = 1100;  // several runs of each colour, the last one incomplete
 
@@ -55,7 +56,7 @@ Evaluated evaluate_on(int threads, const Scene& scene, const VectorX& q) {
 #else
     static_cast<void>(threads);
 #endif
-    Assembly<Scene> assembly(scene, Storage::lower);
+    Assembly assembly(scene, Storage::lower);
     const VectorX rest = VectorX::Zero(q.size());
     const auto fault = assembly.evaluate({q, rest, VectorX(), {}}, Request::tangent);
 #if defined(_OPENMP)
@@ -112,42 +113,40 @@ TEST_CASE("Assembly: elements with a prototype of their own give what they gave 
 TEST_CASE("ElementSchedule: runs of one colour share no node and cover every element once",
           "[assembly]") {
     const Scene scene = make_scene();
-    int groups = 0;
-    scene.for_each_group([&](const auto& group) {
-        ++groups;
-        const auto count = static_cast<int>(group.connections.size());
-        const ElementSchedule schedule(group.connections, scene.layout().nodes());
-        CHECK(schedule.colours() == (count > ElementSchedule::run_length ? 2U : 1U));
+    CHECK(scene.groups().size() == 2);
+    for (const auto& group : scene.groups()) {
+        const int count = group->size();
+        const ElementSchedule schedule(group->connections, scene.layout().nodes());
+        CHECK(schedule.colours().size() == (count > ElementSchedule::run_length ? 2U : 1U));
         std::vector<int> times(static_cast<std::size_t>(count), 0);
         int wrong = 0;
-        schedule.for_each_colour([&](const std::vector<ElementRun>& runs) {
+        for (const std::vector<ElementRun>& runs : schedule.colours()) {
             std::vector<int> owner(static_cast<std::size_t>(scene.layout().nodes()), -1);
             for (std::size_t run = 0; run < runs.size(); ++run)
                 for (int k = runs[run].first; k < runs[run].last; ++k) {
                     ++times[static_cast<std::size_t>(k)];
-                    const Connection& c = group.connections[static_cast<std::size_t>(k)];
+                    const Connection& c = group->connections[static_cast<std::size_t>(k)];
                     for (const NodeId node : {c.first, c.second}) {
                         int& own = owner[static_cast<std::size_t>(node.index)];
                         wrong += own >= 0 && own != static_cast<int>(run) ? 1 : 0;
                         own = static_cast<int>(run);
                     }
                 }
-        });
+        }
         CHECK(wrong == 0);
         CHECK(std::count(times.begin(), times.end(), 1) == count);
-    });
-    CHECK(groups == 2);
+    }
 }
 
 TEST_CASE("ElementSchedule: what an element throws reaches the caller", "[assembly]") {
     const Scene scene = make_scene();
-    scene.for_each_group([&](const auto& group) {
-        const ElementSchedule schedule(group.connections, scene.layout().nodes());
+    for (const auto& group : scene.groups()) {
+        const ElementSchedule schedule(group->connections, scene.layout().nodes());
         const auto failing = [](const ElementRun& run, std::size_t) -> double {
             throw std::runtime_error("element " + std::to_string(run.first));
         };
         CHECK_THROWS_WITH(schedule.sum(failing), "element 0");
-    });
+    }
 }
 
 }  // namespace threads_test

@@ -7,7 +7,7 @@
 
 #include <ancf/element/cable.hpp>
 #include <ancf/element/quadrature.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
@@ -166,13 +166,13 @@ void add_loads(Table& table) {
     table.add([=] { FollowerForce(node, {0, 1}); }, {few});
     table.add([=] { Pin<3>(node, {0, 0}); }, {few});
     table.add([=] { Distance<3>(node, {0, 0}, 1.0); }, {few});
-    table.add([=] { Model<Cable<3>>().add_node({0, 0}); }, {few});
-    table.add([=] { Model<Cable<3>>().set_gravity({0, -10}); }, {few});
+    table.add([=] { Model().add_node({0, 0}); }, {few});
+    table.add([=] { Model().set_gravity({0, -10}); }, {few});
     table.add(
         [=] {
-            Model<Cable<3>> model;
-            straight_beam(model, Material::isotropic(1.0, 0.3, 1.0), rectangle(0.1, 0.1), {0, 0},
-                          {1, 0}, 2);
+            Model model;
+            straight_beam<Cable<3>>(model, Material::isotropic(1.0, 0.3, 1.0), rectangle(0.1, 0.1),
+                                    {0, 0}, {1, 0}, 2);
         },
         {few});
     table.add([=] { SlopeMoment(node, Field::r_y, {0, 1}, 1.0); }, {few});
@@ -192,11 +192,11 @@ void add_scenes(Table& table) {
     using namespace ancf;
     const auto scene = [](const auto& call) {
         return [call](double x) {
-            Model<Cable<2>> model;
+            PlanarModel model;
             const NodeId first = model.add_node({0.0, 0.0}), second = model.add_node({1.0, 0.0});
-            model.connect(model.add_prototype(Cable<2>(Material::isotropic(1.0, 0.3, 1.0),
-                                                       rectangle(0.1, 0.1), 1.0)),
-                          first, second);
+            model.connect<Cable<2>>(model.add_prototype(Cable<2>(Material::isotropic(1.0, 0.3, 1.0),
+                                                                 rectangle(0.1, 0.1), 1.0)),
+                                    first, second);
             call(model, second, x);
             return 0;
         };
@@ -225,7 +225,7 @@ void add_scenes(Table& table) {
     }
     table.add(
         [] {
-            Model<Cable<3>> model;
+            Model model;
             model.add(Moment(model.add_node({0.0, 0.0, 0.0}), {0.0, 0.0, 1.0}));
         },
         {"Moment", "node 0", "connect its elements"});

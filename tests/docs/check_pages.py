@@ -12,7 +12,7 @@ import re
 import sys
 
 PAGES = ["README.md", "CONTRIBUTING.md", "docs/*.md"]
-PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp", "tests/packaging/instances/scene.?pp",
+PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp",
             "tests/packaging/readme/CMakeLists.txt", "tests/packaging/fetch_content/CMakeLists.txt"]
 BLOCK = re.compile(r"^```(?:cpp|cmake)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)

@@ -9,12 +9,12 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <dynamics/scenes.hpp>
+#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 
 #include <cmath>
 
@@ -56,7 +56,7 @@ TEST_CASE("changes: a density changed between two runs moves the mass of the sec
     BarProblem problem(changed.model);
     REQUIRE(run(problem, conserving, until(0.05)).status == Status::converged);
     changed.model.state() = start;
-    changed.model.prototype(0) = Bar<3>(stiffness, 3.0, bar_length);
+    changed.model.prototype<Bar<3>>(0) = Bar<3>(stiffness, 3.0, bar_length);
     REQUIRE(run(problem, conserving, until(0.2)).status == Status::converged);
 
     Chain fresh = pendulum(3.0);
@@ -80,7 +80,7 @@ TEST_CASE("changes: a motion goes on from a change like a scene built in that st
     const DynamicsReport first = run(problem, conserving, until(0.1));
     REQUIRE(first.status == Status::converged);
     const State middle = changed.model.state();
-    changed.model.prototype(0) = Bar<3>(2.0 * stiffness, 3.0, 1.1 * bar_length);
+    changed.model.prototype<Bar<3>>(0) = Bar<3>(2.0 * stiffness, 3.0, 1.1 * bar_length);
     CHECK_THROWS_WITH(run(problem, conserving, until(0.2), first.memory),
                       ContainsSubstring("another scene"));
     REQUIRE(run(problem, conserving, until(0.2)).status == Status::converged);
@@ -108,7 +108,7 @@ TEST_CASE("changes: a memory is refused even where the energies are those before
     CHECK(run(problem, false, until(0.02), first.memory).status == Status::converged);
     scene.model.state() = middle;
     const bool heavier = GENERATE(true, false);
-    scene.model.prototype(0) =
+    scene.model.prototype<Bar<3>>(0) =
         heavier ? Bar<3>(stiffness, 2.0, bar_length) : Bar<3>(2.0 * stiffness, 1.0, bar_length);
     CHECK_THROWS_WITH(run(problem, false, until(0.02), first.memory),
                       ContainsSubstring("mass or stiffness has changed"));
@@ -117,7 +117,7 @@ TEST_CASE("changes: a memory is refused even where the energies are those before
 TEST_CASE("changes: within a run they act from the next step on", "[dynamics]") {
     constexpr double middle = 0.1;
     const auto change = [](Chain& scene) {
-        scene.model.prototype(scene.model.make_own_prototype(1)) =
+        scene.model.prototype<Bar<3>>(scene.model.make_own_prototype<Bar<3>>(1)) =
             Bar<3>(2.0 * stiffness, 5.0, bar_length);
         scene.model.set_gravity({1.0, -5.0, 0.0});
         scene.model.add_mass(scene.last(), 0.3);
@@ -184,7 +184,7 @@ TEST_CASE("changes: a problem refuses a model whose nodes, supports or loads hav
 TEST_CASE("changes: a mass that is no longer positive is refused at every call", "[dynamics]") {
     Chain scene = pendulum(1.0);
     BarProblem problem(scene.model);
-    scene.model.prototype(0) = Bar<3>(stiffness, -1.0, bar_length);
+    scene.model.prototype<Bar<3>>(0) = Bar<3>(stiffness, -1.0, bar_length);
     CHECK_THROWS_WITH(problem.start(), ContainsSubstring("not positive definite"));
     CHECK_THROWS_WITH(problem.start(), ContainsSubstring("not positive definite"));
 }
@@ -206,7 +206,8 @@ TEST_CASE("changes: a softer bar of a chain takes the stretch that statics gives
     ancf::EigenLu solver;
     REQUIRE(solve_statics(scene.model, solver).status == Status::converged);
     CHECK(scene.model.position(scene.last())[0] == Approx(3.0 * stretch(100.0)).epsilon(1e-12));
-    scene.model.prototype(scene.model.make_own_prototype(1)) = Bar<3>(20.0, 1.0, 1.0);
+    scene.model.prototype<Bar<3>>(scene.model.make_own_prototype<Bar<3>>(1)) =
+        Bar<3>(20.0, 1.0, 1.0);
     REQUIRE(solve_statics(scene.model, solver).status == Status::converged);
     CHECK(scene.model.position(scene.nodes[1])[0] == Approx(stretch(100.0)).epsilon(1e-12));
     CHECK(scene.model.position(scene.nodes[2])[0] ==

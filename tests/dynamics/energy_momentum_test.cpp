@@ -1,19 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <dynamics/scenes.hpp>
+#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/bar.hpp>
 #include <support/random_state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace energy_momentum_test {
 
@@ -75,10 +79,13 @@ double momentum_drift(BarModel& model, double step, double end, DynamicsReport& 
 TEST_CASE("rigid modes: what is left of a change has neither resultant nor moment", "[dynamics]") {
     Random random(1);
     const auto is_position = [](int k) { return k % 2 == 0; };
+    const int length_power[] = {1, 0, 1, 0};
     ancf::Vector<double, 12> e = random.vector<12>(), change = random.vector<12>();
-    const ancf::detail::RigidModes<3, 12> modes(e, is_position, 0.3);
-    const ancf::Vector<double, 12> rest = modes.without(change);
-    const ancf::Vector<double, 12> force = modes.weights().cwiseProduct(rest);
+    ancf::detail::RigidModes modes;
+    modes.set(3, 4, e.data(), length_power, 0.3);
+    ancf::Vector<double, 12> rest, force;
+    modes.without(change.data(), rest.data());
+    for (int i = 0; i < 12; ++i) force[i] = modes.weight(i) * rest[i];
     Vector3 resultant = Vector3::Zero(), moment = Vector3::Zero();
     for (int k = 0; k < 4; ++k) {
         if (is_position(k)) resultant += force.segment<3>(3 * k);
@@ -96,7 +103,33 @@ TEST_CASE("rigid modes: what is left of a change has neither resultant nor momen
         rigid.segment<3>(3 * k) = ancf::cross(turn, Vector3(e.segment<3>(3 * k)));
         if (is_position(k)) rigid.segment<3>(3 * k) += shift;
     }
-    CHECK(modes.without(rigid).norm() <= 1e-14);
+    modes.without(rigid.data(), rest.data());
+    CHECK(rest.norm() <= 1e-14);
+}
+
+TEST_CASE("rigid modes: in the plane the derivative of what is left is that of its differences",
+          "[dynamics]") {
+    Random random(3);
+    using E = ancf::Vector<double, 8>;
+    const int length_power[] = {1, 0, 1, -1};
+    const E before = random.vector<8>(), after = random.vector<8>();
+    ancf::detail::RigidModes modes;
+    const auto rest_of = [&](const E& end) {
+        const E middle = 0.5 * (before + end), change = end - before;
+        E rest;
+        modes.set(2, 4, middle.data(), length_power, 0.3);
+        modes.without(change.data(), rest.data());
+        return rest;
+    };
+    const E rest = rest_of(after), change = after - before;
+    ancf::Matrix<double, 8> derivative;
+    modes.derivative_of_without(change.data(), rest.data(), derivative.data());
+    const double h = 1e-6;
+    for (int j = 0; j < 8; ++j) {
+        const E slope =
+            (rest_of(after + h * E::Unit(j)) - rest_of(after - h * E::Unit(j))) / (2 * h);
+        CHECK((slope - derivative.col(j)).norm() <= 1e-8);
+    }
 }
 
 TEST_CASE("discrete gradient: its work is the change of the energy, and its tangent its derivative",
@@ -105,22 +138,28 @@ TEST_CASE("discrete gradient: its work is the change of the energy, and its tang
     INFO("seed " << seed);
     Random random(seed);
     const Bar<3> bar(3.0, 1.0, 1.0);
+    ancf::GroupOf<Bar<3>> group;
+    group.prototypes.push_back(bar);
     using E = Bar<3>::Coordinates;
     E e0 = random.vector<6>(), e1 = e0 + 0.3 * random.vector<6>();
     const double before = bar.energy(e0);
-    const auto step =
-        ancf::detail::step_force(bar, e0, e1, before, ancf::detail::StepTangent::exact);
-    CHECK(step.force.dot(e1 - e0) == Approx(bar.energy(e1) - before).margin(1e-14));
+    ancf::detail::StepForce step, beside;
+    ancf::detail::step_force(group, 0, e0.data(), e1.data(), before,
+                             ancf::detail::StepTangent::exact, step);
+    const E force = Eigen::Map<const E>(step.force);
+    const auto tangent = Eigen::Map<const ancf::Matrix<double, 6>>(step.tangent);
+    CHECK(force.dot(e1 - e0) == Approx(bar.energy(e1) - before).margin(1e-14));
     CHECK(step.energy == bar.energy(e1));
     const double h = 1e-6;
     for (int j = 0; j < 6; ++j) {
         E slope = E::Zero();
-        for (const double sign : {1.0, -1.0})
-            slope += sign / (2.0 * h) *
-                     ancf::detail::step_force(bar, e0, E(e1 + sign * h * E::Unit(j)), before,
-                                              ancf::detail::StepTangent::none)
-                         .force;
-        CHECK((slope - step.tangent.col(j)).norm() <= 1e-7 * (1.0 + slope.norm()));
+        for (const double sign : {1.0, -1.0}) {
+            const E end = e1 + sign * h * E::Unit(j);
+            ancf::detail::step_force(group, 0, e0.data(), end.data(), before,
+                                     ancf::detail::StepTangent::none, beside);
+            slope += sign / (2.0 * h) * Eigen::Map<const E>(beside.force);
+        }
+        CHECK((slope - tangent.col(j)).norm() <= 1e-7 * (1.0 + slope.norm()));
     }
     // the correction is there: the middle's gradient alone misses the energy
     const E middle = bar.force(E(0.5 * (e0 + e1)));
@@ -315,15 +354,18 @@ TEST_CASE("rigid modes: of more vectors than a word has bits", "[dynamics]") {
         e[i] = std::sin(1.0 * i * i);
         change[i] = std::cos(2.0 * i * i);
     }
-    const auto positions = [](int k) { return k < 35 ? 1 : 0; };
-    const ancf::detail::RigidModes<3, Eigen::Dynamic> modes(e, positions, 0.5);
-    const VectorX rest = modes.without(change);
-    CHECK(modes.turn_of(rest).norm() <= 1e-12);
+    std::vector<int> length_power(70, 0);
+    std::fill_n(length_power.begin(), 35, 1);
+    ancf::detail::RigidModes modes;
+    modes.set(3, 70, e.data(), length_power.data(), 0.5);
+    VectorX rest(3 * 70);
+    modes.without(change.data(), rest.data());
+    CHECK(modes.turn_of(rest.data()).norm() <= 1e-12);
     Vector3 shift = Vector3::Zero();
     for (int k = 0; k < 35; ++k) shift += rest.segment<3>(3 * k);
     CHECK(shift.norm() <= 1e-12);
     CHECK(rest.norm() > 1e-3);
-    for (int k = 35; k < 70; ++k) CHECK(modes.weights()[3 * k] == 0.5);
+    for (int k = 35; k < 70; ++k) CHECK(modes.weight(3 * k) == 0.5);
 }
 
 TEST_CASE("energy-momentum: stops on request, refuses what cannot be meant", "[dynamics]") {

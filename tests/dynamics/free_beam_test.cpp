@@ -7,16 +7,15 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,17 +27,17 @@ using ancf::DynamicsReport;
 using ancf::Schedule;
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
-using BeamModel = ancf::Model<Element>;
-using Problem = ancf::DynamicProblem<BeamModel>;
+using BeamModel = ancf::Model;
+using Problem = ancf::DynamicProblem;
 
 constexpr double energy_scheme = -1.0;  // in the place of a damping parameter
 
 /// The paper's rubber beam, 1.2 m, without supports.
 ancf::Beam<Element> add_rubber(BeamModel& model, int elements, const Vector3& direction) {
     const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
-    return ancf::straight_beam(model, rubber, ancf::rectangle(0.05, 0.05), Vector3::Zero(),
-                               Vector3(1.2 * direction.normalized()), elements,
-                               ancf::CrossSectionOptions::paper());
+    return ancf::straight_beam<Element>(model, rubber, ancf::rectangle(0.05, 0.05), Vector3::Zero(),
+                                        Vector3(1.2 * direction.normalized()), elements,
+                                        ancf::CrossSectionOptions::paper());
 }
 
 /// Runs generalized-alpha with a damping parameter, or the energy-momentum scheme.

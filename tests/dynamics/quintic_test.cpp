@@ -7,7 +7,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -16,7 +16,6 @@
 
 #include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +28,8 @@ using ancf::Field;
 using ancf::Status;
 using Quintic = ancf::QuinticBeam<>;
 using Cubic = ancf::CrossSectionBeam<3, ancf::Geodesic>;
-using Scene = ancf::Model<Quintic, Cubic>;
-using Problem = ancf::DynamicProblem<Scene>;
+using Scene = ancf::Model;
+using Problem = ancf::DynamicProblem;
 
 const ancf::Material rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
 const ancf::Section square = ancf::rectangle(0.05, 0.05);

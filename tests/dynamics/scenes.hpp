@@ -20,8 +20,8 @@
 
 namespace ancf::test {
 
-using BarModel = Model<Bar<3>>;
-using BarProblem = DynamicProblem<BarModel>;
+using BarModel = Model;
+using BarProblem = DynamicProblem;
 using Vector3 = Vector<double, 3>;
 
 /// Returns a schedule that ends at a time and reports nothing on the way.
@@ -50,7 +50,7 @@ struct Chain {
         result.nodes.push_back(result.model.add_node(from + (to - from) * k / bars));
     for (int k = 0; k < bars; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        result.model.connect(prototype, result.nodes[at], result.nodes[at + 1]);
+        result.model.connect<Bar<3>>(prototype, result.nodes[at], result.nodes[at + 1]);
     }
     return result;
 }

@@ -5,10 +5,10 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
 
@@ -17,14 +17,15 @@
 namespace slope_moment_test {
 
 using ancf::Field;
-using Scene = ancf::Model<ancf::Cable<2>>;
-using Problem = ancf::DynamicProblem<Scene>;
+using Scene = ancf::PlanarModel;
+using Problem = ancf::DynamicProblem;
 
 /// A steel strip with a moment on its last slope, free or clamped at its other end.
 Scene strip(double moment, bool clamped) {
     Scene model;
-    const auto beam = ancf::straight_beam(model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0),
-                                          ancf::rectangle(0.01, 0.01), {0.0, 0.0}, {1.0, 0.0}, 2);
+    const auto beam =
+        ancf::straight_beam<ancf::Cable<2>>(model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0),
+                                            ancf::rectangle(0.01, 0.01), {0.0, 0.0}, {1.0, 0.0}, 2);
     if (clamped) model.clamp(beam.first());
     model.add(ancf::PlanarSlopeMoment(beam.last(), Field::r_x, moment));
     return model;

@@ -6,12 +6,11 @@
 
 #include <ancf/element/cable.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <element/cable_scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -44,7 +43,7 @@ template <class Element>
 class Chain {
 public:
     static constexpr int dimension = Element::dimension;
-    using Point = typename Model<Element>::Point;
+    using Point = typename BasicModel<Element::dimension>::Point;
 
     /// The start is an arc, stretched as a tension of one weight would: without tension, nothing
     /// but E I holds it.
@@ -63,10 +62,12 @@ public:
             r[1] = radius * (std::cos(half) - std::cos(angle));
             slope[0] = std::cos(angle);
             slope[1] = std::sin(angle);
-            typename Model<Element>::Slopes slopes = Model<Element>::Slopes::Identity();
+            typename BasicModel<Element::dimension>::Slopes slopes =
+                BasicModel<Element::dimension>::Slopes::Identity();
             slopes.col(0) = turn * slope * (1.0 + 1.0 / start_);
             nodes.push_back(model.add_node(turn * r, slopes));
-            if (k > 0) model.connect(prototype_, nodes[nodes.size() - 2], nodes.back());
+            if (k > 0)
+                model.template connect<Element>(prototype_, nodes[nodes.size() - 2], nodes.back());
         }
         model.pin(nodes.front());
         model.pin(nodes.back());
@@ -79,7 +80,7 @@ public:
     void settle() {
         EigenLdlt solver;
         for (double stiffness = start_; stiffness <= 1e8; stiffness *= 100.0) {
-            model.prototype(prototype_) = cable(stiffness);
+            model.template prototype<Element>(prototype_) = cable(stiffness);
             const StaticsReport report = solve_statics(model, solver);
             iterations += report.iterations();
             REQUIRE(report.status == Status::converged);
@@ -88,7 +89,7 @@ public:
 
     [[nodiscard]] double sag() const { return model.position(middle_).dot(down_); }
 
-    Model<Element> model;
+    BasicModel<Element::dimension> model;
     int iterations = 0;
 
 private:

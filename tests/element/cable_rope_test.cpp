@@ -8,16 +8,15 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/element_properties.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -122,15 +121,15 @@ TEMPLATE_TEST_CASE("Cable: derivatives hold across taut and slack stations",
 /// A mass of 1 kg at the end of a rope that only pulls, 1 m long and a little off the vertical.
 struct Throw {
     static constexpr int elements = 4;
-    Model<Cable<3>> model;
+    Model model;
     Beam<Cable<3>> rope;
 
     explicit Throw(double speed) {
         const double slant = 0.05;
-        rope = straight_beam(model, Material::isotropic(1e9, 0.3, 1000.0), circle(0.005),
-                             Vector<double, 3>(0.0, 0.0, 0.0),
-                             Vector<double, 3>(std::sin(slant), 0.0, -std::cos(slant)), elements,
-                             CableOptions{cable_rule(), 0.0});
+        rope = straight_beam<Cable<3>>(model, Material::isotropic(1e9, 0.3, 1000.0), circle(0.005),
+                                       Vector<double, 3>(0.0, 0.0, 0.0),
+                                       Vector<double, 3>(std::sin(slant), 0.0, -std::cos(slant)),
+                                       elements, CableOptions{cable_rule(), 0.0});
         model.pin(rope.first());
         model.add_mass(rope.last(), 1.0);
         model.set_gravity({0.0, 0.0, -9.81});
@@ -150,7 +149,7 @@ struct Flight {
 template <class Integrator>
 Flight fly(double speed, const Integrator& integrator) {
     Throw scene(speed);
-    DynamicProblem<Model<Cable<3>>> problem(scene.model);
+    DynamicProblem problem(scene.model);
     Flight flight;
     double start = 0.0;
     Schedule schedule = equal_intervals(0.0, 1.5, 0.001);

@@ -8,8 +8,8 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cable.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
@@ -38,31 +38,32 @@ struct SlenderCable {
 
 /// Holds a node's position and the direction of its slope, which points along `axis`, but not the
 /// slope's length.
-template <class Element>
-void clamp_direction(Model<Element>& model, NodeId node, int axis = 0) {
+template <int Dimension>
+void clamp_direction(BasicModel<Dimension>& model, NodeId node, int axis = 0) {
     model.pin(node);
-    for (int component = 0; component < Element::dimension; ++component)
+    for (int component = 0; component < Dimension; ++component)
         if (component != axis) model.fix(node, Field::r_x, component);
 }
 
 /// A straight cantilever along X.
 template <class Element>
-Beam<Element> cantilever(Model<Element>& model, const SlenderCable& cable, int elements,
-                         const CableOptions& options = {}) {
-    using Point = typename Model<Element>::Point;
-    const auto beam = straight_beam(model, cable.material(), cable.section(), Point(Point::Zero()),
-                                    Point(Point::Unit(0)), elements, options);
+Beam<Element> cantilever(BasicModel<Element::dimension>& model, const SlenderCable& cable,
+                         int elements, const CableOptions& options = {}) {
+    using Point = typename BasicModel<Element::dimension>::Point;
+    const auto beam =
+        straight_beam<Element>(model, cable.material(), cable.section(), Point(Point::Zero()),
+                               Point(Point::Unit(0)), elements, options);
     clamp_direction(model, beam.first());
     return beam;
 }
 
 /// A cantilever of unit length that is stress-free as an arc from the origin, along X at its start.
 template <class Element>
-Beam<Element> curved_cantilever(Model<Element>& model, const SlenderCable& cable, double angle,
-                                int elements) {
-    using Point = typename Model<Element>::Point;
-    const auto beam = arc(model, cable.material(), cable.section(), Point(Point::Zero()),
-                          Point(Point::Unit(0)), 1.0 / angle, angle, elements);
+Beam<Element> curved_cantilever(BasicModel<Element::dimension>& model, const SlenderCable& cable,
+                                double angle, int elements) {
+    using Point = typename BasicModel<Element::dimension>::Point;
+    const auto beam = arc<Element>(model, cable.material(), cable.section(), Point(Point::Zero()),
+                                   Point(Point::Unit(0)), 1.0 / angle, angle, elements);
     clamp_direction(model, beam.first());
     return beam;
 }

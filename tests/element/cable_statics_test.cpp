@@ -7,12 +7,11 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <element/cable_scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>
@@ -29,8 +28,7 @@ using Plane = Vector<double, 2>;
 using Space = Vector<double, 3>;
 
 /// Brings a scene to equilibrium, in equal load steps.
-template <class Element>
-void settle(Model<Element>& model, int steps = 1) {
+void settle(Scene& model, int steps = 1) {
     EigenLu solver;
     StaticsOptions options;
     options.steps = steps;
@@ -40,11 +38,13 @@ void settle(Model<Element>& model, int steps = 1) {
 
 /// The tip of a cantilever under a dead tip load along Y.
 template <class Element>
-typename Model<Element>::Point loaded_tip(const SlenderCable& cable, int elements, double load,
-                                          const CableOptions& options = {}, int steps = 1) {
-    using Point = typename Model<Element>::Point;
-    Model<Element> model;
-    const auto beam = cantilever(model, cable, elements, options);
+typename BasicModel<Element::dimension>::Point loaded_tip(const SlenderCable& cable, int elements,
+                                                          double load,
+                                                          const CableOptions& options = {},
+                                                          int steps = 1) {
+    using Point = typename BasicModel<Element::dimension>::Point;
+    BasicModel<Element::dimension> model;
+    const auto beam = cantilever<Element>(model, cable, elements, options);
     model.add(Force<Element::dimension>(beam.last(), Point(load * Point::Unit(1))));
     settle(model, steps);
     return model.position(beam.last());
@@ -60,10 +60,10 @@ Plane bent_tip(const SlenderCable& cable, double moment) {
 }
 
 template <class Element, class Load>
-typename Model<Element>::Point bent(const SlenderCable& cable, int elements, const Load& load,
-                                    int steps) {
-    Model<Element> model;
-    const auto beam = cantilever(model, cable, elements);
+typename BasicModel<Element::dimension>::Point bent(const SlenderCable& cable, int elements,
+                                                    const Load& load, int steps) {
+    BasicModel<Element::dimension> model;
+    const auto beam = cantilever<Element>(model, cable, elements);
     model.add(load(beam.last()));
     settle(model, steps);
     return model.position(beam.last());
@@ -121,11 +121,13 @@ TEST_CASE("Cable: one element's shorter rest length tightens the whole chain",
     const auto material = Material::from_moduli(1e6, 4e5, 1000.0);
     const auto section = rectangle(0.1, 0.1);
     constexpr double rest = 0.5, shorter = 0.44, span = 4.0 * rest;
-    Model<Cable<2>> model;
-    const auto beam = straight_beam(model, material, section, Plane(0, 0), Plane(span, 0), 4);
+    PlanarModel model;
+    const auto beam =
+        straight_beam<Cable<2>>(model, material, section, Plane(0, 0), Plane(span, 0), 4);
     model.pin(beam.first());
     model.pin(beam.last());
-    model.prototype(model.make_own_prototype(beam.elements[1])) = {material, section, shorter};
+    model.prototype<Cable<2>>(model.make_own_prototype<Cable<2>>(beam.elements[1])) = {
+        material, section, shorter};
     settle(model);
     const double stretch = span / (3.0 * rest + shorter);
     // at first neither loads nor reactions are there to measure the residual by
@@ -134,8 +136,8 @@ TEST_CASE("Cable: one element's shorter rest length tightens the whole chain",
     const double tension = 1e6 * 0.01 * 0.5 * (stretch * stretch - 1.0);  // E A eps
     for (int k = 0; k < 4; ++k) {
         CHECK(model.value(beam.node(k), Field::r_x)[0] == Approx(stretch).epsilon(1e-11));
-        const auto& element = model.group().element(k);
-        CHECK(element.section_forces(model.element_coordinates(k), 0.5).axial ==
+        const auto& element = model.group<Cable<2>>().element(k);
+        CHECK(element.section_forces(model.element_coordinates<Cable<2>>(k), 0.5).axial ==
               Approx(stretch * tension).epsilon(1e-10));
     }
 }
@@ -175,8 +177,8 @@ TEST_CASE("Cable: a line load on a curved chain is its weight",
           "[element][cable][statics][curved]") {
     const SlenderCable cable{1e-2};
     const auto tip = [&](bool as_gravity) {
-        Model<Cable<2>> model;
-        const auto beam = test::curved_cantilever(model, cable, 1.0, 3);
+        PlanarModel model;
+        const auto beam = test::curved_cantilever<Cable<2>>(model, cable, 1.0, 3);
         const double line_density = 1e-4;  // density 1 on the section of height 1e-2
         const Plane g(0.3, -2.0);
         if (as_gravity)
@@ -192,16 +194,17 @@ TEST_CASE("Cable: a line load on a curved chain is its weight",
 
 TEST_CASE("Cable: section forces balance the tip load", "[element][cable][statics][results]") {
     const SlenderCable cable{1e-2};
-    Model<Cable<2>> model;
+    PlanarModel model;
     const int elements = 32;
-    const auto beam = cantilever(model, cable, elements);
+    const auto beam = cantilever<Cable<2>>(model, cable, elements);
     const Plane load(0.5, 2.0);
     model.add(Force<2>(beam.last(), load));
     settle(model);
     const Plane tip = model.position(beam.last());
     for (const int place : {0, 10, 31}) {
-        const auto& element = model.group().element(place);
-        const auto e = model.element_coordinates(beam.elements[static_cast<std::size_t>(place)]);
+        const auto& element = model.group<Cable<2>>().element(place);
+        const auto e =
+            model.element_coordinates<Cable<2>>(beam.elements[static_cast<std::size_t>(place)]);
         const double xi = 0.5;
         const Plane arm = tip - element.position(e, xi), t = element.tangent(e, xi);
         const SectionForces forces = element.section_forces(e, xi);
@@ -219,8 +222,8 @@ TEST_CASE("Cable: a curved cantilever deflects as the curved bar of closed form,
     const double radius = 2.0 / pi, load = 1e-5;
     const SlenderCable cable{1e-3};
     const auto error = [&](int elements) {
-        Model<Cable<2>> model;
-        const auto beam = test::curved_cantilever(model, cable, pi / 2.0, elements);
+        PlanarModel model;
+        const auto beam = test::curved_cantilever<Cable<2>>(model, cable, pi / 2.0, elements);
         const Plane start = model.position(beam.last());
         CHECK((start - Plane(radius, radius)).norm() <= 1e-14);
         model.add(Force<2>(beam.last(), Plane(-load, 0.0)));  // the normal there points to -X
@@ -241,8 +244,8 @@ TEST_CASE("Cable: the moment of its natural curvature straightens a curved canti
     const double curvature = pi / 2.0;
     const SlenderCable cable{1e-2};
     const auto error = [&](int elements) {
-        Model<Cable<2>> model;
-        const auto beam = test::curved_cantilever(model, cable, curvature, elements);
+        PlanarModel model;
+        const auto beam = test::curved_cantilever<Cable<2>>(model, cable, curvature, elements);
         model.add(PlanarSlopeMoment(beam.last(), Field::r_x, -curvature));
         settle(model, 4);
         return (model.position(beam.last()) - Plane(1.0, 0.0)).norm();
@@ -257,8 +260,9 @@ TEST_CASE("Cable: in compression a rope gives by the ratio of its stiffnesses",
     const double ratio = GENERATE(0.1, 1e-4);
     const SlenderCable cable{1e-2};
     for (const double strain : {1e-4, -1e-4}) {
-        Model<Cable<2, EngineeringAxial>> model;
-        const auto beam = cantilever(model, cable, 4, {cable_rule(), ratio});
+        PlanarModel model;
+        const auto beam =
+            cantilever<Cable<2, EngineeringAxial>>(model, cable, 4, {cable_rule(), ratio});
         const double stiffness = cable.axial_stiffness() * (strain > 0.0 ? 1.0 : ratio);
         model.add(Force<2>(beam.last(), Plane(stiffness * strain, 0.0)));
         settle(model);
@@ -271,10 +275,10 @@ TEST_CASE("Cable: Newton's method finds which part of a rope is slack",
     const double ratio = GENERATE(1.0, 0.1, 1e-4);
     const SlenderCable cable{1e-2};
     const auto stretch_of = [&](int elements, int& iterations) {
-        Model<Cable<2, EngineeringAxial>> model;
-        const auto beam =
-            straight_beam(model, cable.material(), cable.section(), Plane(0.0, 0.0),
-                          Plane(1.0, 0.0), elements, CableOptions{cable_rule(), ratio});
+        PlanarModel model;
+        const auto beam = straight_beam<Cable<2, EngineeringAxial>>(
+            model, cable.material(), cable.section(), Plane(0.0, 0.0), Plane(1.0, 0.0), elements,
+            CableOptions{cable_rule(), ratio});
         model.pin(beam.first());
         model.pin(beam.last());
         const double load = 1e-4 * cable.axial_stiffness();

@@ -14,10 +14,6 @@
 
 #include <support/catch.hpp>
 #include <support/element_properties.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 
 namespace mass_test {
 

@@ -12,19 +12,15 @@
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -44,12 +40,12 @@ TEMPLATE_TEST_CASE("section forces: they balance loads at nodes beside a clamp a
     using Element = TestType;
     constexpr int dimension = Element::dimension;
     using Point = ancf::Vector<double, dimension>;
-    ancf::Model<Element> model;
+    ancf::BasicModel<Element::dimension> model;
     Point end = Point::Zero();
     end[0] = 1.0;
     const auto beam =
-        ancf::straight_beam(model, ancf::Material::isotropic(2.1e11, 0.3, 7850.0),
-                            ancf::rectangle(0.02, 0.02), Point(Point::Zero()), end, 4);
+        ancf::straight_beam<Element>(model, ancf::Material::isotropic(2.1e11, 0.3, 7850.0),
+                                     ancf::rectangle(0.02, 0.02), Point(Point::Zero()), end, 4);
     model.clamp(beam.first());
     std::vector<std::pair<ancf::NodeId, Vector3>> loads = {{beam.node(2), {40.0, -90.0, 60.0}},
                                                            {beam.last(), {30.0, 500.0, -200.0}}};

@@ -7,16 +7,16 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/polyline.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/polyline.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <functional>
@@ -28,8 +28,8 @@ namespace curve_test {
 using namespace ancf;
 using Spatial = CrossSectionBeam<3, Geodesic>;
 using Planar = CrossSectionBeam<2>;
-using Space = Model<Spatial>;
-using Plane = Model<Planar>;
+using Space = Model;
+using Plane = PlanarModel;
 using P2 = Vector<double, 2>;
 using P3 = Vector<double, 3>;
 
@@ -60,7 +60,7 @@ void check_frame(const Space& model, NodeId node) {
 template <class Scene>
 double total_length(const Scene& model) {
     double sum = 0.0;
-    const auto& group = model.group();
+    const auto& group = model.template group<Spatial>();
     for (int k = 0; k < static_cast<int>(group.connections.size()); ++k)
         sum += group.element(k).length();
     return sum;
@@ -70,8 +70,8 @@ double total_length(const Scene& model) {
 /// that starts along X and turns towards Y.
 P3 quarter_tip(int elements, const P3& force, const CrossSectionOptions& options = accurate()) {
     Space model;
-    const auto beam = arc(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0, 0.5 * pi,
-                          elements, options);
+    const auto beam = arc<Spatial>(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0,
+                                   0.5 * pi, elements, options);
     model.clamp(beam.first());
     model.add(Force<3>(beam.last(), force));
     const P3 start = model.position(beam.last());
@@ -84,7 +84,7 @@ P3 quarter_tip(int elements, const P3& force, const CrossSectionOptions& options
 P2 quarter_tip(int elements, const P2& force) {
     Plane model;
     const auto beam =
-        arc(model, steel(), square(), {0, 0}, {1, 0}, 1.0, 0.5 * pi, elements, accurate());
+        arc<Planar>(model, steel(), square(), {0, 0}, {1, 0}, 1.0, 0.5 * pi, elements, accurate());
     model.clamp(beam.first());
     model.add(Force<2>(beam.last(), force));
     const P2 start = model.position(beam.last());
@@ -104,7 +104,8 @@ TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "
     Space model;
     const P3 from(1.0, -2.0, 0.5), tangent(0.0, 3.0, 4.0), normal(1.0, 0.2, 0.0);
     const double radius = 2.5, angle = 2.0;
-    const auto beam = arc(model, steel(), square(), from, tangent, normal, radius, angle, 8);
+    const auto beam =
+        arc<Spatial>(model, steel(), square(), from, tangent, normal, radius, angle, 8);
     const Matrix<double, 3> frame = reference_slopes(tangent, normal);
     const P3 centre = from + radius * frame.col(1);
     REQUIRE(beam.nodes.size() == 9);
@@ -122,16 +123,16 @@ TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "
     CHECK(1.0 - total_length(model) / (radius * angle) ==
           Approx(std::pow(angle / 8, 4) / 720.0).epsilon(0.02));
     for (int k = 0; k < 8; ++k) {
-        const auto e = model.element_coordinates(k);
+        const auto e = model.element_coordinates<Spatial>(k);
         const double scale = steel().young * square().moments().area;
-        CHECK(model.group().element(k).force(e).norm() <= 1e-13 * scale);
+        CHECK(model.template group<Spatial>().element(k).force(e).norm() <= 1e-13 * scale);
     }
 }
 
 TEST_CASE("arc: in the plane it turns to either side", "[model][curve][planar]") {
     for (const double angle : {1.5, -1.5}) {
         Plane model;
-        const auto beam = arc(model, steel(), square(), {0, 0}, {0, 2}, 3.0, angle, 6);
+        const auto beam = arc<Planar>(model, steel(), square(), {0, 0}, {0, 2}, 3.0, angle, 6);
         const double sign = angle > 0.0 ? 1.0 : -1.0;
         const P2 tip = model.position(beam.last());
         CHECK(tip[0] == Approx(-sign * 3.0 * (1.0 - std::cos(angle))));
@@ -146,15 +147,15 @@ TEST_CASE("arc: its mass and weight are those of the ring's part", "[model][curv
     Space model;
     const double radius = 1.0, angle = 0.5 * pi;
     const auto beam =
-        arc(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius, angle, 16);
+        arc<Spatial>(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius, angle, 16);
     const double mass = density * side * side * radius * angle;
     const P3 g(0.0, -9.81, 0.0);
     P3 sum = P3::Zero();
     double work = 0.0;
     for (int k = 0; k < 16; ++k) {
-        const auto weight = model.group().element(k).gravity(g);
+        const auto weight = model.template group<Spatial>().element(k).gravity(g);
         sum += weight.segment<3>(0) + weight.segment<3>(12);
-        work += weight.dot(model.element_coordinates(k));
+        work += weight.dot(model.element_coordinates<Spatial>(k));
     }
     CHECK((sum - mass * g).norm() <= 1e-6 * mass * g.norm());  // (pi/32)^4/720 = 1.3e-7
     const double height = radius * (1.0 - std::sin(angle) / angle);
@@ -168,8 +169,8 @@ TEST_CASE("helix: nodes lie on it, tangents have its slope, y points to the axis
         Space model;
         const double radius = 0.5, turns = 1.5;
         const P3 centre(0.1, 0.2, 0.3);
-        const auto beam = helix(model, steel(), square(), centre, P3(0, 0, 2), P3(1, 0, 1), radius,
-                                pitch, turns, 24);
+        const auto beam = helix<Spatial>(model, steel(), square(), centre, P3(0, 0, 2), P3(1, 0, 1),
+                                         radius, pitch, turns, 24);
         for (int k = 0; k <= 24; ++k) {
             const NodeId node = beam.node(k);
             check_frame(model, node);
@@ -193,7 +194,7 @@ TEST_CASE("spline: it passes through its points, smooth and without needless twi
         Space model;
         std::vector<P3> through;
         for (const double x : {0.0, 0.3, 0.5, 1.0}) through.emplace_back(x, 0.0, x * x);
-        const auto beam = spline(model, steel(), square(), through, P3(0, 1, 0));
+        const auto beam = spline<Spatial>(model, steel(), square(), through, P3(0, 1, 0));
         CHECK(beam.prototypes.size() == 3);
         for (std::size_t k = 0; k < through.size(); ++k) {
             const NodeId node = beam.nodes[k];
@@ -208,8 +209,8 @@ TEST_CASE("spline: it passes through its points, smooth and without needless twi
     }
     SECTION("a straight row of points is a straight beam") {
         Space model;
-        const auto beam =
-            spline(model, steel(), square(), {P3(0, 0, 0), P3(1, 1, 1), P3(3, 3, 3)}, P3(0, 0, 1));
+        const auto beam = spline<Spatial>(model, steel(), square(),
+                                          {P3(0, 0, 0), P3(1, 1, 1), P3(3, 3, 3)}, P3(0, 0, 1));
         CHECK(total_length(model) == Approx(3.0 * std::sqrt(3.0)).epsilon(1e-14));
         CHECK((at(model, beam.last(), Field::r_y) - at(model, beam.first(), Field::r_y)).norm() <=
               1e-14);
@@ -224,7 +225,7 @@ TEST_CASE("spline: it passes through its points, smooth and without needless twi
                 const double turn = pi * n / elements;
                 through.emplace_back(std::cos(turn), std::sin(turn), 0.0);
             }
-            (void)spline(model, steel(), square(), through, P3(0, 0, 1));
+            (void)spline<Spatial>(model, steel(), square(), through, P3(0, 0, 1));
             error[k] = std::abs(total_length(model) / pi - 1.0);
         }
         CHECK(error[0] <= 2e-3);
@@ -269,8 +270,8 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
     SECTION("in space") {
         const auto tip = [&](bool welded, const auto& load) {
             Space model;
-            const auto beam = straight_beam(model, steel(), rectangle(depth, depth), {0, 0, 0},
-                                            {1, 0, 0}, elements, accurate());
+            const auto beam = straight_beam<Spatial>(model, steel(), rectangle(depth, depth),
+                                                     {0, 0, 0}, {1, 0, 0}, elements, accurate());
             if (welded)
                 model.add(Weld(model, beam.first()));
             else
@@ -302,8 +303,8 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
     SECTION("in the plane") {
         const auto tip = [&](bool welded) {
             Plane model;
-            const auto beam = straight_beam(model, steel(), rectangle(depth, depth), {0, 0}, {1, 0},
-                                            elements, accurate());
+            const auto beam = straight_beam<Planar>(model, steel(), rectangle(depth, depth), {0, 0},
+                                                    {1, 0}, elements, accurate());
             if (welded)
                 model.add(PlanarWeld(model, beam.first()));
             else
@@ -320,9 +321,9 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
 TEST_CASE("point_along: it lies on the centre line of curved elements", "[model][curve]") {
     Space model;
     const auto beam =
-        spline(model, steel(), square(), {P3(0, 0, 0), P3(0.5, 0.3, 0), P3(0.7, 0.9, 0.3)},
-               P3(0, 0, 1), accurate());
-    const auto& group = model.group<Spatial>();
+        spline<Spatial>(model, steel(), square(), {P3(0, 0, 0), P3(0.5, 0.3, 0), P3(0.7, 0.9, 0.3)},
+                        P3(0, 0, 1), accurate());
+    const auto& group = model.template group<Spatial>();
     for (const int k : beam.elements)
         for (const double xi : {0.0, 0.3, 0.5, 1.0}) {
             const MaterialPoint point = point_along<Spatial>(model, k, xi);
@@ -341,8 +342,8 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
     const double J = square().torsion_constant(), P = 1.0;
     SECTION("in space, loaded across the plane") {
         Space model;
-        const auto legs = polyline(model, steel(), square(),
-                                   {P3(0, 0, 0), P3(1, 0, 0), P3(1, 1, 0)}, 4, accurate());
+        const auto legs = polyline<Spatial>(model, steel(), square(),
+                                            {P3(0, 0, 0), P3(1, 0, 0), P3(1, 1, 0)}, 4, accurate());
         REQUIRE(legs.size() == 2);
         model.clamp(legs[0].first());
         model.add(Force<3>(legs[1].last(), P3(0, 0, P)));
@@ -355,8 +356,8 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
     }
     SECTION("in the plane, far bent") {
         Plane model;
-        const auto legs = polyline(model, steel(), square(),
-                                   {P2(0, 0), P2(1, 0), P2(1, 1), P2(2, 1)}, 4, accurate());
+        const auto legs = polyline<Planar>(model, steel(), square(),
+                                           {P2(0, 0), P2(1, 0), P2(1, 1), P2(2, 1)}, 4, accurate());
         REQUIRE(legs.size() == 3);
         model.clamp(legs[0].first());
         model.add(Force<2>(legs[2].last(), P2(0.0, 0.5 * E * I)));
@@ -384,50 +385,54 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
         std::function<void(Space&)> build;
     };
     const Case cases[] = {
-        {"arc: no radius", [&](Space& a) { arc(a, m, s, o, x, y, 0.0, 1.0, 4); }},
-        {"arc: negative radius", [&](Space& a) { arc(a, m, s, o, x, y, -1.0, 1.0, 4); }},
-        {"arc: no angle", [&](Space& a) { arc(a, m, s, o, x, y, 1.0, 0.0, 4); }},
-        {"arc: angle no number", [&](Space& a) { arc(a, m, s, o, x, y, 1.0, nan, 4); }},
-        {"arc: no elements", [&](Space& a) { arc(a, m, s, o, x, y, 1.0, 1.0, 0); }},
-        {"arc: parallel directions", [&](Space& a) { arc(a, m, s, o, x, x, 1.0, 1.0, 4); }},
-        {"arc: no tangent", [&](Space& a) { arc(a, m, s, o, o, y, 1.0, 1.0, 4); }},
-        {"arc: start no number", [&](Space& a) { arc(a, m, s, P3(nan, 0, 0), x, y, 1.0, 1.0, 4); }},
-        {"helix: no radius", [&](Space& a) { helix(a, m, s, o, x, y, 0.0, 1.0, 1.0, 4); }},
-        {"helix: pitch no number", [&](Space& a) { helix(a, m, s, o, x, y, 1.0, nan, 1.0, 4); }},
-        {"helix: no turns", [&](Space& a) { helix(a, m, s, o, x, y, 1.0, 1.0, 0.0, 4); }},
-        {"helix: no elements", [&](Space& a) { helix(a, m, s, o, x, y, 1.0, 1.0, 1.0, 0); }},
+        {"arc: no radius", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 4); }},
+        {"arc: negative radius", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, -1.0, 1.0, 4); }},
+        {"arc: no angle", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 0.0, 4); }},
+        {"arc: angle no number", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, nan, 4); }},
+        {"arc: no elements", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0); }},
+        {"arc: parallel directions",
+         [&](Space& a) { arc<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 4); }},
+        {"arc: no tangent", [&](Space& a) { arc<Spatial>(a, m, s, o, o, y, 1.0, 1.0, 4); }},
+        {"arc: start no number",
+         [&](Space& a) { arc<Spatial>(a, m, s, P3(nan, 0, 0), x, y, 1.0, 1.0, 4); }},
+        {"helix: no radius", [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 1.0, 4); }},
+        {"helix: pitch no number",
+         [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, nan, 1.0, 4); }},
+        {"helix: no turns", [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0.0, 4); }},
+        {"helix: no elements",
+         [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 1.0, 0); }},
         {"helix: parallel directions",
-         [&](Space& a) { helix(a, m, s, o, x, x, 1.0, 1.0, 1.0, 4); }},
-        {"spline: one point", [&](Space& a) { spline(a, m, s, {o}, y); }},
+         [&](Space& a) { helix<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 1.0, 4); }},
+        {"spline: one point", [&](Space& a) { spline<Spatial>(a, m, s, {o}, y); }},
         {"spline: a point twice",
          [&](Space& a) {
-             spline(a, m, s, {o, x, x}, y);
+             spline<Spatial>(a, m, s, {o, x, x}, y);
          }},
         {"spline: no number",
          [&](Space& a) {
-             spline(a, m, s, {o, P3(nan, 0, 0)}, y);
+             spline<Spatial>(a, m, s, {o, P3(nan, 0, 0)}, y);
          }},
         {"spline: y along it",
          [&](Space& a) {
-             spline(a, m, s, {o, x}, x);
+             spline<Spatial>(a, m, s, {o, x}, x);
          }},
-        {"polyline: one point", [&](Space& a) { polyline(a, m, s, {o}, 4); }},
+        {"polyline: one point", [&](Space& a) { polyline<Spatial>(a, m, s, {o}, 4); }},
         {"polyline: a point twice",
          [&](Space& a) {
-             polyline(a, m, s, {o, o}, 4);
+             polyline<Spatial>(a, m, s, {o, o}, 4);
          }},
         {"polyline: no elements",
          [&](Space& a) {
-             polyline(a, m, s, {o, x, y}, 0);
+             polyline<Spatial>(a, m, s, {o, x, y}, 0);
          }},
         {"beam_through: one point",
          [&](Space& a) {
-             beam_through(a, m, s, {{o, reference_slopes(x)}}, {1.0});
+             beam_through<Spatial>(a, m, s, {{o, reference_slopes(x)}}, {1.0});
          }},
         {"beam_through: lengths that do not fit",
          [&](Space& a) {
-             beam_through(a, m, s, {{o, reference_slopes(x)}, {x, reference_slopes(x)}},
-                          {1.0, 1.0});
+             beam_through<Spatial>(a, m, s, {{o, reference_slopes(x)}, {x, reference_slopes(x)}},
+                                   {1.0, 1.0});
          }},
     };
     for (const Case& each : cases) {
@@ -436,9 +441,9 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
         CHECK_THROWS_AS(each.build(model), InvalidArgument);
     }
     Plane plane;
-    CHECK_THROWS_AS(arc(plane, m, s, P2(0, 0), P2(1, 0), 0.0, 1.0, 4), InvalidArgument);
-    CHECK_THROWS_AS(arc(plane, m, s, P2(0, 0), P2(1, 0), 1.0, 0.0, 4), InvalidArgument);
-    CHECK_THROWS_AS(arc(plane, m, s, P2(0, 0), P2(0, 0), 1.0, 1.0, 4), InvalidArgument);
+    CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 0.0, 1.0, 4), InvalidArgument);
+    CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 1.0, 0.0, 4), InvalidArgument);
+    CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(0, 0), 1.0, 1.0, 4), InvalidArgument);
 }
 
 }  // namespace curve_test

@@ -9,15 +9,13 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/model/damping.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -40,7 +38,7 @@ Section section() { return rectangle(side, side); }
 /// Integrates a model to the given time and returns whether it got there.
 template <class Scene>
 bool run(Scene& model, double end, double step) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;
@@ -75,9 +73,9 @@ TEMPLATE_TEST_CASE("damping: a free beam slows down by drag and by mass as its c
                    "[model][damping][dynamics]", Element, Cable<2>) {
     const double rate = 3.0, end = 0.4;
     for (const bool drag : {false, true}) {
-        Model<TestType> model;
+        BasicModel<TestType::dimension> model;
         const auto beam =
-            straight_beam(model, material(), section(), Point(0, 0), Point(1, 0.5), 3);
+            straight_beam<TestType>(model, material(), section(), Point(0, 0), Point(1, 0.5), 3);
         if (drag) {
             add_drag(model, beam, rate * line_density);
         } else {
@@ -95,15 +93,16 @@ TEMPLATE_TEST_CASE("damping: a free beam slows down by drag and by mass as its c
 
 TEST_CASE("add_drag: its power is that of the centre line's velocity, on a curve too",
           "[model][damping]") {
-    Model<Element> model;
+    PlanarModel model;
     const double c = 2.5;
-    const auto beam = arc(model, material(), section(), Point(0, 0), Point(1, 0), 1.0, 1.0, 2);
+    const auto beam =
+        arc<Element>(model, material(), section(), Point(0, 0), Point(1, 0), 1.0, 1.0, 2);
     add_drag(model, beam, c);
     REQUIRE(model.loads().size() == 2);
     double power = 0.0, length = 0.0;
     for (int k = 0; k < 2; ++k) {
         LoadState state{VectorX::Zero(12), VectorX::Zero(12), 0.0};
-        const auto e = model.element_coordinates(k);
+        const auto e = model.element_coordinates<Element>(k);
         for (int node = 0; node < 2; ++node) {  // a turn about the arc's centre, 1 rad/s
             const Point r = e.segment<2>(6 * node) - Point(0, 1), t = e.segment<2>(6 * node + 2);
             state.v.segment<2>(6 * node) << -r[1], r[0];
@@ -113,15 +112,16 @@ TEST_CASE("add_drag: its power is that of the centre line's velocity, on a curve
         LoadResult out{VectorX::Zero(12), MatrixX::Zero(12, 12), MatrixX::Zero(12, 12), 0.0};
         model.loads()[static_cast<std::size_t>(k)].load.evaluate(state, out);
         power += out.force.dot(state.v);
-        length += model.group().element(k).length();
+        length += model.group<Element>().element(k).length();
     }
     CHECK(power == Approx(-c * length).epsilon(2e-4));  // cubics for arcs
 }
 
 TEST_CASE("add_drag: r_xx of a quintic centre line has its part", "[model][damping]") {
-    Model<QuinticBeam<>> model;
+    Model model;
     const double c = 2.5;
-    const auto beam = straight_beam(model, material(), section(), {0, 0, 0}, {1, 0, 0}, 1);
+    const auto beam =
+        straight_beam<QuinticBeam<>>(model, material(), section(), {0, 0, 0}, {1, 0, 0}, 1);
     add_drag(model, beam, c);
     LoadState state{VectorX::Zero(30), VectorX::Zero(30), 0.0};
     // the velocity x^4 across: -c int x^8 dx is its power
@@ -135,11 +135,12 @@ TEST_CASE("add_drag: r_xx of a quintic centre line has its part", "[model][dampi
 
 TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",
           "[model][damping][dynamics]") {
-    Model<Element> model;
-    const auto beam = straight_beam(model, material(), section(), Point(0, 0), Point(1, 0), 2);
+    PlanarModel model;
+    const auto beam =
+        straight_beam<Element>(model, material(), section(), Point(0, 0), Point(1, 0), 2);
     model.clamp(beam.first());
     // first mode of the model itself, from its dense matrices
-    Assembly<Model<Element>> assembly(model, Storage::full);
+    Assembly assembly(model, Storage::full);
     State& state = model.state();
     const VectorX rest = VectorX::Zero(state.q.size());
     REQUIRE(!assembly.evaluate({state.q, rest, state.multipliers, {0.0, 1.0}}, Request::tangent));
@@ -163,8 +164,9 @@ TEST_CASE("add_rayleigh_damping: a mode decays with the ratio a/(2 w) + b w/2",
 }
 
 TEST_CASE("damping: values that cannot be meant are refused", "[model][damping][bad-input]") {
-    Model<Element> model;
-    const auto beam = straight_beam(model, material(), section(), Point(0, 0), Point(1, 0), 2);
+    PlanarModel model;
+    const auto beam =
+        straight_beam<Element>(model, material(), section(), Point(0, 0), Point(1, 0), 2);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_AS(add_drag(model, beam, -1.0), InvalidArgument);
     CHECK_THROWS_AS(add_drag(model, beam, nan), InvalidArgument);

@@ -5,7 +5,7 @@
 /// Kelvin and Voigt's damping of cables: axial strain and curvature, in the plane and in space.
 
 #include <ancf/element/cable.hpp>
-#include <ancf/model/damping.hpp>
+#include <ancf/model/loads/damping.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>

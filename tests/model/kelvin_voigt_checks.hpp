@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include <ancf/model/damping.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>

@@ -108,7 +108,8 @@ TEST_CASE("Moment: the generalised force has the moment as its resultant", "[loa
     }
 }
 
-TEST_CASE("Moment: on a section it stretches no slope and shares a torque evenly", "[load]") {
+TEST_CASE("Moment: on a section it stretches no slope; without shares a torque divides evenly",
+          "[load]") {
     const Vector3 y(0.0, 1.1, 0.0), z(0.0, 0.0, 0.9);
     Vector6 slopes;
     slopes << y, z;

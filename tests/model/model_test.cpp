@@ -4,12 +4,11 @@
 #include <ancf/model/model.hpp>
 
 #include <ancf/element/continuum_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
 
 #include <Eigen/LU>
 
@@ -22,7 +21,7 @@ using ancf::Field;
 using ancf::InvalidArgument;
 using Bar = ancf::test::Bar<3>;
 using Beam = ancf::ContinuumBeam<3>;
-using Scene = ancf::Model<Beam, Bar>;
+using Scene = ancf::Model;
 using Vector3 = ancf::Vector<double, 3>;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -33,7 +32,7 @@ TEST_CASE("straight_beam: any direction gives unit slopes and equal elements", "
     const Vector3 to = GENERATE(Vector3(2, 0, 0), Vector3(-2, 0, 0), Vector3(0, 0, 3),
                                 Vector3(-1, 1e-9, 0), Vector3(1, -2, 0.5));
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, to, 4);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, to, 4);
     REQUIRE(beam.nodes.size() == 5);
     CHECK(beam.prototypes.size() == 1);
     CHECK(scene.group<Beam>().prototypes.size() == 1);
@@ -57,7 +56,7 @@ TEST_CASE("reference_slopes: along X the section axes are Y and Z", "[model]") {
 
 TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
     scene.set_value(beam.last(), Field::r, {1.0, 0.5, 0.0});
     scene.set_rate(beam.last(), Field::r_y, {0.0, 0.0, 7.0});
     const auto far = scene.add_node({3, 0, 0});
@@ -72,7 +71,7 @@ TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]
 
 TEST_CASE("Model: element coordinates are the fields of both nodes in order", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
     const Beam::Coordinates e = scene.element_coordinates<Beam>(1);
     Beam::Coordinates expected;
     expected << 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
@@ -82,25 +81,26 @@ TEST_CASE("Model: element coordinates are the fields of both nodes in order", "[
 
 TEST_CASE("Model: an element's own prototype changes it and no other", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 4);
-    const int own = scene.make_own_prototype(beam.elements[2]);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 4);
+    const int own = scene.make_own_prototype<Beam>(beam.elements[2]);
     CHECK(own == 1);
-    CHECK(scene.make_own_prototype(beam.elements[2]) == own);  // nothing left to copy
+    CHECK(scene.make_own_prototype<Beam>(beam.elements[2]) == own);  // nothing left to copy
     REQUIRE(scene.group<Beam>().prototypes.size() == 2);
     CHECK(scene.group<Beam>().element(2).length() == 0.5);
-    scene.prototype(own) = Beam(material, section, 0.4);
+    scene.prototype<Beam>(own) = Beam(material, section, 0.4);
     for (int k = 0; k < 4; ++k)
         CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.5));
-    scene.prototype(beam.prototypes[0]) = Beam(material, section, 0.6);  // what still share it
+    scene.prototype<Beam>(beam.prototypes[0]) =
+        Beam(material, section, 0.6);  // what still share it
     for (int k = 0; k < 4; ++k)
         CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.6));
-    CHECK_THROWS_AS(scene.make_own_prototype(4), InvalidArgument);
-    CHECK_THROWS_AS(scene.make_own_prototype(-1), InvalidArgument);
+    CHECK_THROWS_AS(scene.make_own_prototype<Beam>(4), InvalidArgument);
+    CHECK_THROWS_AS(scene.make_own_prototype<Beam>(-1), InvalidArgument);
 }
 
 TEST_CASE("Model: its revision tells changes of properties from those of the scene", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
     ancf::Revision before = scene.revision();
     const auto changed = [&] {
         const ancf::Revision now = scene.revision();
@@ -114,7 +114,7 @@ TEST_CASE("Model: its revision tells changes of properties from those of the sce
     scene.set_value(beam.last(), Field::r, {2.0, 0.1, 0.0});
     static_cast<void>(scene.group<Beam>().element(0).length());
     CHECK(changed() == nothing);
-    static_cast<void>(scene.prototype(0));
+    static_cast<void>(scene.prototype<Beam>(0));
     CHECK(changed() == properties);
     scene.set_gravity({0, 0, -9.81});
     CHECK(changed() == properties);
@@ -128,13 +128,13 @@ TEST_CASE("Model: its revision tells changes of properties from those of the sce
     CHECK(changed() == the_scene);
     const auto far = scene.add_node({3, 0, 0});
     CHECK(changed() == the_scene);
-    scene.connect(0, beam.last(), far);
+    scene.connect<Beam>(0, beam.last(), far);
     CHECK(changed() == the_scene);
 }
 
 TEST_CASE("Model: supports replace one another and can be released", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 0, 0}, 1);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 1);
     scene.clamp(beam.first());
     CHECK(scene.supports().size() == 12);
     scene.clamp(beam.first());
@@ -158,7 +158,7 @@ TEST_CASE("Model: supports replace one another and can be released", "[model]") 
 
 TEST_CASE("add_line_load: its resultant is the force per length times the length", "[model]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {2, 1, 0}, 3);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 1, 0}, 3);
     ancf::add_line_load(scene, beam, {0.0, -3.0, 1.0});
     REQUIRE(scene.loads().size() == 3);
     Vector3 sum = Vector3::Zero();
@@ -177,7 +177,7 @@ TEST_CASE("add_line_load: its resultant is the force per length times the length
 
 TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]") {
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
     const ancf::NodeId absent{7};
     const int bar = scene.add_prototype(Bar(1, 1, 1));
     CHECK_THROWS_AS(scene.add_node({0, not_a_number, 0}), InvalidArgument);
@@ -201,12 +201,12 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(scene.prototype<Bar>(1), InvalidArgument);
     CHECK_THROWS_AS(beam.node(2), InvalidArgument);
     CHECK_THROWS_AS(ancf::add_line_load(scene, beam, {0, not_a_number, 0}), InvalidArgument);
-    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {0, 0, 0}, 1),
+    CHECK_THROWS_AS(ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {0, 0, 0}, 1),
                     InvalidArgument);
-    CHECK_THROWS_AS(ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, 0),
+    CHECK_THROWS_AS(ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 0),
                     InvalidArgument);
     CHECK_THROWS_AS(
-        ancf::straight_beam(scene, material, section, {0, 0, 0}, {not_a_number, 0, 0}, 1),
+        ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {not_a_number, 0, 0}, 1),
         InvalidArgument);
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(1, 0, 0), Vector3(2, 0, 0)), InvalidArgument);
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);

@@ -9,18 +9,15 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -32,7 +29,7 @@ namespace moving_joints_test {
 using namespace ancf;
 using Bar = CrossSectionBeam<3>;
 using Rope = Cable<3>;
-using Scene = Model<Bar, Rope>;
+using Scene = Model;
 using Point = Vector<double, 3>;
 
 constexpr double gravity = 9.81;
@@ -42,8 +39,8 @@ Material steel() { return Material::isotropic(2e11, 0.3, 7800.0); }
 
 /// Adds a straight bar with the rule that does not lock.
 Beam<Bar> bar(Scene& model, const Point& from, const Point& to, int elements = 1) {
-    return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, elements,
-                         CrossSectionOptions::best());
+    return straight_beam<Bar>(model, steel(), rectangle(0.02, 0.02), from, to, elements,
+                              CrossSectionOptions::best());
 }
 
 /// A motion and its largest constraint violation.
@@ -55,7 +52,7 @@ struct Course {
 /// Integrates a scene; calls look(state) at every step.
 template <class Look>
 Course run(Scene& model, double end, double step, const Look& look) {
-    DynamicProblem<Scene> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = step;
@@ -227,13 +224,13 @@ TEST_CASE("Driven: one equation of a pin follows its motion, and its work is the
 
 TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
           "[constraint][dynamics][planar]") {
-    using Plane = Model<CrossSectionBeam<2>>;
+    using Plane = PlanarModel;
     using Point2 = Vector<double, 2>;
     constexpr double end = 0.5;
     Plane model;
     const auto flat = [&](const Point2& from, const Point2& to) {
-        return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, 1,
-                             CrossSectionOptions::best());
+        return straight_beam<CrossSectionBeam<2>>(model, steel(), rectangle(0.02, 0.02), from, to,
+                                                  1, CrossSectionOptions::best());
     };
     const auto first = flat({0.0, 0.0}, {0.5, 0.0}), second = flat({0.5, 0.0}, {0.8, 0.1});
     model.pin(first.first());
@@ -248,7 +245,7 @@ TEST_CASE("PlanarWeld: a driven angle between two bars is the one prescribed",
     };
     const double start = angle(model.state());
     double most = 0.0;
-    DynamicProblem<Plane> problem(model);
+    DynamicProblem problem(model);
     EigenLu solver;
     GeneralizedAlphaOptions options;
     options.step = 1e-3;

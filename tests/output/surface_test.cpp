@@ -5,7 +5,7 @@
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/shape.hpp>
 #include <ancf/output/surface.hpp>
@@ -15,9 +15,6 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Geometry>
@@ -43,7 +40,7 @@ const ancf::Material steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
 template <class Element>
 struct Scene {
     explicit Scene(const ancf::Section& shape = ancf::rectangle(0.2, 0.1))
-        : section(shape), beam(ancf::straight_beam(model, steel, section, from, to, 3)) {}
+        : section(shape), beam(ancf::straight_beam<Element>(model, steel, section, from, to, 3)) {}
 
     /// Turns every vector of every node and moves the nodes.
     void move(const ancf::Matrix<double, 3>& rotation, const Point& shift) {
@@ -59,7 +56,7 @@ struct Scene {
     Point from{0.5, -0.25, 1.0};
     Point to{1.5, 0.75, 3.0};
     ancf::Section section;
-    ancf::Model<Element> model;
+    ancf::Model model;
     ancf::Beam<Element> beam;
 };
 
@@ -213,10 +210,11 @@ TEST_CASE("Surface: velocities are those of a rigid rotation", "[output]") {
 
 TEST_CASE("Surface: two beams of one scene stand side by side", "[output]") {
     using Element = ancf::ContinuumBeam<3>;
-    ancf::Model<Element> model;
+    ancf::Model model;
     const auto section = ancf::rectangle(0.1, 0.1);
-    const auto first = ancf::straight_beam(model, steel, section, {0, 0, 0}, {1, 0, 0}, 1);
-    const auto second = ancf::straight_beam(model, steel, section, {0, 5, 0}, {2, 5, 0}, 2);
+    const auto first = ancf::straight_beam<Element>(model, steel, section, {0, 0, 0}, {1, 0, 0}, 1);
+    const auto second =
+        ancf::straight_beam<Element>(model, steel, section, {0, 5, 0}, {2, 5, 0}, 2);
     ancf::Surface surface;
     surface.add(model, first, section, 2);
     surface.add(model, second, section, 2);
@@ -237,11 +235,11 @@ struct PlacedBar : ancf::test::Bar<3> {
 };
 
 TEST_CASE("Surface: what an element does not offer is zero", "[output]") {
-    ancf::Model<PlacedBar> model;
+    ancf::Model model;
     ancf::Beam<PlacedBar> beam;
     beam.nodes = {model.add_node({0.0, 0.0, 0.0}), model.add_node({2.0, 0.0, 0.0})};
-    beam.elements = {
-        model.connect(model.add_prototype(PlacedBar(1.0, 1.0, 2.0)), beam.first(), beam.last())};
+    beam.elements = {model.connect<PlacedBar>(model.add_prototype(PlacedBar(1.0, 1.0, 2.0)),
+                                              beam.first(), beam.last())};
     model.set_rate(beam.last(), ancf::Field::r, {1.0, 1.0, 1.0});
     ancf::Surface surface;
     surface.add(model, beam, ancf::rectangle(0.5, 0.25), 2);
@@ -253,9 +251,9 @@ TEST_CASE("Surface: what an element does not offer is zero", "[output]") {
 TEMPLATE_TEST_CASE("Surface: a planar beam is drawn with its width normal to the plane", "[output]",
                    ancf::ContinuumBeam<2>, ancf::CrossSectionBeam<2>) {
     using Element = TestType;
-    ancf::Model<Element> model;
+    ancf::PlanarModel model;
     const auto section = ancf::rectangle(0.2, 0.1);
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0}, {3, 4}, 2);
+    const auto beam = ancf::straight_beam<Element>(model, steel, section, {0, 0}, {3, 4}, 2);
     model.state().v.setConstant(1.0);
     ancf::Surface surface;
     surface.add(model, beam, section, 3);

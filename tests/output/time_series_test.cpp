@@ -11,17 +11,15 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cable.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/time_series.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/planar.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +38,12 @@ constexpr double side = 0.1, pull = 800.0, lift = 30.0, length = 2.0;
 
 /// A cantilever welded to space at its first node, under a force at its tip.
 struct Cantilever {
-    Model<Element> model;
+    PlanarModel model;
     Beam<Element> beam;
 
     Cantilever()
-        : beam(straight_beam(model, Material::isotropic(2e9, 0.3, 7800.0), rectangle(side, side),
-                             Point(0, 0), Point(length, 0), 4)) {
+        : beam(straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                      rectangle(side, side), Point(0, 0), Point(length, 0), 4)) {
         model.add(PlanarWeld(model, beam.first()));
         model.add(Force<2>(beam.last(), Point(pull, lift)));
     }
@@ -95,8 +93,8 @@ TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are 
     Cantilever scene;
     std::ostringstream out;
     TimeSeries series(out, scene.model);
-    series.add_section_forces("tip", 3, 1.0);
-    series.add_stress("axis", 0, 0.5);
+    series.add_section_forces<Element>("tip", 3, 1.0);
+    series.add_stress<Element>("axis", 0, 0.5);
     series.add_reaction("weld", 0, scene.beam.first());
     REQUIRE(scene.settle());
     State state = scene.model.state();
@@ -139,12 +137,12 @@ TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are 
 /// The rubber beam of 1.2 m, hung from its first node by a support or by a joint.
 struct Pendulum {
     static constexpr double mass = 5540.0 * 0.05 * 0.05 * 1.2, gravity = 9.81;
-    Model<Element> model;
+    PlanarModel model;
     Beam<Element> beam;
 
     explicit Pendulum(bool support, const Point& tip = Point(1.2, 0.0))
-        : beam(straight_beam(model, Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
-                             rectangle(0.05, 0.05), Point(0, 0), tip, 4)) {
+        : beam(straight_beam<Element>(model, Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
+                                      rectangle(0.05, 0.05), Point(0, 0), tip, 4)) {
         if (support)
             model.pin(beam.first());
         else
@@ -261,9 +259,10 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
     }
     SECTION("a clamp") {
         Cantilever scene;
-        Model<Element> clamped;
-        const auto beam = straight_beam(clamped, Material::isotropic(2e9, 0.3, 7800.0),
-                                        rectangle(side, side), Point(0, 0), Point(length, 0), 4);
+        PlanarModel clamped;
+        const auto beam =
+            straight_beam<Element>(clamped, Material::isotropic(2e9, 0.3, 7800.0),
+                                   rectangle(side, side), Point(0, 0), Point(length, 0), 4);
         clamped.clamp(beam.first(), Clamp::free_slope);
         clamped.add(Force<2>(beam.last(), Point(pull, lift)));
         EigenLu solver;
@@ -282,13 +281,13 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
 }
 
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {
-    Model<Cable<3>> model;
-    const auto cable = straight_beam(model, Material::isotropic(2e9, 0.3, 7800.0), circle(0.01),
-                                     {0, 0, 0}, {1, 0, 0}, 1);
+    Model model;
+    const auto cable = straight_beam<Cable<3>>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                               circle(0.01), {0, 0, 0}, {1, 0, 0}, 1);
     std::ostringstream out;
     TimeSeries series(out, model);
-    series.add_section_forces("middle", 0, 0.5);
-    series.add_stress("middle", 0, 0.5);
+    series.add_section_forces<Cable<3>>("middle", 0, 0.5);
+    series.add_stress<Cable<3>>("middle", 0, 0.5);
     const State& state = model.state();
     series.write({state, {}, 0.0, 0.0});
     const std::string header = out.str().substr(0, out.str().find('\n'));
@@ -301,9 +300,9 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     Cantilever scene;
     std::ostringstream out;
     TimeSeries series(out, scene.model);
-    CHECK_THROWS_AS(series.add_section_forces("a", 4, 0.5), InvalidArgument);
-    CHECK_THROWS_AS(series.add_stress("a", -1, 0.5), InvalidArgument);
-    CHECK_THROWS_AS(series.add_stress("a", 0, 1.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_section_forces<Element>("a", 4, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_stress<Element>("a", -1, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_stress<Element>("a", 0, 1.5), InvalidArgument);
     CHECK_THROWS_AS(series.add_reaction("a", 1, scene.beam.first()), InvalidArgument);
     CHECK_THROWS_AS(series.add_reaction("a", 0, scene.beam.last()), InvalidArgument);
     DynamicProblem problem(scene.model);
@@ -315,7 +314,7 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
                       ContainsSubstring("another model"));
     const State& state = scene.model.state();
     series.write({state, {}, 0.0, 0.0});
-    CHECK_THROWS_AS(series.add_section_forces("late", 0, 0.5), InvalidArgument);
+    CHECK_THROWS_AS(series.add_section_forces<Element>("late", 0, 0.5), InvalidArgument);
 }
 
 }  // namespace time_series_test

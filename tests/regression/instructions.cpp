@@ -8,7 +8,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
@@ -19,7 +19,7 @@
 namespace {
 
 using Element = ancf::CrossSectionBeam<3>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 
 constexpr int elements = 100;
 
@@ -34,8 +34,7 @@ ANCF_NOINLINE double measured_evaluation(const Element& element, const Element::
     return result.energy + result.force[3] + result.tangent(3, 4);
 }
 
-ANCF_NOINLINE double measured_iteration(ancf::Assembly<Scene>& assembly,
-                                        ancf::BlockTridiagonal& solver,
+ANCF_NOINLINE double measured_iteration(ancf::Assembly& assembly, ancf::BlockTridiagonal& solver,
                                         const ancf::Configuration& at, ancf::VectorX& residual,
                                         ancf::VectorX& correction) {
     if (assembly.evaluate(at, ancf::Request::tangent)) return NAN;
@@ -54,15 +53,15 @@ int main() {
     const double evaluation = measured_evaluation(element, e);
 
     Scene scene;
-    const auto beam = ancf::straight_beam(scene, steel, ancf::rectangle(0.02, 0.02), {0, 0, 0},
-                                          {0.1 * elements, 0, 0}, elements);
+    const auto beam = ancf::straight_beam<Element>(scene, steel, ancf::rectangle(0.02, 0.02),
+                                                   {0, 0, 0}, {0.1 * elements, 0, 0}, elements);
     scene.clamp(beam.first());
     ancf::VectorX q = scene.state().q;
     for (Eigen::Index k = 0; k < q.size(); ++k)
         q[k] += 1e-4 * static_cast<double>((k * 37) % 11 - 5);
     const ancf::VectorX rest = ancf::VectorX::Zero(q.size());
     const ancf::VectorX none;
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    ancf::Assembly assembly(scene, ancf::Storage::lower);
     ancf::BlockTridiagonal solver(0.0);
     solver.analyze(assembly.tangent());
     ancf::VectorX residual(assembly.numbering().unknowns()), correction(residual.size());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 
 #include <support/catch.hpp>

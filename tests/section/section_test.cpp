@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/constants.hpp>
+#include <ancf/error.hpp>
 #include <ancf/section/section.hpp>
 
 #include <section/area_integral.hpp>

@@ -7,7 +7,6 @@
 
 #include <solver/linear_solver_cases.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <Eigen/Eigenvalues>
 
@@ -30,7 +29,7 @@ double exact_rcond(const SparseMatrix& lower) {
 template <class Solver>
 double reported_rcond(const SparseMatrix& lower) {
     Solver solver;
-    const SparseMatrix matrix = stored(lower, Solver::storage);
+    const SparseMatrix matrix = stored(lower, solver.storage());
     solver.analyze(matrix);
     const FactorReport report = solver.factorize(matrix);
     REQUIRE(report.status == Status::converged);
@@ -80,8 +79,8 @@ TEMPLATE_TEST_CASE("rcond: a mechanism is named by an unknown that takes part in
             for (SparseMatrix::InnerIterator entry(*matrix, j); entry; ++entry)
                 triplets.emplace_back(static_cast<int>(entry.row()) + first, j + first,
                                       entry.value());
-    const SparseMatrix matrix = stored(sparse(48 + 60, triplets), TestType::storage);
     TestType solver;
+    const SparseMatrix matrix = stored(sparse(48 + 60, triplets), solver.storage());
     solver.analyze(matrix);
     const FactorReport report = solver.factorize(matrix);
     CHECK(report.status == Status::singular);

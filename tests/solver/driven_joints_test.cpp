@@ -8,18 +8,16 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>
@@ -30,8 +28,8 @@ namespace driven_joints_test {
 using namespace ancf;
 using Flat = CrossSectionBeam<2>;
 using Bar = CrossSectionBeam<3>;
-using Plane = Model<Flat>;
-using Space = Model<Bar>;
+using Plane = PlanarModel;
+using Space = Model;
 using Point2 = Vector<double, 2>;
 using Point3 = Vector<double, 3>;
 
@@ -45,13 +43,13 @@ Motion ramp(double angle) {
 }
 
 Beam<Flat> flat(Plane& model, const Point2& from, const Point2& to, int elements = 1) {
-    return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, elements,
-                         CrossSectionOptions::best());
+    return straight_beam<Flat>(model, steel(), rectangle(0.02, 0.02), from, to, elements,
+                               CrossSectionOptions::best());
 }
 
 Beam<Bar> bar(Space& model, const Point3& from, const Point3& to, int elements = 1) {
-    return straight_beam(model, steel(), rectangle(0.02, 0.02), from, to, elements,
-                         CrossSectionOptions::best());
+    return straight_beam<Bar>(model, steel(), rectangle(0.02, 0.02), from, to, elements,
+                              CrossSectionOptions::best());
 }
 
 /// Returns the angle in the plane of y and z, or of x and y, from one vector to another.

@@ -6,7 +6,6 @@
 #include <solver/linear_solver_cases.hpp>
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <limits>
 
@@ -16,15 +15,15 @@ using namespace ancf;
 using namespace ancf::test;
 
 TEST_CASE("EigenLu: saddle points are solved", "[solver][eigen]") {
-    solves_saddle_points<EigenLu>();
+    solves_saddle_points(made<EigenLu>);
 }
 
 TEST_CASE("EigenLu: an unsymmetric matrix is not mistaken for its transpose", "[solver][eigen]") {
-    solves_unsymmetric_systems<EigenLu>();
+    solves_unsymmetric_systems(made<EigenLu>);
 }
 
 TEST_CASE("EigenLu: constraints given twice are singular", "[solver][eigen]") {
-    calls_redundant_constraints_singular<EigenLu>();
+    calls_redundant_constraints_singular(made<EigenLu>);
 }
 
 TEST_CASE("EigenLdlt: on a saddle point it is right or says that it failed", "[solver][eigen]") {

@@ -10,17 +10,14 @@
 #include <ancf/element/cable.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_points.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cable.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -36,7 +33,7 @@ namespace modal_test {
 
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 
 using ancf::pi;
 constexpr double young = 2.07e11, poisson = 0.3, density = 7850.0;
@@ -95,8 +92,8 @@ Scene cantilever(int elements, double height, Hold hold = Hold::supports,
     Scene scene;
     auto chosen = options();
     chosen.rotary_inertia = inertia;
-    const auto beam = ancf::straight_beam(scene, steel(), ancf::rectangle(height, height),
-                                          {0, 0, 0}, {1, 0, 0}, elements, chosen);
+    const auto beam = ancf::straight_beam<Element>(scene, steel(), ancf::rectangle(height, height),
+                                                   {0, 0, 0}, {1, 0, 0}, elements, chosen);
     if (hold == Hold::supports) {
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         return scene;
@@ -201,7 +198,7 @@ TEST_CASE("modes: shapes are orthonormal in the mass and belong to their frequen
     ancf::EigenLdlt solver;
     const auto report = ancf::natural_modes(scene, solver);
     REQUIRE(report.modes.size() == 6);
-    const ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    const ancf::Assembly assembly(scene, ancf::Storage::lower);
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j <= i; ++j)
             CHECK(report.modes[i].shape.dot(assembly.mass_product(report.modes[j].shape)) ==
@@ -210,8 +207,8 @@ TEST_CASE("modes: shapes are orthonormal in the mass and belong to their frequen
 
 TEST_CASE("modes: a free beam has six motions without frequency, then bending", "[modal]") {
     Scene scene;
-    ancf::straight_beam(scene, steel(), ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8,
-                        options());
+    ancf::straight_beam<Element>(scene, steel(), ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0},
+                                 8, options());
     const double unit = young * 0.02 * 0.02 / 12.0 / density;  // (omega/(beta L)^2)^2
     ancf::EigenLdlt solver;
     ancf::ModalOptions wanted;
@@ -266,7 +263,7 @@ TEST_CASE("modes: of a following load's stiffness the symmetric part counts", "[
     REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
     const auto found = ancf::natural_modes(scene, solver);
     REQUIRE(found.status == Status::converged);
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::full);
+    ancf::Assembly assembly(scene, ancf::Storage::full);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
     REQUIRE_FALSE(
@@ -317,9 +314,9 @@ TEST_CASE("modes: an unstable state has no modes with any solver", "[modal]") {
     const double load = GENERATE(1.5, 8.5, 8.9, 8.99);
     INFO("load " << load);
     using Planar = ancf::CrossSectionBeam<2>;
-    ancf::Model<Planar> scene;
-    const auto beam = ancf::straight_beam(scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0},
-                                          {1, 0}, 8, options());
+    ancf::PlanarModel scene;
+    const auto beam = ancf::straight_beam<Planar>(scene, steel(), ancf::rectangle(0.01, 0.01),
+                                                  {0, 0}, {1, 0}, 8, options());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     scene.add(ancf::Force<2>(beam.last(), {-load * pi * pi / 4.0 * young * 1e-8 / 12.0, 0}));
     ancf::EigenLu full;
@@ -368,9 +365,9 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         CHECK(report.modes.at(1).value == Approx(1.0).epsilon(1e-3));
     }
     SECTION("column of cable, which takes no stresses") {
-        ancf::Model<ancf::Cable<2>> scene;
-        const auto beam =
-            ancf::straight_beam(scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0}, {1, 0}, 8);
+        ancf::PlanarModel scene;
+        const auto beam = ancf::straight_beam<ancf::Cable<2>>(
+            scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0}, {1, 0}, 8);
         scene.pin(beam.first());
         scene.fix(beam.first(), ancf::Field::r_x, 1);
         scene.add(ancf::Force<2>(beam.last(), {-pi * pi / 4.0 * young * 1e-8 / 12.0, 0}));
@@ -388,8 +385,8 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
     SECTION("lateral buckling under a dead tip load") {
         Scene scene;
         const auto beam =
-            ancf::straight_beam(scene, steel(), ancf::rectangle(0.002, 0.1), {0, 0, 0}, {1, 0, 0},
-                                32, options(ancf::SectionModel::saint_venant));
+            ancf::straight_beam<Element>(scene, steel(), ancf::rectangle(0.002, 0.1), {0, 0, 0},
+                                         {1, 0, 0}, 32, options(ancf::SectionModel::saint_venant));
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), {0, -1, 0}));
         ancf::ModalOptions wanted;

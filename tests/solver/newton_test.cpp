@@ -8,15 +8,13 @@
 #include <ancf/element/continuum_beam.hpp>
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
-#include <support/instances/cross_section.hpp>
-#include <support/instances/planar.hpp>
 
 #include <cmath>
 #include <tuple>
@@ -27,7 +25,7 @@ namespace newton_test {
 using ancf::NewtonKind;
 using ancf::Status;
 using Element = ancf::CrossSectionBeam<3>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 
 using ancf::pi;
 
@@ -55,8 +53,8 @@ private:
         ancf::CrossSectionOptions options;
         options.rule = std::move(rule);
         const auto material = ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0);
-        return ancf::straight_beam(scene, material, ancf::rectangle(height, height), {0, 0, 0},
-                                   {length, 0, 0}, elements, options);
+        return ancf::straight_beam<Element>(scene, material, ancf::rectangle(height, height),
+                                            {0, 0, 0}, {length, 0, 0}, elements, options);
     }
 };
 
@@ -144,14 +142,14 @@ TEST_CASE("statics: slenderness hardly matters to mixed iterations", "[statics][
 /// Returns a planar cantilever under A E I/L^2, and its bending stiffness of 1.
 template <class Beam>
 ancf::StaticsReport solve_planar(double load, double slenderness, NewtonKind newton,
-                                 ancf::Model<Beam>& scene,
+                                 ancf::BasicModel<Beam::dimension>& scene,
                                  const ancf::Rule& rule = ancf::Rule::mixed()) {
     typename Beam::Options options;
     options.rule = rule;
     const double height = 1.0 / slenderness, stiffness = 12.0 / std::pow(height, 4);
     const auto beam =
-        ancf::straight_beam(scene, ancf::Material::isotropic(stiffness, 0.3, 1.0),
-                            ancf::rectangle(height, height), {0, 0}, {1, 0}, 16, options);
+        ancf::straight_beam<Beam>(scene, ancf::Material::isotropic(stiffness, 0.3, 1.0),
+                                  ancf::rectangle(height, height), {0, 0}, {1, 0}, 16, options);
     scene.clamp(beam.first(), ancf::Clamp::full);
     scene.add(ancf::Force<2>(beam.last(), {0, load}));
     ancf::StaticsOptions how;
@@ -169,24 +167,26 @@ TEST_CASE("statics: planar beams take as few mixed iterations as spatial ones, a
         for (const double slenderness : {1e1, 1e2, 1e3, 1e4}) {
             if (slenderness < thickest) continue;
             INFO("load " << load << ", slenderness " << slenderness);
-            ancf::Model<Planar> mixed, plain;
-            const auto report = solve_planar(load, slenderness, NewtonKind::mixed, mixed);
+            ancf::PlanarModel mixed, plain;
+            const auto report = solve_planar<Planar>(load, slenderness, NewtonKind::mixed, mixed);
             REQUIRE(report.status == Status::converged);
             CHECK(report.steps.size() == 1);
             CHECK(report.iterations() <= most);
             CHECK(report.stability == ancf::Stability::stable);
-            REQUIRE(solve_planar(load, slenderness, NewtonKind::plain, plain).status ==
+            REQUIRE(solve_planar<Planar>(load, slenderness, NewtonKind::plain, plain).status ==
                     Status::converged);
             CHECK((mixed.state().q - plain.state().q).lpNorm<Eigen::Infinity>() <= 1e-6);
         }
 }
 
 TEST_CASE("statics: elements without mixed iterations are iterated plainly", "[statics][newton]") {
-    ancf::Model<ancf::ContinuumBeam<2>> mixed, plain;
-    const auto report = solve_planar(1.5, 100.0, NewtonKind::mixed, mixed, ancf::Rule::paper());
+    ancf::PlanarModel mixed, plain;
+    const auto report = solve_planar<ancf::ContinuumBeam<2>>(1.5, 100.0, NewtonKind::mixed, mixed,
+                                                             ancf::Rule::paper());
     REQUIRE(report.status == Status::converged);
     CHECK(report.steps.front().newton == NewtonKind::plain);
-    const auto same = solve_planar(1.5, 100.0, NewtonKind::plain, plain, ancf::Rule::paper());
+    const auto same = solve_planar<ancf::ContinuumBeam<2>>(1.5, 100.0, NewtonKind::plain, plain,
+                                                           ancf::Rule::paper());
     CHECK(report.iterations() == same.iterations());
 }
 
@@ -265,9 +265,9 @@ TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][new
 TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
           "[statics][newton]") {
     const auto solve = [](int elements, int steps, double& tip) {
-        ancf::Model<ancf::CrossSectionBeam<2>> scene;
+        ancf::PlanarModel scene;
         const double height = 0.003055, bending = 2.07e11 * std::pow(height, 4) / 12.0;
-        const auto beam = ancf::straight_beam(
+        const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
             scene, ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0),
             ancf::rectangle(height, height).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0, 0},
             {1, 0}, elements);
@@ -294,7 +294,7 @@ TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
 TEST_CASE("statics: a small correction that turns is the correction itself", "[statics][newton]") {
     Cantilever beam(6, 1.0, 0.1, ancf::Rule::paper());
     const ancf::Numbering numbering(beam.scene);
-    ancf::Turning<Scene> turning(beam.scene, numbering);
+    ancf::Turning turning(beam.scene, numbering);
     const ancf::VectorX before = beam.scene.state().q;
     ancf::VectorX change = ancf::VectorX::Zero(before.size());
     for (int k = 0; k < before.size(); ++k)

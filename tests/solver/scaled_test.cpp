@@ -4,13 +4,14 @@
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/scaled.hpp>
+#include <ancf/solver/scaled.ipp>
 
 #include <solver/linear_solver_cases.hpp>
 #include <solver/linear_solver_properties.hpp>
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <cmath>
+#include <memory>
 #include <string_view>
 
 namespace scaled_test {
@@ -19,19 +20,19 @@ using namespace ancf;
 using namespace ancf::test;
 
 /// Keeps the matrix that it is given; solves with an error of one part in 1000.
-class Rough {
+class Rough final : public LinearSolver {
 public:
-    static constexpr Storage storage = Storage::lower;
-    void analyze(const SparseMatrix& matrix) { solver_.analyze(matrix); }
-    FactorReport factorize(const SparseMatrix& matrix) {
+    Storage storage() const noexcept override { return Storage::lower; }
+    void analyze(const SparseMatrix& matrix) override { solver_.analyze(matrix); }
+    FactorReport factorize(const SparseMatrix& matrix) override {
         seen = matrix;
         return solver_.factorize(matrix);
     }
-    void solve(const VectorX& b, VectorX& x) const {
+    void solve(const VectorX& b, VectorX& x) const override {
         solver_.solve(b, x);
         x *= 1.001;
     }
-    static std::string_view name() { return "rough"; }
+    std::string_view name() const noexcept override { return "rough"; }
 
     SparseMatrix seen;
 
@@ -42,13 +43,14 @@ private:
 TEST_CASE("Scaled: the inner solver gets a diagonal between 1 and 4, scaled by powers of two",
           "[solver][scaled]") {
     const SparseMatrix tangent = SampleBeam{8, 1e3, 1e-3}.tangent();
-    Scaled<Rough> solver;
+    Scaled solver{Rough()};
     solver.analyze(tangent);
     REQUIRE(solver.factorize(tangent).status == Status::converged);
+    const SparseMatrix& given = static_cast<const Rough&>(solver.inner()).seen;
     for (int j = 0; j < tangent.cols(); ++j) {
         int exponent = 0;
         CHECK(std::frexp(solver.scale()[j], &exponent) == 0.5);
-        for (SparseMatrix::InnerIterator entry(tangent, j), seen(solver.inner().seen, j); entry;
+        for (SparseMatrix::InnerIterator entry(tangent, j), seen(given, j); entry;
              ++entry, ++seen) {
             CHECK(seen.value() == entry.value() * solver.scale()[j] * solver.scale()[entry.row()]);
             if (entry.row() == j) CHECK((seen.value() >= 1.0 && seen.value() < 4.0));
@@ -62,7 +64,7 @@ TEST_CASE("Scaled: every step of refinement takes off what the inner solver leav
     const SparseMatrix matrix = random_chain({12, 12, 12}, 1);
     const VectorX b = random_vector(36, 1);
     for (int steps = 0; steps <= 3; ++steps) {
-        Scaled<Rough> solver(Rough(), {steps, ResidualPrecision::working});
+        Scaled solver(Rough(), {steps, ResidualPrecision::working});
         solver.analyze(matrix);
         REQUIRE(solver.factorize(matrix).status == Status::converged);
         VectorX x;
@@ -78,7 +80,7 @@ TEST_CASE("Scaled: twice the digits in the residual make a long cantilever exact
     const SampleBeam beam{1000, 1.0, 0.01};
     const SparseMatrix tangent = beam.tangent();
     const auto tip = [&](const ScaledOptions& options) {
-        Scaled<BlockTridiagonal> solver(BlockTridiagonal(), options);
+        Scaled solver(BlockTridiagonal(), options);
         solver.analyze(tangent);
         REQUIRE(solver.factorize(tangent).status == Status::converged);
         VectorX x;
@@ -102,14 +104,18 @@ TEST_CASE("residual: of twice the precision it keeps what cancels", "[solver][sc
 }
 
 TEST_CASE("Scaled: saddle points of badly matched units are solved", "[solver][scaled]") {
-    solves_saddle_points<Scaled<EigenLu>>();
-    solves_unsymmetric_systems<Scaled<EigenLu>>();
-    calls_redundant_constraints_singular<Scaled<EigenLu>>();
+    const auto scaled_lu = [] { return std::make_unique<Scaled>(EigenLu()); };
+    solves_saddle_points(scaled_lu);
+    solves_unsymmetric_systems(scaled_lu);
+    calls_redundant_constraints_singular(scaled_lu);
 }
 
 TEST_CASE("Scaled: negative steps are refused", "[solver][scaled]") {
-    CHECK_THROWS_WITH(Scaled<EigenLu>(EigenLu(), {-1, ResidualPrecision::working}),
-                      ContainsSubstring("-1"));
+    CHECK_THROWS_WITH(Scaled(EigenLu(), {-1, ResidualPrecision::working}), ContainsSubstring("-1"));
+}
+
+TEST_CASE("Scaled: no solver is refused", "[solver][scaled]") {
+    CHECK_THROWS_WITH(Scaled(std::unique_ptr<LinearSolver>()), ContainsSubstring("none"));
 }
 
 }  // namespace scaled_test

@@ -43,7 +43,7 @@ void check_scales(const Analysis& analysis, double base, long apart) {
             CHECK(other.values[k] == Approx(one.values[k]).epsilon(1e-7).margin(1e-9));
         ++checked;
     }
-    CHECK(checked == 9);
+    CHECK(checked == 11);
 }
 
 template <class Scene>

@@ -4,14 +4,13 @@
 #include <ancf/solver/statics.hpp>
 
 #include <ancf/element/continuum_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/instances/continuum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +23,8 @@ namespace statics_test {
 using ancf::Field;
 using ancf::Status;
 using Bar = ancf::test::Bar<3>;
-using Chain = ancf::Model<Bar>;
-using Scene = ancf::Model<ancf::ContinuumBeam<3>>;
+using Chain = ancf::Model;
+using Scene = ancf::Model;
 
 constexpr double axial_stiffness = 100.0;
 
@@ -37,7 +36,7 @@ Chain make_chain() {
         const auto node = chain.add_node({1.0 * k, 0.0, 0.0});
         chain.fix(node, Field::r, 1);
         chain.fix(node, Field::r, 2);
-        if (k > 0) chain.connect(prototype, {k - 1}, node);
+        if (k > 0) chain.connect<Bar>(prototype, {k - 1}, node);
     }
     chain.pin({0});
     return chain;
@@ -47,8 +46,8 @@ Chain make_chain() {
 Scene make_cantilever(int elements = 2) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                          {1, 1, 0.5}, elements);
+    const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+        scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 1, 0.5}, elements);
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     return scene;
 }
@@ -218,8 +217,8 @@ TEST_CASE("statics: a bar beyond its limit load ends inverted", "[statics]") {
 Scene make_column(double load) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(1e9, 4e8, 1000.0);
-    const auto beam =
-        ancf::straight_beam(scene, material, ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8);
+    const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+        scene, material, ancf::rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 8);
     scene.add(ancf::Force(beam.last(), {-load * 32.9, 0, 0}));
     return scene;
 }
@@ -263,7 +262,7 @@ TEST_CASE("statics: a column that a joint alone holds is judged like a clamped o
         CHECK(to_string(report.stability) == (load < 1.0 ? "stable" : "unstable"));
         // said twice, the weld changes nothing
         welded.add(ancf::Weld(welded, ancf::NodeId{0}));
-        ancf::Assembly<Scene> assembly(welded, ancf::Storage::full);
+        ancf::Assembly assembly(welded, ancf::Storage::full);
         const ancf::State& at = welded.state();
         const ancf::VectorX rest = ancf::VectorX::Zero(at.q.size());
         REQUIRE_FALSE(
@@ -318,8 +317,8 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
     SECTION("a scene without supports is singular") {
         Scene scene;
         const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                              {1, 0, 0}, 1);
+        const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+            scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 0, 0}, 1);
         scene.add(ancf::Force(beam.last(), {0, 1, 0}));
         const ancf::VectorX before = scene.state().q;
         const auto report = solve(scene);
@@ -366,8 +365,8 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
     SECTION("a moment about the slope it acts on") {
         Scene scene;
         const auto material = ancf::Material::from_moduli(1e6, 4e5, 1000.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0},
-                                              {1, 0, 0}, 1);
+        const auto beam = ancf::straight_beam<ancf::ContinuumBeam<3>>(
+            scene, material, ancf::rectangle(0.1, 0.2), {0, 0, 0}, {1, 0, 0}, 1);
         scene.clamp(beam.first());
         scene.add(ancf::SlopeMoment(beam.last(), Field::r_z, {0, 0, 2}, 1.0));
         const ancf::VectorX before = scene.state().q;
@@ -384,7 +383,7 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         CHECK(report.status == Status::degenerate);
         REQUIRE(report.fault);
         CHECK(report.fault->element == 0);
-        CHECK(report.message == "element 0 of group 0 is degenerate");
+        CHECK(report.message == "element 0 of the type ContinuumBeam<3> is degenerate");
     }
     SECTION("too few iterations") {
         Scene scene = make_cantilever();

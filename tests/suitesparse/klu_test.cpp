@@ -15,22 +15,22 @@ using namespace ancf;
 using namespace ancf::suitesparse;
 using namespace ancf::test;
 
-TEST_CASE("Klu: saddle points are solved", "[suitesparse]") { solves_saddle_points<Klu>(); }
+TEST_CASE("Klu: saddle points are solved", "[suitesparse]") { solves_saddle_points(made<Klu>); }
 
 TEST_CASE("Klu: an unsymmetric matrix is not mistaken for its transpose", "[suitesparse]") {
-    solves_unsymmetric_systems<Klu>();
+    solves_unsymmetric_systems(made<Klu>);
 }
 
 TEST_CASE("Klu: constraints given twice are singular", "[suitesparse]") {
-    calls_redundant_constraints_singular<Klu>();
+    calls_redundant_constraints_singular(made<Klu>);
 }
 
 TEST_CASE("Klu: a pattern analysed with zeros in it serves any values", "[suitesparse]") {
-    serves_any_values_of_a_pattern<Klu>();
+    serves_any_values_of_a_pattern(made<Klu>);
 }
 
 TEST_CASE("Klu: the matrix may change after the factorisation", "[suitesparse]") {
-    outlives_its_matrix<Klu>();
+    outlives_its_matrix(made<Klu>);
 }
 
 TEST_CASE("Klu: a pattern without a full set of pivots is singular", "[suitesparse]") {

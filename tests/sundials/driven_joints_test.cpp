@@ -10,7 +10,6 @@
 
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
-#include <support/instances/planar.hpp>
 
 namespace ida_driven_joints_test {
 
@@ -19,14 +18,15 @@ using ancf::sundials::Form;
 using ancf::sundials::Ida;
 using ancf::sundials::IdaOptions;
 
-TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]") {
+TEMPLATE_TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]",
+                   test::DrivenArm, test::DrivenCrank) {
     int checked = 0;
     for (const double angle : {0.1, 1.7, pi, 4.0, 20.0})
         for (const int steps : {1, 16})
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
                 CAPTURE(angle, steps, form == Form::index3);
-                test::DrivenArm arm(test::smooth_turn(angle));
-                DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+                TestType arm(test::smooth_turn(angle));
+                DynamicProblem problem(arm.model);
                 IdaOptions options;
                 options.tolerance = 1e-3;
                 options.form = form;
@@ -45,7 +45,7 @@ TEST_CASE("Ida: a driven angle that jumps ends the motion and names the joint", 
     const Motion jump{[](double t) { return t > 0.5 ? 4.0 : 0.0; }, [](double) { return 0.0; },
                       [](double) { return 0.0; }};
     test::DrivenArm arm(jump);
-    DynamicProblem<test::DrivenArm::Scene> problem(arm.model);
+    DynamicProblem problem(arm.model);
     const auto report = Ida().integrate(problem, equal_intervals(0.0, 1.0, 1.0));
     CHECK(report.status == Status::step_too_small);
     CHECK_THAT(report.message, ContainsSubstring("planar weld of node 0 and space"));

@@ -5,11 +5,11 @@
 
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <Eigen/Geometry>
 
@@ -78,7 +78,7 @@ TEST_CASE("Ida: multipliers of a pin are the reaction that the momentum asks for
     schedule.times = {0.29, 0.3, 0.31};
     const Run got = run(scene, schedule, with_form(Form::index3, 1e-9));
     REQUIRE(got.report.status == Status::converged);
-    const ancf::DynamicProblem<Scene> problem(*scene.model);
+    const ancf::DynamicProblem problem(*scene.model);
     // rate of the linear momentum over 20 ms = gravity - lambda, as G = 1 at the pinned node
     const ancf::VectorX momentum = problem.assembly().mass_product(
         ancf::VectorX(got.rows[2].state.v - got.rows[0].state.v) / 0.02);
@@ -153,7 +153,7 @@ TEST_CASE("Ida: the steel pendulum gets order 2 by itself and no energy", "[ida]
 TEST_CASE("Ida: a free beam falls with g, whatever its direction", "[ida][free]") {
     const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
     Hanging scene = soft_beam(8, Point(1.0, 2.0, -2.0));
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     const ancf::Start start = problem.start();
     REQUIRE(start.status == Status::converged);
     const Run got = run(problem, ancf::equal_intervals(0.0, 0.5, 0.1), with_form(form, 1e-8));
@@ -200,7 +200,7 @@ TEST_CASE("Ida: a spinning free beam keeps its momenta within the tolerance", "[
     const Run got =
         run(scene, ancf::equal_intervals(0.0, 1.0, 0.25), with_form(Form::index3, 1e-8));
     REQUIRE(got.report.status == Status::converged);
-    const ancf::DynamicProblem<Scene> problem(*scene.model);
+    const ancf::DynamicProblem problem(*scene.model);
     const auto momenta = [&](const ancf::State& state) {
         return ancf::resultant(*scene.model, state.q, problem.assembly().mass_product(state.v));
     };

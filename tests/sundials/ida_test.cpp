@@ -5,12 +5,12 @@
 
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <unistd.h>
 
@@ -104,7 +104,7 @@ TEST_CASE("Ida: options that cannot be meant are refused by name", "[ida][input]
 
 TEST_CASE("Ida: schedules, storage and scenes that cannot be meant are refused", "[ida][input]") {
     Hanging scene = pendulum(1);
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     const Ida ida;
     CHECK_THROWS_AS(ida.integrate(problem, until(-1.0)), InvalidArgument);
     CHECK_THROWS_AS(ida.integrate(problem, until(1.0, {0.5, 0.2})), InvalidArgument);
@@ -115,28 +115,28 @@ TEST_CASE("Ida: schedules, storage and scenes that cannot be meant are refused",
     Hanging free = soft_beam(1);
     ancf::ProblemOptions lower;
     lower.storage = ancf::Storage::lower;
-    ancf::DynamicProblem<Scene> half(*free.model, lower);
+    ancf::DynamicProblem half(*free.model, lower);
     CHECK_THROWS_WITH(ida.integrate(half, until(1.0)), ContainsSubstring("full storage"));
 
     for (const ancf::NodeId node : free.beam.nodes) free.model->clamp(node);
-    ancf::DynamicProblem<Scene> held(*free.model);
+    ancf::DynamicProblem held(*free.model);
     CHECK_THROWS_WITH(ida.integrate(held, until(1.0)), ContainsSubstring("no free coordinate"));
 }
 
 TEST_CASE("Ida: a density changed after the problem was made is that of the run", "[ida][start]") {
     const auto heavier = [](Hanging& scene) {
-        scene.model->prototype(0) = Element(ancf::Material::from_moduli(0.7e6, 2.6923e5, 9000.0),
-                                            ancf::rectangle(0.05, 0.05), 0.6);
+        scene.model->prototype<Element>(0) = Element(
+            ancf::Material::from_moduli(0.7e6, 2.6923e5, 9000.0), ancf::rectangle(0.05, 0.05), 0.6);
     };
     Hanging changed = pendulum(2), fresh = pendulum(2);
     const ancf::State start = changed.model->state();
-    ancf::DynamicProblem<Scene> problem(*changed.model);
+    ancf::DynamicProblem problem(*changed.model);
     REQUIRE(Ida().integrate(problem, until(0.02)).status == Status::converged);
     changed.model->state() = start;
     heavier(changed);
     REQUIRE(Ida().integrate(problem, until(0.05)).status == Status::converged);
     heavier(fresh);
-    ancf::DynamicProblem<Scene> other(*fresh.model);
+    ancf::DynamicProblem other(*fresh.model);
     REQUIRE(Ida().integrate(other, until(0.05)).status == Status::converged);
     CHECK(changed.model->state().q == fresh.model->state().q);
     CHECK(changed.model->state().multipliers == fresh.model->state().multipliers);
@@ -176,7 +176,7 @@ TEST_CASE("Ida: redundant constraints are named, or solved with the least multip
 
     ancf::ProblemOptions least;
     least.redundancy = ancf::Redundancy::minimum_norm;
-    ancf::DynamicProblem<Scene> problem(*scene.model, least);
+    ancf::DynamicProblem problem(*scene.model, least);
     const Run got = run(problem, until(0.1, {0.1}), options);
     REQUIRE(got.report.status == Status::converged);
     Hanging plain = pendulum(2);
@@ -217,7 +217,7 @@ TEST_CASE("Ida: a run of no duration reports its start", "[ida][output]") {
     REQUIRE(got.rows.size() == 1);
     CHECK(got.rows[0].state.q == scene.model->state().q);
     // the pin carries what of the weight does not change the momentum
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     ancf::State accelerating = got.rows[0].state;
     accelerating.v = problem.start().acceleration;  // every coordinate is free
     const double weight = 5540.0 * 0.05 * 0.05 * 1.2 * 9.81;
@@ -327,7 +327,7 @@ TEST_CASE("Ida: what a user's callable throws comes out intact", "[ida][callback
     SECTION("progress") {
         schedule.progress = [](double, double) -> bool { throw Trouble::Code{42}; };
     }
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     int caught = 0;
     try {
         (void)Ida().integrate(problem, schedule);
@@ -377,12 +377,12 @@ TEST_CASE("Ida: multipliers far below the round-off of the stiffness do not hold
     for (const int elements : {1, 4, 16}) {
         INFO(elements);
         Hanging light;
-        light.beam = ancf::straight_beam(
+        light.beam = ancf::straight_beam<Element>(
             *light.model, ancf::Material::from_moduli(0.7e6, 2.6923e5, 1e-6),
             ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, elements);
         light.model->set_gravity({0.0, -0.1, 0.0});
         light.model->add(ancf::Pin<3>(light.beam.first(), Point::Zero()));
-        ancf::DynamicProblem<Scene> problem(*light.model);
+        ancf::DynamicProblem problem(*light.model);
         IdaOptions options;
         options.max_steps = 1000;
         const auto report = Ida(options).integrate(problem, ancf::equal_intervals(0, 0.2, 0.1));
@@ -395,12 +395,12 @@ TEST_CASE("Ida: multipliers far below the round-off of the stiffness do not hold
 
 TEST_CASE("Ida: a scene whose forces hide in round-off ends with a status", "[ida][round-off]") {
     Hanging hopeless;
-    hopeless.beam =
-        ancf::straight_beam(*hopeless.model, ancf::Material::isotropic(2.1e11, 0.3, 1e-4),
-                            ancf::rectangle(0.05, 0.05), Point::Zero(), {1.2, 0.0, 0.0}, 8);
+    hopeless.beam = ancf::straight_beam<Element>(
+        *hopeless.model, ancf::Material::isotropic(2.1e11, 0.3, 1e-4), ancf::rectangle(0.05, 0.05),
+        Point::Zero(), {1.2, 0.0, 0.0}, 8);
     hopeless.model->set_gravity({0.0, -1e-3, 0.0});
     hopeless.model->add(ancf::Pin<3>(hopeless.beam.first(), Point::Zero()));
-    ancf::DynamicProblem<Scene> problem(*hopeless.model);
+    ancf::DynamicProblem problem(*hopeless.model);
     const auto report = Ida().integrate(problem, ancf::equal_intervals(0, 0.02, 0.02));
     CHECK(report.status == Status::diverged);
     CHECK_THAT(report.message, ContainsSubstring("at "));
@@ -449,8 +449,8 @@ TEST_CASE("Ida: joints hold in space", "[ida][joints]") {
     scene.model->add(ancf::Pin<3>(scene.beam.first(), Point::Zero()));
     const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(0.05, 0.05);
-    const auto second =
-        ancf::straight_beam(*scene.model, rubber, section, {1.2, 0.0, 0.0}, {1.2, 0.3, 0.6}, 2);
+    const auto second = ancf::straight_beam<Element>(*scene.model, rubber, section, {1.2, 0.0, 0.0},
+                                                     {1.2, 0.3, 0.6}, 2);
     if (welded)
         scene.model->add(ancf::Weld(*scene.model, scene.beam.last(), second.first()));
     else

@@ -4,14 +4,16 @@
 // The Jacobian that IDA gets against central differences of the residual that it gets.
 
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida_system.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 #include <support/random_state.hpp>
+
+#include <sunmatrix/sunmatrix_sparse.h>
 
 namespace jacobian_test {
 
@@ -43,7 +45,7 @@ MatrixX dense(SUNMatrix matrix) {
 TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after SUNMatZero",
           "[ida][jacobian]") {
     using ancf::sundials::view;
-    using System = ancf::sundials::detail::IdaSystem<Scene>;
+    using System = ancf::sundials::detail::IdaSystem;
     const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
     const bool repeated = GENERATE(false, true);
     CAPTURE(form == Form::index3, repeated);
@@ -53,7 +55,7 @@ TEST_CASE("IdaSystem: the Jacobian is the derivative of the residual, also after
         scene.model->add(ancf::Distance<3>(scene.beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     ancf::ProblemOptions least;
     least.redundancy = ancf::Redundancy::minimum_norm;
-    ancf::DynamicProblem<Scene> problem(*scene.model, least);
+    ancf::DynamicProblem problem(*scene.model, least);
     REQUIRE(problem.start().status == ancf::Status::converged);
     REQUIRE(problem.left_out().size() == (repeated ? 1u : 0u));
 

@@ -8,7 +8,7 @@
 
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/material.hpp>
@@ -22,7 +22,7 @@
 namespace ancf_test {
 
 using Element = ancf::CrossSectionBeam<3>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 using Point = ancf::Vector<double, 3>;
 
 /// A beam in a scene of its own; the scene's address stays.
@@ -38,9 +38,9 @@ inline Hanging soft_beam(int elements, const Point& direction = Point::UnitX()) 
     Hanging scene;
     const auto rubber = ancf::Material::from_moduli(0.7e6, 2.6923e5, 5540.0);
     const auto section = ancf::rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
-    scene.beam = ancf::straight_beam(*scene.model, rubber, section, Point::Zero(),
-                                     Point(1.2 * direction.normalized()), elements,
-                                     ancf::CrossSectionOptions::paper());
+    scene.beam = ancf::straight_beam<Element>(*scene.model, rubber, section, Point::Zero(),
+                                              Point(1.2 * direction.normalized()), elements,
+                                              ancf::CrossSectionOptions::paper());
     scene.model->set_gravity({0.0, -9.81, 0.0});
     return scene;
 }
@@ -50,7 +50,8 @@ inline Hanging steel_beam(int elements) {
     Hanging scene;
     const auto steel = ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0);
     const auto section = ancf::rectangle(0.01, 0.01).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
-    scene.beam = ancf::straight_beam(*scene.model, steel, section, Point::Zero(), {2.0, 0.0, 0.0},
+    scene.beam =
+        ancf::straight_beam<Element>(*scene.model, steel, section, Point::Zero(), {2.0, 0.0, 0.0},
                                      elements, ancf::CrossSectionOptions::paper());
     scene.model->set_gravity({0.0, -9.81, 0.0});
     return scene;
@@ -83,7 +84,7 @@ struct Run {
     std::vector<Row> rows;
 };
 
-inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
+inline Run run(ancf::DynamicProblem& problem, ancf::Schedule schedule,
                const ancf::sundials::IdaOptions& options = {}) {
     Run result;
     schedule.observe = [&](const ancf::Snapshot& seen) {
@@ -95,7 +96,7 @@ inline Run run(ancf::DynamicProblem<Scene>& problem, ancf::Schedule schedule,
 
 inline Run run(Hanging& scene, const ancf::Schedule& schedule,
                const ancf::sundials::IdaOptions& options = {}) {
-    ancf::DynamicProblem<Scene> problem(*scene.model);
+    ancf::DynamicProblem problem(*scene.model);
     return run(problem, schedule, options);
 }
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// An element that gives its nodes vectors and nothing else: for tests that need a model but no
-/// mechanics.
+/// An element that gives its nodes vectors and no force or mass: for tests that need a model but
+/// no mechanics.
 
 #pragma once
 
+#include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/types.hpp>
 
 namespace ancf::test {
 
@@ -24,7 +26,18 @@ struct Carrier {
     }
     static constexpr Fields fields = all();
     static constexpr int dofs = 2 * Dimension * all().count();
+    using Coordinates = Vector<double, dofs>;
     [[nodiscard]] double length() const { return reference_length; }
+    [[nodiscard]] double energy(const Coordinates& /*e*/) const { return 0.0; }
+    [[nodiscard]] Coordinates force(const Coordinates& /*e*/) const { return Coordinates::Zero(); }
+    [[nodiscard]] Evaluation<double, dofs> evaluate(const Coordinates& /*e*/) const {
+        return {0.0, Coordinates::Zero(), Matrix<double, dofs>::Zero()};
+    }
+    [[nodiscard]] Matrix<double, dofs> mass() const { return Matrix<double, dofs>::Zero(); }
+    [[nodiscard]] Coordinates gravity(const Vector<double, Dimension>& /*g*/) const {
+        return Coordinates::Zero();
+    }
+    [[nodiscard]] bool admissible(const Coordinates& /*e*/) const { return true; }
     double reference_length = 1.0;
 };
 

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// An arm in the plane whose root a joint turns.
+/// Arms whose root a joint turns, in the plane and in space.
 
 #pragma once
 
 #include <ancf/constants.hpp>
+#include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>
 
@@ -27,30 +28,39 @@ inline Motion smooth_turn(double angle) {
             [=](double t) { return scale * w * w * std::sin(w * t); }};
 }
 
-/// Half a metre of plastic in two elements, driven at its root.
-struct DrivenArm {
-    using Element = CrossSectionBeam<2>;
-    using Scene = Model<Element>;
-    using Point = Vector<double, 2>;
+/// Half a metre of plastic in two elements, driven at its root: by a PlanarWeld, in space by a
+/// DrivenRevolute about Z.
+template <int Dimension>
+struct Driven {
+    using Element = CrossSectionBeam<Dimension>;
+    using Scene = BasicModel<Element::dimension>;
+    using Point = Vector<double, Dimension>;
 
     Scene model;
     Beam<Element> beam;
 
-    explicit DrivenArm(Motion angle)
-        : beam(straight_beam(model, Material::isotropic(1e8, 0.3, 1000.0), rectangle(0.05, 0.05),
-                             Point(0.0, 0.0), Point(0.5, 0.0), 2, CrossSectionOptions::best())) {
-        model.add(PlanarWeld(model, beam.first(), std::move(angle)));
+    explicit Driven(Motion angle)
+        : beam(straight_beam<Element>(
+              model, Material::isotropic(1e8, 0.3, 1000.0), rectangle(0.05, 0.05),
+              Point(Point::Zero()), Point(0.5 * Point::UnitX()), 2, CrossSectionOptions::best())) {
+        if constexpr (Dimension == 2)
+            model.add(PlanarWeld(model, beam.first(), std::move(angle)));
+        else
+            model.add(DrivenRevolute(model, beam.first(), Vector<double, 3>(0.0, 0.0, 1.0),
+                                     std::move(angle)));
     }
 
-    /// Returns the angle from one vector to another.
+    /// Returns the angle about Z from one vector to another.
     [[nodiscard]] static double between(const Point& a, const Point& b) {
-        return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+        return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
     }
 
     /// Returns how far the root is off an angle, but for whole turns. A joint to space turns its
     /// node by the negative angle.
     [[nodiscard]] double off(double angle) const {
-        const Point wanted(std::sin(angle), std::cos(angle));
+        Point wanted = Point::Zero();
+        wanted[0] = std::sin(angle);
+        wanted[1] = std::cos(angle);
         return std::abs(between(wanted, model.value(beam.first(), Field::r_y)));
     }
 
@@ -63,5 +73,8 @@ struct DrivenArm {
         return most;
     }
 };
+
+using DrivenArm = Driven<2>;
+using DrivenCrank = Driven<3>;
 
 }  // namespace ancf::test

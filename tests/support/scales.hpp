@@ -8,7 +8,7 @@
 
 #include <ancf/element/cross_section_beam.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
@@ -43,22 +43,24 @@ inline std::ostream& operator<<(std::ostream& out, const Scale& scale) {
                << scale.time << " s";
 }
 
-/// Powers of a base in length, mass and time, and in two of them at once.
+/// Powers of a base in length, mass and time, in two of them and in all three at once.
 [[nodiscard]] inline std::vector<Scale> powers_of(double base) {
     const double up = base, down = 1.0 / base;
-    return {{up, 1.0, 1.0},   {down, 1.0, 1.0}, {1.0, up, 1.0},  {1.0, down, 1.0}, {1.0, 1.0, up},
-            {1.0, 1.0, down}, {up, up, down},   {down, up, 1.0}, {down, 1.0, down}};
+    return {{up, 1.0, 1.0},    {down, 1.0, 1.0}, {1.0, up, 1.0},    {1.0, down, 1.0},
+            {1.0, 1.0, up},    {1.0, 1.0, down}, {up, up, down},    {down, up, 1.0},
+            {down, 1.0, down}, {up, up, up},     {down, down, down}};
 }
 
-using PlanarScene = Model<CrossSectionBeam<2>>;
-using SpatialScene = Model<CrossSectionBeam<3>>;
+using PlanarScene = PlanarModel;
+using SpatialScene = Model;
 
 /// A slender steel cantilever in the plane, bent by a force at its tip.
 [[nodiscard]] inline PlanarScene cantilever(const Scale& scale, double force = 1000.0) {
     const double m = scale.length;
     PlanarScene model;
-    const auto beam = straight_beam(model, scale.material(2.07e11, 0.3, 7850.0),
-                                    rectangle(0.01 * m, 0.01 * m), {0.0, 0.0}, {m, 0.0}, 4);
+    const auto beam =
+        straight_beam<CrossSectionBeam<2>>(model, scale.material(2.07e11, 0.3, 7850.0),
+                                           rectangle(0.01 * m, 0.01 * m), {0.0, 0.0}, {m, 0.0}, 4);
     model.clamp(beam.first());
     model.add(Force<2>(beam.last(), {0.0, force * scale.force()}));
     return model;
@@ -71,9 +73,12 @@ using SpatialScene = Model<CrossSectionBeam<3>>;
     PlanarScene model;
     const Material steel = scale.material(2.07e11, 0.3, 7850.0);
     const Section section = rectangle(0.05 * m, 0.05 * m);
-    const auto column = straight_beam(model, steel, section, {0.0, 0.0}, {0.0, m}, 2);
-    const auto beam = straight_beam(model, steel, section, {0.0, m}, {m, m}, 2);
-    const auto arm = straight_beam(model, steel, section, {m, m}, {1.5 * m, 0.5 * m}, 2);
+    const auto column =
+        straight_beam<CrossSectionBeam<2>>(model, steel, section, {0.0, 0.0}, {0.0, m}, 2);
+    const auto beam =
+        straight_beam<CrossSectionBeam<2>>(model, steel, section, {0.0, m}, {m, m}, 2);
+    const auto arm =
+        straight_beam<CrossSectionBeam<2>>(model, steel, section, {m, m}, {1.5 * m, 0.5 * m}, 2);
     model.add(PlanarWeld(model, column.first()));
     model.add(PlanarWeld(model, column.last(), beam.first()));
     model.add(Pin<2>(beam.last(), arm.first()));
@@ -88,8 +93,10 @@ using SpatialScene = Model<CrossSectionBeam<3>>;
     SpatialScene model;
     const Material steel = scale.material(2.07e11, 0.3, 7850.0);
     const Section section = rectangle(0.08 * m, 0.04 * m);
-    const auto first = straight_beam(model, steel, section, {0.0, 0.0, 0.0}, {m, 0.0, 0.0}, 2);
-    const auto second = straight_beam(model, steel, section, {m, 0.0, 0.0}, {m, m, 0.0}, 2);
+    const auto first = straight_beam<CrossSectionBeam<3>>(model, steel, section, {0.0, 0.0, 0.0},
+                                                          {m, 0.0, 0.0}, 2);
+    const auto second =
+        straight_beam<CrossSectionBeam<3>>(model, steel, section, {m, 0.0, 0.0}, {m, m, 0.0}, 2);
     model.add(Weld(model, first.first()));
     model.add(Weld(model, first.last(), second.first()));
     model.add(Force<3>(second.last(), Vector<double, 3>(0.0, 0.0, force * scale.force())));

@@ -6,13 +6,12 @@
 /// paper's slender cantilever, its load turned against the axes of the section.
 
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <array>
 #include <cmath>
@@ -29,7 +28,7 @@ enum class Profile { square, round };
 template <class Directors>
 ancf::Vector<double, 2> tip(Profile profile, double angle, int elements) {
     using Element = ancf::CrossSectionBeam<3, Directors>;
-    ancf::Model<Element> scene;
+    ancf::BasicModel<Element::dimension> scene;
     const double young = 2.07e11, inertia = 1e-8 / 12.0, length = 2.0;
     const auto section = profile == Profile::square
                              ? ancf::rectangle(0.01, 0.01)
@@ -37,8 +36,8 @@ ancf::Vector<double, 2> tip(Profile profile, double angle, int elements) {
     ancf::CrossSectionOptions options;
     options.rule = ancf::Rule::mixed();
     const auto beam =
-        ancf::straight_beam(scene, ancf::Material::from_moduli(young, 7.9615e10, 7850.0), section,
-                            {0, 0, 0}, {length, 0, 0}, elements, options);
+        ancf::straight_beam<Element>(scene, ancf::Material::from_moduli(young, 7.9615e10, 7850.0),
+                                     section, {0, 0, 0}, {length, 0, 0}, elements, options);
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     const ancf::Vector<double, 3> across(0.0, std::cos(angle), std::sin(angle));
     scene.add(ancf::Force<3>(beam.last(), 1.5 * young * inertia / (length * length) * across));

@@ -7,14 +7,13 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -24,7 +23,7 @@ namespace quintic_test {
 
 using ancf::pi;
 using Element = ancf::QuinticBeam<>;
-using Scene = ancf::Model<Element>;
+using Scene = ancf::Model;
 using Point = ancf::Vector<double, 3>;
 
 ancf::StaticsReport solve(Scene& scene, ancf::NewtonKind newton) {
@@ -53,7 +52,7 @@ TEST_CASE("quintic: one to eight elements of the paper's slender cantilever", "[
         ancf::Matrix<double, 3> slopes = ancf::Matrix<double, 3>::Identity();
         slopes.col(1) << 0.0, std::cos(turn), std::sin(turn);
         slopes.col(2) << 0.0, -std::sin(turn), std::cos(turn);
-        const auto beam = ancf::straight_beam_with_slopes(
+        const auto beam = ancf::straight_beam_with_slopes<Element>(
             scene, ancf::Material::from_moduli(young, 7.9615e10, 7850.0),
             ancf::rectangle(0.01, 0.01).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0, 0, 0},
             {length, 0, 0}, slopes, 1 << k, options);
@@ -74,7 +73,7 @@ TEST_CASE("quintic: a strip bent to a semicircle converges with the sixth order"
     std::vector<double> errors;
     for (const int elements : {2, 4, 8}) {
         Scene scene;
-        const auto beam = ancf::straight_beam(
+        const auto beam = ancf::straight_beam<Element>(
             scene, ancf::Material::from_moduli(2e8, 1e8, 7850.0),
             ancf::rectangle(0.035, 0.035).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0, 0, 0},
             {1, 0, 0}, elements);
@@ -100,9 +99,9 @@ TEST_CASE("quintic: the unit of length decides neither iterations nor digits", "
     for (const double unit : {1.0, 1e3, 1e-6}) {  // m, mm, Mm: how many make a metre
         Scene scene;
         const double young = 2.07e11 / (unit * unit), height = 0.01 * unit, length = 2.0 * unit;
-        const auto beam =
-            ancf::straight_beam(scene, ancf::Material::from_moduli(young, young / 2.6, 7850.0),
-                                ancf::rectangle(height, height), {0, 0, 0}, {length, 0, 0}, 3);
+        const auto beam = ancf::straight_beam<Element>(
+            scene, ancf::Material::from_moduli(young, young / 2.6, 7850.0),
+            ancf::rectangle(height, height), {0, 0, 0}, {length, 0, 0}, 3);
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         const double bending = young * std::pow(height, 4) / 12.0;
         scene.add(ancf::Force<3>(beam.last(), {0.0, 3.0 * bending / (length * length), 0.0}));
@@ -122,19 +121,20 @@ TEST_CASE("quintic: arcs, helices and splines are free of stress where they are 
     Scene scene;
     const auto material = ancf::Material::isotropic(2e9, 0.3, 1000.0);
     const auto section = ancf::rectangle(0.02, 0.03);
-    ancf::arc(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0, 1.5, 3);
-    ancf::helix(scene, material, section, {5, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0.5, 0.3, 2.0, 16);
-    ancf::spline(scene, material, section, {{0, 5, 0}, {1, 5.3, 0}, {2, 5.1, 0.4}, {3, 5, 0.5}},
-                 {0, 1, 0});
-    const auto& group = scene.group();
+    ancf::arc<Element>(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0, 1.5, 3);
+    ancf::helix<Element>(scene, material, section, {5, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0.5, 0.3, 2.0,
+                         16);
+    ancf::spline<Element>(scene, material, section,
+                          {{0, 5, 0}, {1, 5.3, 0}, {2, 5.1, 0.4}, {3, 5, 0.5}}, {0, 1, 0});
+    const auto& group = scene.group<Element>();
     REQUIRE(group.connections.size() == 22);
     for (int k = 0; k < 22; ++k) {
-        const auto e = scene.element_coordinates(k);
+        const auto e = scene.element_coordinates<Element>(k);
         const double scale = group.element(k).evaluate(e).tangent.norm();
         CHECK(group.element(k).force(e).norm() <= 1e-13 * scale);
     }
     // the arc's middle is on the circle to the sixth order
-    const Point middle = group.element(1).position(scene.element_coordinates(1), 0.5);
+    const Point middle = group.element(1).position(scene.element_coordinates<Element>(1), 0.5);
     CHECK(std::abs((middle - Point(0, 1, 0)).norm() - 1.0) <= 1e-6);
 }
 

@@ -7,15 +7,14 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/element/planar_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/constraints_planar.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/solvers.hpp>
 
 #include <cmath>
 
@@ -25,7 +24,7 @@ using ancf::Field;
 using ancf::Status;
 using Beam =
     ancf::CrossSectionBeam<2, ancf::Projected, ancf::LinearShear, ancf::EngineeringMeasure>;
-using Scene = ancf::Model<Beam>;
+using Scene = ancf::PlanarModel;
 using Point = ancf::Vector<double, 2>;
 
 ancf::CrossSectionOptions mixed() {
@@ -39,7 +38,7 @@ Point loaded_tip(const ancf::Section& section, double force, int elements) {
     Scene scene;
     const auto material = ancf::Material::from_moduli(2.07e11, 7.9615e10, 7850.0);
     const auto beam =
-        ancf::straight_beam(scene, material, section, {0, 0}, {2, 0}, elements, mixed());
+        ancf::straight_beam<Beam>(scene, material, section, {0, 0}, {2, 0}, elements, mixed());
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     scene.add(ancf::Force<2>(beam.last(), {0, force}));
     ancf::EigenLdlt solver;
@@ -71,8 +70,8 @@ TEST_CASE("Reissner: an end moment bends to an exact semicircle", "[verification
     const auto error = [&](int elements) {
         Scene scene;
         const auto material = ancf::Material::from_moduli(2e8, 1e8, 1.0);
-        const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(0.035, 0.035),
-                                              {0, 0}, {1, 0}, elements, mixed());
+        const auto beam = ancf::straight_beam<Beam>(scene, material, ancf::rectangle(0.035, 0.035),
+                                                    {0, 0}, {1, 0}, elements, mixed());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         const double bending = 2e8 * std::pow(0.035, 4) / 12.0;
         scene.add(ancf::PlanarSlopeMoment(beam.last(), Field::r_y, pi * bending));
@@ -96,14 +95,15 @@ TEST_CASE("Reissner: Lee's frame snaps at the limit loads of the theory", "[veri
     const auto section =
         ancf::Section::from_moments(moments).with_shear_correction(5.0 / 6.0, 5.0 / 6.0);
     const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
-    const auto column = ancf::straight_beam(scene, material, section, {0, 0}, {0, 120}, 6, mixed());
+    const auto column =
+        ancf::straight_beam<Beam>(scene, material, section, {0, 0}, {0, 120}, 6, mixed());
     const auto corner =
-        ancf::straight_beam(scene, material, section, {0, 120}, {24, 120}, 2, mixed());
+        ancf::straight_beam<Beam>(scene, material, section, {0, 120}, {24, 120}, 2, mixed());
     ancf::NodeId end = corner.last();
     const int rest = scene.add_prototype(Beam(material, section, 8.0, mixed()));
     for (int k = 1; k <= 12; ++k) {
         const ancf::NodeId next = scene.add_node({24.0 + 8.0 * k, 120.0});
-        scene.connect(rest, end, next);
+        scene.connect<Beam>(rest, end, next);
         end = next;
     }
     scene.pin(column.first());

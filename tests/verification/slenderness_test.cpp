@@ -6,14 +6,13 @@
 /// P L^2/E I = 10.
 
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <cmath>
 
@@ -27,13 +26,14 @@ using Point = ancf::Vector<double, 3>;
 /// @param young        Pa
 /// @param length       m
 Point tip(double slenderness, int elements, double young = 1e9, double length = 1.0) {
-    ancf::Model<ancf::CrossSectionBeam<3>> scene;
+    ancf::Model scene;
     const double height = slenderness * length;
     const auto material = ancf::Material::from_moduli(young, 0.4 * young, 1000.0);
     ancf::CrossSectionOptions options;
     options.rule = ancf::Rule::mixed();
-    const auto beam = ancf::straight_beam(scene, material, ancf::rectangle(height, height),
-                                          {0, 0, 0}, {length, 0, 0}, elements, options);
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        scene, material, ancf::rectangle(height, height), {0, 0, 0}, {length, 0, 0}, elements,
+        options);
     scene.clamp(beam.first(), ancf::Clamp::free_slope);
     const double force = 10.0 * young * std::pow(height, 4) / (12.0 * length * length);
     scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));

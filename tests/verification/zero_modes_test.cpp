@@ -9,12 +9,11 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/curve.hpp>
-#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
 
 #include <support/catch.hpp>
-#include <support/instances/cross_section.hpp>
 
 #include <cmath>
 #include <type_traits>
@@ -34,17 +33,18 @@ constexpr double young = 2e9, density = 1000.0, height = 0.05;
 enum class Shape { straight, semicircle, twisted };
 
 template <class Element>
-ancf::Model<Element> chain(Shape shape, const char* rule, int elements) {
-    ancf::Model<Element> scene;
+ancf::BasicModel<Element::dimension> chain(Shape shape, const char* rule, int elements) {
+    ancf::BasicModel<Element::dimension> scene;
     typename Element::Options options;
     options.rule = ancf::Rule::named(rule);
     const auto material = ancf::Material::isotropic(young, 0.3, density);
     const auto section = ancf::rectangle(height, height);
     if (shape == Shape::straight) {
-        ancf::straight_beam(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements, options);
+        ancf::straight_beam<Element>(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements,
+                                     options);
     } else if (shape == Shape::semicircle) {
-        ancf::arc(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0 / pi, pi, elements,
-                  options);
+        ancf::arc<Element>(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0 / pi, pi,
+                           elements, options);
     } else {
         std::vector<ancf::CurvePoint<3>> points;
         for (int k = 0; k <= elements; ++k) {
@@ -54,8 +54,8 @@ ancf::Model<Element> chain(Shape shape, const char* rule, int elements) {
             slopes.col(2) << 0.0, -std::sin(angle), std::cos(angle);
             points.push_back({{x, 0.0, 0.0}, slopes, {0.0, 0.0, 0.0}});
         }
-        ancf::beam_through(scene, material, section, points, std::vector<double>{1.0 / elements},
-                           options);
+        ancf::beam_through<Element>(scene, material, section, points,
+                                    std::vector<double>{1.0 / elements}, options);
     }
     return scene;
 }
@@ -63,7 +63,7 @@ ancf::Model<Element> chain(Shape shape, const char* rule, int elements) {
 /// Returns how many eigenvalues lie below `value` times the square of Euler's first frequency.
 template <class Scene>
 int below(const Scene& scene, double value) {
-    ancf::Assembly<Scene> assembly(scene, ancf::Storage::lower);
+    ancf::Assembly assembly(scene, ancf::Storage::lower);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
     REQUIRE_FALSE(

@@ -16,20 +16,14 @@
 #include <ancf/assembly/block_pattern.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/assembly/schedule.hpp>
-#include <ancf/element/pack.hpp>
-#include <ancf/element/requirement.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -77,54 +71,18 @@ struct AnglePotential {
 
 namespace detail {
 
-/// Returns a fault in words.
-[[nodiscard]] inline std::string fault_text(const Fault& fault) {
-    if (fault.element < 0)
-        return joined({"a load, a constraint or a coordinate is ", to_string(fault.status)});
-    return joined(
-        {"element ", fault.element, " of group ", fault.group, " is ", to_string(fault.status)});
-}
-
-/// Whether an element tells where its law softens.
-template <class Element, class = void>
-struct TellsSoftened : std::false_type {};
-template <class Element>
-struct TellsSoftened<Element, std::void_t<decltype(std::declval<const Element&>().softened(
-                                  std::declval<const typename Element::Coordinates&>()))>>
-    : std::true_type {};
-
-/// Whether an element has the tangent of mixed integration points.
-template <class Element, class = void>
-struct EvaluatesMixed : std::false_type {};
-template <class Element>
-struct EvaluatesMixed<Element, std::void_t<decltype(std::declval<const Element&>().evaluate(
-                                   std::declval<const typename Element::Coordinates&>(),
-                                   std::declval<const typename Element::Coordinates&>(),
-                                   std::declval<const typename Element::Coordinates&>()))>>
-    : std::true_type {};
-
-template <class Element, class = void>
-struct EvaluatesPacks : std::false_type {};
-template <class Element>
-struct EvaluatesPacks<Element, std::enable_if_t<Element::evaluates_packs>> : std::true_type {};
-
 /// The step of central differences in the load factor, a ten-thousandth of it and at least 1e-4:
 /// exact but for round-off for loads in proportion to the factor.
 [[nodiscard]] inline double factor_step(double factor) noexcept {
-    return 1e-4 * std::max(1.0, std::abs(factor));
+    const double size = factor < 0.0 ? -factor : factor;
+    return 1e-4 * (size > 1.0 ? size : 1.0);
 }
-
-/// How many equal elements the assembler evaluates at once: as many as a wide register has lanes
-/// where the element takes packs, else one.
-template <class Element>
-inline constexpr int pack_lanes = EvaluatesPacks<Element>::value ? wide_lanes : 1;
 
 }  // namespace detail
 
 /// Evaluates and assembles a model, which outlives it. It follows changes of prototypes, of masses
 /// at nodes and of gravity; after one of nodes, elements, supports, loads or constraints a new one
 /// is made.
-template <class Scene>
 class Assembly {
 public:
     /// @throws InvalidArgument for a load or constraint on a vector that its node does not carry,
@@ -224,93 +182,53 @@ public:
     /// Sets the driven coordinates of q to their values at an instant.
     void apply_supports(const Instant& instant, VectorX& q) const;
 
-    /// Calls visit(element, coordinates, add) for every element, in order: `coordinates` are the
-    /// indices of its nodal coordinates, add(block, matrix) scatters an element's square block into
-    /// a matrix of this pattern. For integrators with element forces of their own.
-    template <class Visitor>
-    void for_each_element(Visitor&& visit) const {
-        for_each_group([&](const auto& group, const auto& slots) {
-            using Element = typename std::decay_t<decltype(group.prototypes)>::value_type;
-            int coordinate[Element::dofs];
-            for (std::size_t k = 0; k < slots.size(); ++k) {
-                element_coordinates<Element>(slots[k], coordinate);
-                visit(group.element(static_cast<int>(k)), coordinate,
-                      [&](const auto& block, SparseMatrix& matrix) {
-                          scatter<Element>(slots[k], block, matrix.valuePtr());
-                      });
-            }
-        });
-    }
+    // Single elements, for integrators with element forces of their own ---------------------------
+
+    /// Writes the indices of the nodal coordinates of an element, as many as its type has.
+    void element_coordinates(const ElementPlace& place, int* out) const;
+
+    /// Adds a square block of an element, by columns, to a matrix of this pattern.
+    void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const;
 
 private:
-    // Returns the first element that judge(element, coordinates) is true of.
-    template <class Judge>
-    [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
-                                                           const Judge& judge) const;
-
-    void check_size(const char* call, const char* what, const VectorX& given) const;
-
-    // an element's place in the system
-    struct Slots {
-        std::array<int, 2> node;
-        std::array<std::array<int, 2>, 2> base;  // [row node][column node], -1 if not stored
-        bool plain;  // both nodes carry just the element's vectors and all of them are free
-    };
-
     // values of the matrix from first to before last
     struct ValueRange {
         int first;
         int last;
     };
 
+    void check_size(const char* call, const char* what, const VectorX& given) const;
     void list_coordinates();
     void build_pattern(Storage storage);
-    template <class Element>
-    void build_slots(const ElementGroup<Element>& group);
+    void build_slots(const ElementGroup& group);
     void build_clearing();
     void clear_values(const std::vector<ValueRange>& ranges);
     void build_gravity();
     [[nodiscard]] std::vector<int> coordinates_of(const Coupling& coupling, const char* what) const;
 
-    template <class Element>
-    void element_coordinates(const Slots& slots, int (&out)[Element::dofs]) const;
+    // Returns the first element that judge(group, prototype, coordinates) is true of.
+    template <class Judge>
+    [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
+                                                           const Judge& judge) const;
+    // Calls visit(group, index of the group, index of the element, its coordinates).
+    template <class Visitor>
+    void for_each_element(const Visitor& visit) const;
 
-    template <class Element, class Block>
-    void scatter(const Slots& slots, const Block& block, double* values) const;
-    template <class Element, class Block>
-    void scatter(const Slots& slots, int a, int b, const Block& block, double* values) const;
-
-    // Each adds elements and returns their energy, 0 for the force alone: all of a group, one, or
-    // as many as a pack has lanes, equal but for their coordinates.
-    template <class Element>
-    double add_elements(const ElementGroup<Element>& group, std::size_t index,
-                        const Configuration& at, Request request, const VectorX* increment,
-                        const Correction* last);
-    template <class Element>
-    double add_element(const Element& element, const Slots& slots, const Configuration& at,
-                       Request request, const VectorX* increment, const Correction* last);
-    template <int Lanes, class Element>
-    double add_pack(const Element& element, const Slots* slots, const Configuration& at,
-                    Request request);
+    // Calls visit(load, coordinates, result) for every load.
     template <class Visitor>
     void for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
-                       Visitor&& visit) const;
+                       const Visitor& visit) const;
+    void add_elements(const Configuration& at, Request request, const VectorX* increment,
+                      const Correction* last);
     void add_loads(const Configuration& at, Request request);
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, const ConstraintResult& result);
     void add_value(int row, int column, double value, SparseMatrix& matrix) const;
 
-    // Calls visit(group, slots of the group) for each element type.
-    template <class Visitor>
-    void for_each_group(Visitor&& visit) const {
-        std::size_t index = 0;
-        model_.for_each_group([&](const auto& group) { visit(group, slots_[index++]); });
-    }
-
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<std::vector<Slots>> slots_;                      // per group
+    std::vector<std::vector<ElementSlots>> slots_;               // per group
     std::vector<ElementSchedule> schedules_;                     // per group
     std::vector<std::vector<std::vector<ValueRange>>> cleared_;  // per group and run
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
@@ -333,6 +251,6 @@ private:
 
 }  // namespace ancf
 
-#include <ancf/assembly/assembly_elements.hpp>
-#include <ancf/assembly/assembly_pattern.hpp>
-#include <ancf/assembly/assembly_terms.hpp>
+#if !defined(ANCF_COMPILED)
+#include <ancf/assembly/assembly.ipp>
+#endif

@@ -9,9 +9,8 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
-#include <ancf/model/layout.hpp>
-#include <ancf/model/support.hpp>
+#include <ancf/compiler.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -25,8 +24,7 @@ public:
     Numbering() = default;
 
     /// @throws InvalidArgument for a support on a vector that its node does not carry.
-    template <class Model>
-    explicit Numbering(const Model& model);
+    explicit Numbering(const Scene& model);
 
     /// Returns the number of equations: free coordinates, then multipliers.
     [[nodiscard]] int unknowns() const noexcept { return free_ + multipliers_; }
@@ -41,6 +39,9 @@ public:
     [[nodiscard]] int equation(int coordinate) const noexcept {
         return equation_[static_cast<std::size_t>(coordinate)];
     }
+
+    /// Returns the equations of all coordinates.
+    [[nodiscard]] const int* equations() const noexcept { return equation_.data(); }
 
     /// Returns the node, and so the block, of a coordinate.
     [[nodiscard]] int block(int coordinate) const noexcept {
@@ -82,35 +83,8 @@ private:
     std::vector<int> held_;
 };
 
-template <class Model>
-Numbering::Numbering(const Model& model) {
-    const Layout& layout = model.layout();
-    nodes_ = layout.nodes();
-    equation_.assign(static_cast<std::size_t>(layout.size()), 0);
-    block_.resize(equation_.size());
-    for (const Support& support : model.supports()) {
-        const int first = layout.index({support.node, support.field});
-        detail::require(first >= 0, "a support holds ", to_string(support.field), " of node ",
-                        support.node.index,
-                        ", which carries no such vector: no element there has one");
-        equation_[static_cast<std::size_t>(first + support.component)] = -1;
-    }
-    sizes_.assign(static_cast<std::size_t>(nodes_), 0);
-    for (int node = 0; node < nodes_; ++node)
-        for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
-            const auto at = static_cast<std::size_t>(k);
-            block_[at] = node;
-            if (equation_[at] < 0) {
-                held_.push_back(k);
-            } else {
-                equation_[at] = free_++;
-                ++sizes_[static_cast<std::size_t>(node)];
-            }
-        }
-    for (const auto& constraint : model.constraints()) {
-        sizes_.push_back(constraint.equations());
-        multipliers_ += constraint.equations();
-    }
-}
-
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/assembly/numbering.ipp>
+#endif

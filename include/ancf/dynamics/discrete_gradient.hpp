@@ -13,22 +13,21 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/dynamics/rigid_modes.hpp>
-#include <ancf/element/fields.hpp>
+#include <ancf/model/element_group.hpp>
 #include <ancf/types.hpp>
+
+#include <vector>
 
 namespace ancf::detail {
 
-/// Below this size of D, relative to an element, s is set to zero: what U's third derivative makes
-/// of it is then below the round-off of U.
-inline constexpr double smallest_change = 1e-8;
-
-/// What a step needs of one element.
-template <int Dofs>
+/// What a step needs of one element, and the memory to compute it; of its dofs() coordinates.
 struct StepForce {
-    double energy;                 ///< U(e_1), J
-    Vector<double, Dofs> force;    ///< f
-    Matrix<double, Dofs> tangent;  ///< df/de_1
+    double energy = 0.0;                                              ///< U(e_1), J
+    double force[ElementGroup::max_dofs];                             ///< f
+    double tangent[ElementGroup::max_dofs * ElementGroup::max_dofs];  ///< df/de_1, by columns
+    RigidModes modes;                                                 ///< at the middle
 };
 
 /// How much of the tangent is wanted.
@@ -38,66 +37,23 @@ enum class StepTangent {
     exact       ///< with the derivative of s W D, unsymmetric
 };
 
-/// Evaluates one element over a step.
+/// Evaluates one element, given by its prototype, over a step.
 /// @param before  U(e_0), J.
-template <class Element>
-[[nodiscard]] StepForce<Element::dofs> step_force(const Element& element,
-                                                  const typename Element::Coordinates& e0,
-                                                  const typename Element::Coordinates& e1,
-                                                  double before, StepTangent wanted) {
-    using Coordinates = typename Element::Coordinates;
-    constexpr int per_node = Element::fields.count();
-    StepForce<Element::dofs> out;
-    const Coordinates middle = 0.5 * (e0 + e1);
-    const Coordinates change = e1 - e0;
-    out.energy = element.energy(e1);
-    if (wanted == StepTangent::none) {
-        out.force = element.force(middle);
-    } else {
-        const auto at_middle = element.evaluate(middle);
-        out.force = at_middle.force;
-        out.tangent = 0.5 * at_middle.tangent;
-    }
-    const double length = element.length();
-    const RigidModes<Element::dimension, Element::dofs> modes(
-        middle, [](int k) { return length_power(Element::fields.at(k % per_node)); },
-        length * length);
-    const Coordinates rest = modes.without(change);
-    const Coordinates weighted = modes.weights().cwiseProduct(rest);
-    const double square = rest.dot(weighted);
-    if (!(square > smallest_change * smallest_change * length * length)) return out;
-    const double s = (out.energy - before - out.force.dot(change)) / square;
-    if (wanted == StepTangent::exact) {
-        const Coordinates end = element.force(e1);
-        const auto rest_rate = modes.derivative_of_without(change, rest);
-        // d(U_1 - f.De)/de_1 = grad U(e_1) - f - K De/2, and K is symmetric
-        Coordinates rate = end - out.force;
-        for (int j = 0; j < Element::dofs; ++j)
-            for (int i = 0; i < Element::dofs; ++i)
-                rate[j] -= out.tangent(i, j) * change[i] + 2.0 * s * rest_rate(i, j) * weighted[i];
-        for (int j = 0; j < Element::dofs; ++j)
-            for (int i = 0; i < Element::dofs; ++i)
-                out.tangent(i, j) +=
-                    weighted[i] * rate[j] / square + s * modes.weights()[i] * rest_rate(i, j);
-    }
-    out.force += s * weighted;
-    return out;
-}
+void step_force(const ElementGroup& group, int prototype, const double* e0, const double* e1,
+                double before, StepTangent wanted, StepForce& out);
 
 /// Corrects the middle's gradient G_m of one function of a few nodal vectors to the discrete
 /// gradient.
-/// @param difference  g(q_1) - g(q_0).
-/// @param invariant   whether rigid motions leave g as it is: then the correction moves no
-///                    momentum.
-template <int Dimension, class Power>
-void correct_gradient(double difference, const VectorX& middle, const VectorX& change,
-                      bool invariant, const Power& length_power, double length, VectorX& gradient) {
-    const RigidModes<Dimension, Eigen::Dynamic> modes(middle, length_power, length * length);
-    const VectorX rest = invariant ? modes.without(change) : change;
-    const VectorX weighted = modes.weights().cwiseProduct(rest);
-    const double square = rest.dot(weighted);
-    if (!(square > smallest_change * smallest_change * length * length)) return;
-    gradient += (difference - gradient.dot(change)) / square * weighted;
-}
+/// @param difference    g(q_1) - g(q_0).
+/// @param length_power  of each vector's unit.
+/// @param invariant     whether rigid motions leave g as it is: then the correction moves no
+///                      momentum.
+void correct_gradient(int dimension, double difference, const VectorX& middle,
+                      const VectorX& change, bool invariant, const std::vector<int>& length_power,
+                      double length, VectorX& gradient);
 
 }  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/discrete_gradient.ipp>  // IWYU pragma: export
+#endif

@@ -12,17 +12,17 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/dynamics/kkt.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/model/support.hpp>
+#include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/SparseCholesky>
-
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,10 +46,7 @@ struct ProblemOptions {
                                           ///< it is shorter than this, relative, is redundant
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
-    void check() const {
-        detail::require_positive("ProblemOptions: consistency", consistency);
-        detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
-    }
+    void check() const;
 };
 
 /// Where a motion starts.
@@ -71,7 +68,6 @@ struct Start {
 /// start() and every evaluation take that over, mass included; a run that begins after the change
 /// has consistent accelerations from its first step. Evaluations refuse a model that has gained or
 /// lost nodes, elements, supports, loads or constraints.
-template <class Scene>
 class DynamicProblem {
 public:
     /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load
@@ -89,7 +85,7 @@ public:
     /// Returns the order of unknowns.
     [[nodiscard]] const Numbering& numbering() const noexcept { return assembly_.numbering(); }
     /// Returns what evaluates the scene.
-    [[nodiscard]] const Assembly<Scene>& assembly() const noexcept { return assembly_; }
+    [[nodiscard]] const Assembly& assembly() const noexcept { return assembly_; }
 
     // Start ------------------------------------------------------------------------------------
 
@@ -154,7 +150,7 @@ public:
     [[nodiscard]] const SparseMatrix& compact_mass() const noexcept { return compact_mass_; }
 
     /// Solves M x = b for n entries.
-    void solve_mass(const VectorX& b, VectorX& x) const { x = mass_factor_.solve(b); }
+    void solve_mass(const VectorX& b, VectorX& x) const;
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
     ///
@@ -202,19 +198,10 @@ public:
     [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
 
     /// Returns all coordinates and rates, supports included, without multipliers.
-    [[nodiscard]] State raw_state(double t, const VectorX& q, const VectorX& v) {
-        expand(t, q, v);
-        State result;
-        result.time = t;
-        result.q = full_q_;
-        result.v = full_v_;
-        return result;
-    }
+    [[nodiscard]] State raw_state(double t, const VectorX& q, const VectorX& v);
 
     /// Writes the state of all coordinates into the model.
-    void store(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
-        model_.state() = state(t, q, v, lambda);
-    }
+    void store(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
 
     /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the
     /// state.
@@ -273,15 +260,14 @@ public:
     [[nodiscard]] double lowest_frequency(double t, const VectorX& q);
 
 private:
-    // Accelerations below so many times the square of the highest frequency are round-off.
-    static constexpr double frequency_noise = 64.0 * std::numeric_limits<double>::epsilon();
-
     struct Driven {
         int coordinate;
         const Support* support;
     };
 
     void set_mass();
+    // Returns the block of each of the first equations: a node, a constraint.
+    [[nodiscard]] std::vector<int> blocks(int equations) const;
     void check_sizes() const;
     void list_driven();
     void measure();
@@ -300,11 +286,11 @@ private:
 
     Scene& model_;
     ProblemOptions options_;
-    Assembly<Scene> assembly_;
+    Assembly assembly_;
     Revision revision_;  // of the model that the mass below is of
-    ConstraintSet<Scene> constraints_;
+    ConstraintSet constraints_;
     SparseMatrix mass_, compact_mass_;
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower> mass_factor_;
+    detail::SparseLdlt mass_factor_;
     SparseMatrix tangent_;     // with the changes for equations left out
     SparseMatrix kkt_matrix_;  // [M G^T; G 0]
     KktSystem kkt_;
@@ -324,4 +310,6 @@ private:
 
 }  // namespace ancf
 
-#include <ancf/dynamics/problem_definitions.hpp>
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/problem.ipp>  // IWYU pragma: export
+#endif

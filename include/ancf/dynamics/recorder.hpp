@@ -9,43 +9,25 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
-#include <ancf/error.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace ancf::detail {
 
 /// Throws where nothing can move.
-template <class Scene>
-void require_motion(const DynamicProblem<Scene>& problem) {
-    require(problem.size() > 0,
-            "the scene has no free coordinate: there is no motion to integrate");
-}
+void require_motion(const DynamicProblem& problem);
 
 /// Throws for steps that vanish in the round-off of time.
-inline void require_resolved(double step, double start, double end) {
-    const double least =
-        16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start), std::abs(end));
-    require(step > least, "a step of ", step, " s is below the resolution of time at ", end, " s, ",
-            least, " s");
-}
+void require_resolved(double step, double start, double end);
 
 /// Throws unless the problem was set up for the storage of the solver.
-template <class LinearSolver, class Scene>
-void require_same_storage(const LinearSolver& solver, const DynamicProblem<Scene>& problem) {
-    require(problem.assembly().pattern().storage() == LinearSolver::storage, solver.name(),
-            " works on ",
-            LinearSolver::storage == Storage::lower ? "the lower half" : "full storage",
-            "; set ProblemOptions::storage to match it");
-}
+void require_same_storage(const LinearSolver& solver, const DynamicProblem& problem);
 
 /// A point of a motion: free coordinates, rates and multipliers at a time.
 struct MotionPoint {
@@ -53,170 +35,47 @@ struct MotionPoint {
     VectorX q, v, lambda;
 };
 
-/// Returns the larger number; not a number where one of them is not.
-[[nodiscard]] inline double larger(double a, double b) noexcept { return b <= a ? a : b; }
-
 /// Takes what a step left into the report, before any projection: constraints and, where it is
 /// followed, energy by an evaluation of its own. Of the start the report has counted no step.
-template <class Scene>
-void note(DynamicProblem<Scene>& problem, const MotionPoint& point, bool follow_energy,
-          DynamicsReport& report) {
-    if (problem.multipliers() > 0) {
-        problem.evaluate_constraints(point.time, point.q, point.v);
-        report.violation = larger(report.violation, problem.constraint_violation());
-        report.violation_rate = larger(report.violation_rate, problem.violation_rate());
-    }
-    if (!follow_energy) return;
-    const Energies energies = problem.energies(point.time, point.q, point.v, point.lambda);
-    ++report.evaluations;
-    if (report.steps == 0) report.energy_start = energies.total();
-    report.energy_drift =
-        larger(report.energy_drift, std::abs(energies.total() - report.energy_start));
-    report.kinetic_largest = larger(report.kinetic_largest, energies.kinetic);
-}
-
-/// Returns the sum of |a_ii| over the first `count` rows.
-[[nodiscard]] inline double trace_of_magnitudes(const SparseMatrix& matrix, int count) {
-    double sum = 0.0;
-    for (int j = 0; j < count; ++j)
-        for (SparseMatrix::InnerIterator entry(matrix, j); entry; ++entry)
-            if (entry.row() == j) sum += std::abs(entry.value());
-    return sum;
-}
+void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
+          DynamicsReport& report);
 
 /// Energies and power of a point, sizes of M and K there: what tells one scene from another.
-template <class Scene>
-[[nodiscard]] VectorX signature(DynamicProblem<Scene>& problem, const MotionPoint& point) {
-    (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
-    const Energies at = problem.energies();
-    VectorX values(6);
-    values << at.kinetic, at.strain, at.potential, at.load_power,
-        trace_of_magnitudes(problem.mass(), problem.size()),
-        trace_of_magnitudes(problem.tangent(), problem.size());
-    return values;
-}
+[[nodiscard]] VectorX signature(DynamicProblem& problem, const MotionPoint& point);
 
 /// Throws unless a run that a memory continues goes on from where it ended: the model's state, as
 /// `problem.start()` read it, and the scene.
 /// @param who    the integrator, for the message.
 /// @param point  where the memory's run ended.
-template <class Scene>
-void require_continuation(const char* who, const Memory& memory, DynamicProblem<Scene>& problem,
-                          const MotionPoint& start, const MotionPoint& point) {
-    constexpr double same = 1e-9;
-    VectorX q = point.q;
-    VectorX v = point.v;
-    (void)problem.project(point.time, q, v);
-    const double fastest = largest_ratio(v, problem.scales());
-    require(largest_distance(q, start.q, problem.scales()) <= same &&
-                largest_distance(v, start.v, problem.scales()) <= same * fastest,
-            who, ": the model's state is not the one that the memory belongs to");
-    const VectorX then = memory.get("signature", 6);
-    const VectorX here = signature(problem, point);
-    const auto differ = [&](int k) {
-        return !(std::abs(here[k] - then[k]) <= same * (std::abs(then[k]) + std::abs(here[k])));
-    };
-    const double energy = std::abs(then[0]) + std::abs(then[1]) + std::abs(then[2]);
-    bool same_scene = !differ(3);
-    for (int k = 0; k < 3; ++k)
-        same_scene = same_scene && std::abs(here[k] - then[k]) <= same * energy;
-    require(same_scene, who,
-            ": the memory is of another scene: kinetic, strain and potential energy and the "
-            "loads' power are ",
-            components(here, 4), " here, ", components(then, 4), " there");
-    require(!differ(4) && !differ(5), who,
-            ": the memory is of another scene: mass or stiffness has changed since; a run after "
-            "such a change starts without a memory");
-}
+void require_continuation(const char* who, const Memory& memory, DynamicProblem& problem,
+                          const MotionPoint& start, const MotionPoint& point);
 
 /// Stores the end of a run in the model, projected on the constraints; where that fails the end is
 /// stored as it is, and the report says so.
-template <class Scene>
-void store_end(DynamicProblem<Scene>& problem, const MotionPoint& end, DynamicsReport& report) {
-    VectorX q = end.q;
-    VectorX v = end.v;
-    if (!problem.project(end.time, q, v)) {
-        if (!report.message.empty()) report.message += "; ";
-        report.message += "the last state could not be brought onto the constraints";
-    }
-    problem.store(end.time, q, v, end.lambda);
-}
+void store_end(DynamicProblem& problem, const MotionPoint& end, DynamicsReport& report);
 
 /// Reports one run.
-template <class Scene>
 class Recorder {
 public:
     /// @param energies  whether to follow the energy of every step (one evaluation each).
-    Recorder(DynamicProblem<Scene>& problem, const Schedule& schedule, DynamicsReport& report,
-             bool energies)
-        : problem_(problem),
-          schedule_(schedule),
-          report_(report),
-          energies_(energies),
-          begin_(std::chrono::steady_clock::now()) {}
+    Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
+             bool energies);
 
     /// Takes the start and observes it where asked.
-    void start(const MotionPoint& point) {
-        report_.time = point.time;
-        note(problem_, point, energies_, report_);
-        observe(point, point, 0.0);
-    }
+    void start(const MotionPoint& point);
 
     /// Takes an accepted step.
     /// @return false where the progress callback asks to stop.
-    [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to) {
-        const double width = to.time - from.time;
-        report_.time = to.time;
-        ++report_.steps;
-        report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
-        report_.largest_step = std::max(report_.largest_step, width);
-        note(problem_, to, energies_, report_);
-        observe(from, to, 1e-9 * width);
-        return !schedule_.progress || schedule_.progress(to.time, schedule_.end);
-    }
+    [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to);
 
     /// Observes what lies within the round-off of the end, and stores the last point.
-    void finish(const MotionPoint& point) {
-        if (report_.status == Status::converged)
-            observe(point, point, std::max(0.0, schedule_.end - point.time));
-        store_end(problem_, point, report_);
-        report_.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    }
+    void finish(const MotionPoint& point);
 
 private:
-    void observe(const MotionPoint& from, const MotionPoint& to, double slack) {
-        for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack;
-             ++next_) {
-            if (!schedule_.observe) continue;
-            const double time = schedule_.times[next_];
-            State state;
-            if (time >= to.time - slack)
-                schedule_.observe(problem_.snapshot(to.time, to.q, to.v, to.lambda, state));
-            else
-                observe_between(from, to, time, state);
-        }
-    }
+    void observe(const MotionPoint& from, const MotionPoint& to, double slack);
+    void observe_between(const MotionPoint& from, const MotionPoint& to, double time, State& state);
 
-    void observe_between(const MotionPoint& from, const MotionPoint& to, double time,
-                         State& state) {
-        const double h = to.time - from.time;
-        const double s = (time - from.time) / h;
-        const double later = s * s * (3.0 - 2.0 * s);
-        const double slope = 6.0 * s * (1.0 - s) / h;
-        const double bulge = h * s * (1.0 - s);
-        VectorX q = combination({{1.0 - later, from.q},
-                                 {later, to.q},
-                                 {bulge * (1.0 - s), from.v},
-                                 {-bulge * s, to.v}});
-        VectorX v = combination({{slope, difference(to.q, from.q)},
-                                 {(1.0 - s) * (1.0 - 3.0 * s), from.v},
-                                 {s * (3.0 * s - 2.0), to.v}});
-        const VectorX lambda = combination({{1.0 - s, from.lambda}, {s, to.lambda}});
-        schedule_.observe(problem_.snapshot(time, std::move(q), std::move(v), lambda, state));
-    }
-
-    DynamicProblem<Scene>& problem_;
+    DynamicProblem& problem_;
     const Schedule& schedule_;
     DynamicsReport& report_;
     bool energies_;
@@ -225,3 +84,7 @@ private:
 };
 
 }  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/recorder.ipp>  // IWYU pragma: export
+#endif

@@ -7,11 +7,11 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/state.hpp>
+#include <ancf/types.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -55,37 +55,13 @@ struct Schedule {
     std::function<bool(double time, double end)> progress;
 
     /// @throws InvalidArgument for an end before the start or times that are not ascending between.
-    void check(double start) const {
-        detail::require(std::isfinite(end) && end >= start, "Schedule: the end must not be before ",
-                        "the start at ", start, " s, got ", end);
-        double before = start;
-        for (const double time : times) {
-            detail::require(time >= before && time <= end, "Schedule: times must ascend from ",
-                            start, " to ", end, " s, got ", time, " after ", before);
-            before = time;
-        }
-    }
+    void check(double start) const;
 };
 
 /// Returns the schedule of a run with equally spaced outputs, both ends included.
 /// @throws InvalidArgument unless duration is at least 0 and the interval is positive, or for more
 ///         than ten million outputs.
-[[nodiscard]] inline Schedule equal_intervals(double start, double duration, double interval) {
-    detail::require(std::isfinite(duration) && duration >= 0.0,
-                    "equal_intervals: duration must be at least 0 and finite, got ", duration);
-    detail::require_positive("equal_intervals: interval", interval);
-    detail::require(std::isfinite(start), "equal_intervals: start must be finite, got ", start);
-    constexpr double most = 1e7;
-    detail::require(duration / interval <= most, "equal_intervals: interval ", interval,
-                    " s makes more than ", most, " outputs of ", duration, " s");
-    Schedule schedule;
-    schedule.end = start + duration;
-    const double last = schedule.end - 1e-9 * std::min(interval, duration);
-    for (int k = 0; start + k * interval < last; ++k)
-        schedule.times.push_back(start + k * interval);
-    schedule.times.push_back(schedule.end);
-    return schedule;
-}
+[[nodiscard]] Schedule equal_intervals(double start, double duration, double interval);
 
 /// What an integrator carries beyond the state: enough to continue a run bit for bit.
 struct Memory {
@@ -96,16 +72,10 @@ struct Memory {
     [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }
 
     /// Adds values.
-    void put(std::string name, VectorX value) {
-        values.emplace_back(std::move(name), std::move(value));
-    }
+    void put(std::string name, VectorX value);
 
     /// @throws InvalidArgument where it holds no value of that name and size.
-    [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const {
-        for (const auto& [key, value] : values)
-            if (key == name && value.size() == size) return value;
-        detail::reject("Memory of ", integrator, ": expected ", size, " values of ", name);
-    }
+    [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const;
 };
 
 /// How a run went; a run that fails keeps what it reached.
@@ -136,3 +106,7 @@ struct DynamicsReport {
 };
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/report.ipp>  // IWYU pragma: export
+#endif

@@ -13,6 +13,7 @@
 #include <ancf/element/cable_kernel.hpp>
 #include <ancf/element/cable_natural.hpp>
 #include <ancf/element/cable_nodes.hpp>
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
@@ -26,6 +27,7 @@
 #include <ancf/types.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace ancf {
@@ -234,3 +236,18 @@ private:
 
 #include <ancf/element/cable_evaluation.hpp>  // IWYU pragma: export
 #include <ancf/element/cable_results.hpp>     // IWYU pragma: export
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class Cable<2>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<2>>();
+extern template class Cable<3>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<3>>();
+extern template class Cable<2, EngineeringAxial>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<2, EngineeringAxial>>();
+extern template class Cable<3, EngineeringAxial>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<3, EngineeringAxial>>();
+
+}  // namespace ancf
+#endif

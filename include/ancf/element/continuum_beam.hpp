@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/continuum_beam_kernel.hpp>
 #include <ancf/element/continuum_beam_law.hpp>
 #include <ancf/element/continuum_beam_nodes.hpp>
@@ -27,6 +28,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -367,3 +369,14 @@ Evaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::eva
 }  // namespace ancf
 
 #include <ancf/element/continuum_beam_results.hpp>  // IWYU pragma: export
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class ContinuumBeam<2>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<2>>();
+extern template class ContinuumBeam<3>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<3>>();
+
+}  // namespace ancf
+#endif

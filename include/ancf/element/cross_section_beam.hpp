@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/carried_formulation.hpp>
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/cross_section_kernel.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/engineering_measure.hpp>
@@ -33,6 +34,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 
 namespace ancf {
@@ -424,3 +426,29 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
 }  // namespace ancf
 
 #include <ancf/element/cross_section_results.hpp>  // IWYU pragma: export
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class CrossSectionBeam<3>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3>>();
+extern template class CrossSectionBeam<3, Geodesic>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3, Geodesic>>();
+extern template class CrossSectionBeam<3, Transported>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Transported>>();
+extern template class CrossSectionBeam<3, Projected, PointwiseShear>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Projected, PointwiseShear>>();
+extern template class CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>>();
+extern template class CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>>();
+extern template class CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>>();
+
+}  // namespace ancf
+#endif

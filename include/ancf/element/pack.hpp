@@ -10,6 +10,8 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -26,15 +28,7 @@
 namespace ancf {
 
 /// How many doubles a register of the target holds: the best number of elements side by side.
-#if defined(__GNUC__) && defined(__AVX512F__)
-inline constexpr int register_lanes = 8;
-#elif defined(__GNUC__) && defined(__AVX__)
-inline constexpr int register_lanes = 4;
-#elif defined(__GNUC__) && (defined(__SSE2__) || defined(__aarch64__))
-inline constexpr int register_lanes = 2;
-#else
-inline constexpr int register_lanes = 1;
-#endif
+inline constexpr int register_lanes = ANCF_REGISTER_LANES;
 
 /// How many stations of one element stand side by side: rules have few more than four.
 inline constexpr int native_lanes = register_lanes < 4 ? register_lanes : 4;

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
@@ -27,6 +28,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <memory>
 
 namespace ancf {
 
@@ -420,3 +422,15 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
 }
 
 }  // namespace ancf
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class CrossSectionBeam<2>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2>>();
+extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
+
+}  // namespace ancf
+#endif

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace ancf {
 
@@ -373,3 +375,11 @@ inline Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
 }
 
 }  // namespace ancf
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template std::unique_ptr<ElementGroup> detail::make_group<TorsionBeam>();
+
+}  // namespace ancf
+#endif

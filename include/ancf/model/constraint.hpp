@@ -12,11 +12,9 @@
 #pragma once
 
 #include <ancf/constants.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -152,7 +150,8 @@ namespace detail {
 
 /// The most that a driven angle may change in one step, rad. A joint knows its angle but for whole
 /// turns, so below half a turn a step can only end in the right one. Up to pi/3 its equations are
-/// sines (turn.hpp), of which one correction finds the turn of a slope: it adds tan(angle).
+/// sines (constraints/turn.hpp), of which one correction finds the turn of a slope: it adds
+/// tan(angle).
 inline constexpr double largest_driven_turn = pi / 3.0;
 
 /// The constraint that is driven furthest between two times.
@@ -166,25 +165,32 @@ struct DrivenTurn {
     }
 };
 
-[[nodiscard]] inline DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints,
-                                            double from, double to) {
-    DrivenTurn most;
-    for (std::size_t k = 0; k < constraints.size(); ++k) {
-        const double turn =
-            std::abs(constraints[k].driven_angle(to) - constraints[k].driven_angle(from));
-        if (turn > most.angle) most = {turn, k};
-    }
-    return most;
-}
+/// Returns the constraint that is driven furthest between two times.
+[[nodiscard]] DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
+                                     double to);
 
 /// Returns why no step from one time or load factor to another can be taken.
-[[nodiscard]] inline std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
-                                                  const DrivenTurn& turn, double from, double to) {
-    return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),
-                   ") is driven by ", turn.angle, " rad between ", from, " and ", to,
-                   ", one step takes ", largest_driven_turn, " rad"},
-                  6);
-}
+[[nodiscard]] std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
+                                           const DrivenTurn& turn, double from, double to);
 
 }  // namespace detail
 }  // namespace ancf
+
+#if defined(ANCF_SOURCE)
+/// In the compiled library: the functions of a constraint that are templates on the scalar, for the
+/// scalars that motions are given in.
+#define ANCF_CONSTRAINT_INSTANCES(...)                \
+    ANCF_CONSTRAINT_INSTANCES_OF(double, __VA_ARGS__) \
+    ANCF_CONSTRAINT_INSTANCES_OF(std::complex<double>, __VA_ARGS__)
+#define ANCF_CONSTRAINT_INSTANCES_OF(Scalar, ...)                                                 \
+    template DynamicVector<Scalar> __VA_ARGS__::violation(const DynamicVector<Scalar>&,           \
+                                                          const Scalar&) const;                   \
+    template DynamicMatrix<Scalar> __VA_ARGS__::jacobian(const DynamicVector<Scalar>&,            \
+                                                         const Scalar&) const;                    \
+    template DynamicVector<Scalar> __VA_ARGS__::rate(const DynamicVector<Scalar>&, const Scalar&) \
+        const;
+#endif
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/constraint.ipp>  // IWYU pragma: export
+#endif

@@ -6,9 +6,8 @@
 
 #pragma once
 
-#include <ancf/model/constraints_frames.hpp>
-#include <ancf/model/constraints_joints.hpp>
-#include <ancf/model/constraints_motion.hpp>
-#include <ancf/model/constraints_planar.hpp>
-#include <ancf/model/constraints_points.hpp>
-#include <ancf/model/constraints_sections.hpp>
+#include <ancf/model/constraints/joints.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/constraints/planar.hpp>
+#include <ancf/model/constraints/points.hpp>
+#include <ancf/model/constraints/sections.hpp>

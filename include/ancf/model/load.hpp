@@ -104,12 +104,18 @@ public:
     [[nodiscard]] bool symmetric() const noexcept { return held_->symmetric(); }
     /// Tells whether its force depends neither on coordinates nor on rates.
     [[nodiscard]] bool constant() const noexcept { return held_->constant(); }
+    /// Tells whether it acts on what its node carries.
+    [[nodiscard]] bool settles() const noexcept { return held_->settles(); }
+    /// Settles on what its node carries.
+    void settle(const Layout& layout) { held_ = held_->settled(layout); }
     /// Evaluates it.
     void evaluate(const LoadState& state, LoadResult& out) const { held_->evaluate(state, out); }
 
 private:
     struct Interface {
         virtual ~Interface() = default;
+        [[nodiscard]] virtual bool settles() const noexcept = 0;
+        [[nodiscard]] virtual std::shared_ptr<const Interface> settled(const Layout&) const = 0;
         [[nodiscard]] virtual Coupling coupling() const = 0;
         [[nodiscard]] virtual bool symmetric() const noexcept = 0;
         [[nodiscard]] virtual bool constant() const noexcept = 0;
@@ -125,6 +131,15 @@ private:
         }
         [[nodiscard]] bool constant() const noexcept override {
             return detail::has_constant_force<Load>::value;
+        }
+        [[nodiscard]] bool settles() const noexcept override {
+            return detail::settles<Load>::value;
+        }
+        [[nodiscard]] std::shared_ptr<const Interface> settled(
+            const Layout& layout) const override {
+            auto copy = std::make_shared<Holder>(load);
+            if constexpr (detail::settles<Load>::value) copy->load.settle(layout);
+            return copy;
         }
         void evaluate(const LoadState& state, LoadResult& out) const override {
             load.evaluate(state, out);

@@ -6,6 +6,6 @@
 
 #pragma once
 
-#include <ancf/model/loads_forces.hpp>
-#include <ancf/model/loads_frames.hpp>
-#include <ancf/model/loads_moments.hpp>
+#include <ancf/model/loads/forces.hpp>
+#include <ancf/model/loads/frames.hpp>
+#include <ancf/model/loads/moments.hpp>

@@ -21,11 +21,22 @@
 
 #pragma once
 
+#include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
 
 namespace ancf::detail {
+
+/// @throws InvalidArgument unless the field is a slope: r_x, r_y or, in space, r_z.
+inline void require_slope(const char* user, Field field, int dimension) {
+    require(field == Field::r_x || field == Field::r_y || (dimension == 3 && field == Field::r_z),
+            user,
+            dimension == 3 ? ": expected a slope r_x, r_y or r_z, got "
+                           : ": expected a slope r_x or r_y, got ",
+            to_string(field));
+}
 
 /// A frame with its spin map at given slopes.
 template <class Scalar>

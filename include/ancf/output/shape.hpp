@@ -10,18 +10,41 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/model.hpp>
-#include <ancf/output/csv.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <ostream>
-#include <string>
+#include <iosfwd>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ancf {
+
+namespace detail {
+
+template <class Element, class = void>
+struct HasVelocity : std::false_type {};
+
+template <class Element>
+struct HasVelocity<Element,
+                   std::void_t<decltype(std::declval<const Element&>().velocity(
+                       std::declval<const typename Element::Coordinates&>(),
+                       std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
+    : std::true_type {};
+
+template <class Element, class = void>
+struct HasStress : std::false_type {};
+
+template <class Element>
+struct HasStress<Element,
+                 std::void_t<decltype(std::declval<const Element&>().stress(
+                     std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
+    : std::true_type {};
+
+}  // namespace detail
 
 /// A place along a beam, where results are sampled.
 template <class Element>
@@ -41,6 +64,22 @@ struct BeamStation {
         else
             return {point[0], point[1], z};
     }
+
+    /// Returns the velocity of a point of the body, m/s; zero where the element does not tell.
+    [[nodiscard]] Vector<double, 3> velocity(double y = 0.0, double z = 0.0) const {
+        Vector<double, 3> speed = Vector<double, 3>::Zero();
+        if constexpr (detail::HasVelocity<Element>::value)
+            speed.template head<Element::dimension>() = element.velocity(e, rate, xi, y, z);
+        return speed;
+    }
+
+    /// Returns the stress S_xx at a point of the body, Pa; zero where the element does not tell.
+    [[nodiscard]] double axial_stress(double y = 0.0, double z = 0.0) const {
+        if constexpr (detail::HasStress<Element>::value)
+            return element.stress(e, xi, y, z)[0];
+        else
+            return 0.0 * (y + z);
+    }
 };
 
 /// Visits equally spaced stations of a beam, element by element, the ends of each included.
@@ -48,17 +87,18 @@ struct BeamStation {
 /// @param stations  per element, at least 2.
 /// @param visit     called as visit(const BeamStation<Element>&).
 /// @throws InvalidArgument for fewer stations.
-template <class Element, class... Elements, class Visitor>
-void for_each_station(const Model<Elements...>& model, const Beam<Element>& beam, int stations,
+template <class Element, class Visitor>
+void for_each_station(const Scene& model, const Beam<Element>& beam, int stations,
                       Visitor&& visit) {
     detail::require(stations >= 2, "for_each_station: at least 2 stations are needed, got ",
                     stations);
+    const auto& group = model.group<Element>();
     double start = 0.0;
     for (std::size_t place = 0; place < beam.elements.size(); ++place) {
         const int index = beam.elements[place];
-        const Element& element = model.template group<Element>().element(index);
-        const auto e = model.template element_coordinates<Element>(index);
-        const auto rate = model.template element_coordinates<Element>(index, model.state().v);
+        const Element& element = group.element(index);
+        const auto e = model.element_coordinates<Element>(index);
+        const auto rate = model.element_coordinates<Element>(index, model.state().v);
         for (int k = 0; k < stations; ++k) {
             const double xi = static_cast<double>(k) / (stations - 1);
             visit(BeamStation<Element>{element, e, rate, static_cast<int>(place), xi,
@@ -79,8 +119,8 @@ struct ShapeStation {
 /// Returns the deformed shape of a beam as its model stands now.
 /// @param stations  per element, at least 2; the last of an element and the first of the next
 ///                  are both listed.
-template <class Element, class... Elements>
-[[nodiscard]] std::vector<ShapeStation> deformed_shape(const Model<Elements...>& model,
+template <class Element>
+[[nodiscard]] std::vector<ShapeStation> deformed_shape(const Scene& model,
                                                        const Beam<Element>& beam,
                                                        const Section& section, int stations = 9) {
     std::vector<ShapeStation> shape;
@@ -93,18 +133,11 @@ template <class Element, class... Elements>
 }
 
 /// Writes a deformed shape as CSV: s,x,y,z of the centre line, then x0,y0,z0,x1,... of the outline.
-inline void write_shape(std::ostream& out, const std::vector<ShapeStation>& shape) {
-    detail::require(!shape.empty(), "write_shape: the shape has no station");
-    std::vector<std::string> columns = {"s", "x", "y", "z"};
-    for (std::size_t k = 0; k < shape.front().outline.size(); ++k)
-        for (const char* axis : {"x", "y", "z"}) columns.push_back(axis + std::to_string(k));
-    CsvWriter csv(out, columns);
-    for (const ShapeStation& station : shape) {
-        std::vector<double> row = {station.s, station.centre[0], station.centre[1],
-                                   station.centre[2]};
-        for (const auto& point : station.outline) row.insert(row.end(), point.begin(), point.end());
-        csv.row(row);
-    }
-}
+/// @throws InvalidArgument for a shape without stations.
+void write_shape(std::ostream& out, const std::vector<ShapeStation>& shape);
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/output/shape.ipp>  // IWYU pragma: export
+#endif

@@ -12,9 +12,8 @@
 
 #include <ancf/element/section_forces.hpp>
 #include <ancf/element/transmitted_forces.hpp>
-#include <ancf/error.hpp>
-#include <ancf/model/beam.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/output/shape.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
@@ -22,8 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -55,8 +52,8 @@ public:
     /// @param stations  per element, at least 2.
     /// @throws InvalidArgument for fewer stations, an outline of fewer than three corners, or a
     ///         beam without elements.
-    template <class Element, class... Elements>
-    void add(const Model<Elements...>& model, const Beam<Element>& beam, const Section& section,
+    template <class Element>
+    void add(const Scene& model, const Beam<Element>& beam, const Section& section,
              int stations = 9);
 
     /// Returns the points, m.
@@ -73,109 +70,44 @@ public:
     [[nodiscard]] const std::vector<int>& ends() const noexcept { return ends_; }
 
 private:
-    template <class Element>
-    void add_points(const BeamStation<Element>& station, const Section& section);
+    // What a corner of the section shows at a station.
+    struct Corner {
+        Vector<double, 3> position;
+        Vector<double, 3> velocity;
+        double stress;
+    };
+
+    void begin_beam(const Chain& beam, const Section& section);
+    void add_station(double s, const SectionForces& forces, const std::vector<Corner>& corners,
+                     bool joined);
+    void end_beam();
     void add_polygon(const std::vector<int>& corners);
-    void add_side(int first, int corner_count);
     void append(Array array, const Vector<double, 3>& value);
 
     std::vector<Vector<double, 3>> points_;
     std::array<PointArray, array_count> arrays_;
     std::vector<int> corners_;
     std::vector<int> ends_;
+    int first_ = 0;  // point of the beam
+    int count_ = 0;  // corners of its outline
 };
 
-namespace detail {
-
-template <class Element, class = void>
-struct HasVelocity : std::false_type {};
-
 template <class Element>
-struct HasVelocity<Element,
-                   std::void_t<decltype(std::declval<const Element&>().velocity(
-                       std::declval<const typename Element::Coordinates&>(),
-                       std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
-    : std::true_type {};
-
-template <class Element, class = void>
-struct HasStress : std::false_type {};
-
-template <class Element>
-struct HasStress<Element,
-                 std::void_t<decltype(std::declval<const Element&>().stress(
-                     std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
-    : std::true_type {};
-
-}  // namespace detail
-
-inline Surface::Surface() {
-    arrays_[place] = {"place", {"s"}, {}};
-    arrays_[velocity] = {"velocity", {"x", "y", "z"}, {}};
-    arrays_[force] = {"section_force", {"N", "Q_y", "Q_z"}, {}};
-    arrays_[moment] = {"section_moment", {"T", "M_y", "M_z"}, {}};
-    arrays_[axial_stress] = {"axial_stress", {"S_xx"}, {}};
-}
-
-template <class Element, class... Elements>
-void Surface::add(const Model<Elements...>& model, const Beam<Element>& beam,
-                  const Section& section, int stations) {
-    const int count = static_cast<int>(section.outline().size());
-    detail::require(count >= 3, "Surface::add: an outline needs at least 3 corners, got ", count);
-    detail::require(!beam.elements.empty(), "Surface::add: the beam has no elements");
-    const int first = static_cast<int>(points_.size());
-    for_each_station(model, beam, stations, [&](const BeamStation<Element>& station) {
-        add_points(station, section);
-        if (station.xi > 0.0) add_side(static_cast<int>(points_.size()) - 2 * count, count);
+void Surface::add(const Scene& model, const Beam<Element>& beam, const Section& section,
+                  int stations) {
+    begin_beam(beam, section);
+    std::vector<Corner> corners;
+    for_each_station(model, beam, stations, [&](const BeamStation<Element>& at) {
+        corners.clear();
+        for (const auto& [y, z] : section.outline())
+            corners.push_back({at.position(y, z), at.velocity(y, z), at.axial_stress(y, z)});
+        add_station(at.s, transmitted_forces(at.element, at.e, at.xi), corners, at.xi > 0.0);
     });
-    const int last = static_cast<int>(points_.size()) - count;
-    std::vector<int> start;
-    std::vector<int> end;
-    for (int k = 0; k < count; ++k) {
-        start.push_back(first + count - 1 - k);
-        end.push_back(last + k);
-    }
-    add_polygon(start);
-    add_polygon(end);
-}
-
-template <class Element>
-void Surface::add_points(const BeamStation<Element>& station, const Section& section) {
-    const SectionForces forces = transmitted_forces(station.element, station.e, station.xi);
-    for (const SectionPoint& corner : section.outline()) {
-        points_.push_back(station.position(corner.y, corner.z));
-        append(place, {station.s, 0.0, 0.0});
-        Vector<double, 3> speed = Vector<double, 3>::Zero();
-        if constexpr (detail::HasVelocity<Element>::value)
-            speed.head<Element::dimension>() =
-                station.element.velocity(station.e, station.rate, station.xi, corner.y, corner.z);
-        append(velocity, speed);
-        append(force, {forces.axial, forces.shear_y, forces.shear_z});
-        append(moment, {forces.torque, forces.moment_y, forces.moment_z});
-        double stress = 0.0;
-        if constexpr (detail::HasStress<Element>::value)
-            stress = station.element.stress(station.e, station.xi, corner.y, corner.z)[0];
-        append(axial_stress, {stress, 0.0, 0.0});
-    }
-}
-
-inline void Surface::add_polygon(const std::vector<int>& corners) {
-    corners_.insert(corners_.end(), corners.begin(), corners.end());
-    ends_.push_back(static_cast<int>(corners_.size()));
-}
-
-// Quadrilaterals between the outline at `first` and the next one.
-inline void Surface::add_side(int first, int corner_count) {
-    for (int k = 0; k < corner_count; ++k) {
-        const int next = (k + 1) % corner_count;
-        add_polygon(
-            {first + k, first + next, first + corner_count + next, first + corner_count + k});
-    }
-}
-
-inline void Surface::append(Array array, const Vector<double, 3>& value) {
-    PointArray& target = arrays_[array];
-    for (std::size_t k = 0; k < target.components.size(); ++k)
-        target.values.push_back(value[static_cast<Eigen::Index>(k)]);
+    end_beam();
 }
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/output/surface.ipp>  // IWYU pragma: export
+#endif

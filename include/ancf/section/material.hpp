@@ -9,8 +9,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
-
 namespace ancf {
 
 /// Young's modulus, shear modulus and density.
@@ -24,23 +22,14 @@ struct Material {
     /// @param poisson  Poisson's ratio, 1, in (-1, 0.5]
     /// @param density  kg/m^3, > 0
     /// @throws InvalidArgument naming the value that is out of range or not finite.
-    [[nodiscard]] static Material isotropic(double young, double poisson, double density) {
-        detail::require_positive("young", young);
-        detail::require(poisson > -1.0 && poisson <= 0.5, "poisson must lie in (-1, 0.5], got ",
-                        poisson);
-        return from_moduli(young, young / (2.0 * (1.0 + poisson)), density);
-    }
+    [[nodiscard]] static Material isotropic(double young, double poisson, double density);
 
     /// Returns the material of both moduli.
     /// @param young    Young's modulus, Pa, > 0
     /// @param shear    shear modulus, Pa, > 0
     /// @param density  kg/m^3, > 0
     /// @throws InvalidArgument naming the value that is not positive or not finite.
-    [[nodiscard]] static Material from_moduli(double young, double shear, double density) {
-        const Material material{young, shear, density};
-        material.validate();
-        return material;
-    }
+    [[nodiscard]] static Material from_moduli(double young, double shear, double density);
 
     /// Returns Poisson's ratio E/(2 G) - 1, 1; outside (-1, 0.5] when the moduli belong to no
     /// isotropic solid.
@@ -48,11 +37,11 @@ struct Material {
 
     /// Throws unless every value is positive and finite: for a material that was filled in by hand.
     /// @throws InvalidArgument naming the value.
-    void validate() const {
-        detail::require_positive("young", young);
-        detail::require_positive("shear", shear);
-        detail::require_positive("density", density);
-    }
+    void validate() const;
 };
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/section/material.ipp>  // IWYU pragma: export
+#endif

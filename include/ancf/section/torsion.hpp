@@ -9,12 +9,6 @@
 
 #pragma once
 
-#include <ancf/constants.hpp>
-#include <ancf/error.hpp>
-
-#include <algorithm>
-#include <cmath>
-
 namespace ancf {
 
 /// Returns the torsion constant of a solid rectangle, m^4.
@@ -24,16 +18,10 @@ namespace ancf {
 /// below 1e-15 at any aspect ratio.
 /// @param width, height  sides, m, > 0; the order does not matter.
 /// @throws InvalidArgument naming a side that is not positive or not finite.
-[[nodiscard]] inline double rectangle_torsion_constant(double width, double height) {
-    detail::require_positive("width", width);
-    detail::require_positive("height", height);
-    constexpr double zeta5 = 1.03692775514336992633;
-    const double a = std::max(width, height);
-    const double b = std::min(width, height);
-    double sum = 31.0 / 32.0 * zeta5;
-    for (int n = 1; n <= 15; n += 2)  // exp(-15 pi) < 1e-20
-        sum -= 2.0 / ((std::exp(n * pi * (a / b)) + 1.0) * std::pow(n, 5));
-    return a * b * b * b * (1.0 / 3.0 - 64.0 * (b / a) / std::pow(pi, 5) * sum);
-}
+[[nodiscard]] double rectangle_torsion_constant(double width, double height);
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/section/torsion.ipp>  // IWYU pragma: export
+#endif

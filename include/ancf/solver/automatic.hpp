@@ -6,72 +6,67 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
-#include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace ancf {
 
-/// BlockTridiagonal where the unknowns form a chain, `General` where they do not.
+/// BlockTridiagonal where the unknowns form a chain, a general solver where they do not.
 ///
 /// The choice depends on the pattern alone, so it is the same for every factorisation:
 ///
-///     ancf::Automatic<> solver;                              // Eigen alone
-///     ancf::Automatic<ancf::suitesparse::Cholmod> solver;    // with SuiteSparse
+///     ancf::Automatic solver;                                  // with EigenLdlt
+///     ancf::Automatic solver{ancf::suitesparse::Cholmod()};    // with SuiteSparse
 ///     solver.analyze(tangent);
 ///     std::cout << solver.explanation();
 ///
 /// prints `block-tridiagonal: a chain of 64 blocks of up to 12 unknowns`.
-template <class General = EigenLdlt>
-class Automatic {
-    static_assert(is_linear_solver_v<General>, "Automatic<General> needs a linear solver");
-    static_assert(General::storage == Storage::lower,
-                  "Automatic<General> needs a solver of symmetric matrices: Storage::lower");
-
+class Automatic final : public LinearSolver {
 public:
-    static constexpr Storage storage = Storage::lower;  ///< the lower half is read
+    /// The general solver is EigenLdlt.
+    Automatic();
 
     /// Takes the two solvers, with the options they were given.
-    explicit Automatic(BlockTridiagonal chain = BlockTridiagonal(), General general = General())
-        : chain_(std::move(chain)), general_(std::move(general)) {}
+    /// @throws InvalidArgument unless the general one reads the lower half of symmetric matrices.
+    explicit Automatic(std::unique_ptr<LinearSolver> general,
+                       BlockTridiagonal chain = BlockTridiagonal());
+
+    /// Takes the general solver by value.
+    template <class Solver, std::enable_if_t<std::is_base_of_v<LinearSolver, Solver>, int> = 0>
+    explicit Automatic(Solver general, BlockTridiagonal chain = BlockTridiagonal())
+        : Automatic(std::make_unique<Solver>(std::move(general)), std::move(chain)) {}
+
+    /// The one that is moved from keeps no general solver: it serves chains alone.
+    Automatic(Automatic&& other) noexcept;
+    /// The one that is moved from keeps no general solver: it serves chains alone.
+    Automatic& operator=(Automatic&& other) noexcept;
+    Automatic(const Automatic&) = delete;
+    Automatic& operator=(const Automatic&) = delete;
+    ~Automatic() override = default;
+
+    /// The lower half is read.
+    [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
     /// Chooses. @throws InvalidArgument unless square, compressed and lower.
-    void analyze(const SparseMatrix& lower) {
-        detail::require_storage("automatic", lower, storage);
-        is_chain_ = BlockTridiagonal::accepts(lower);
-        if (is_chain_) {
-            chain_.analyze(lower);
-        } else {
-            general_.analyze(lower);
-        }
-        explain(lower);
-    }
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) {
-        return is_chain_ ? chain_.factorize(lower) : general_.factorize(lower);
-    }
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    void solve(const VectorX& b, VectorX& x) const {
-        if (is_chain_) {
-            chain_.solve(b, x);
-        } else {
-            general_.solve(b, x);
-        }
-    }
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The name of the solver chosen.
-    [[nodiscard]] std::string_view name() const noexcept {
-        return is_chain_ ? chain_.name() : general_.name();
-    }
+    [[nodiscard]] std::string_view name() const noexcept override { return chosen().name(); }
 
     /// Which solver was chosen and why, in one line; empty before analyze.
     [[nodiscard]] const std::string& explanation() const noexcept { return explanation_; }
@@ -80,20 +75,19 @@ public:
     [[nodiscard]] bool is_chain() const noexcept { return is_chain_; }
 
 private:
-    void explain(const SparseMatrix& lower) {
-        const int widest = detail::widest_block(detail::chain_starts(lower));
-        explanation_ =
-            is_chain_
-                ? detail::joined({name(), ": a chain of ", chain_.blocks(), " blocks of up to ",
-                                  widest, " unknowns"})
-                : detail::joined({name(), ": no chain, it would take a block of ", widest,
-                                  " unknowns, and ", BlockTridiagonal::max_block, " are the most"});
+    [[nodiscard]] const LinearSolver& chosen() const noexcept {
+        return is_chain_ ? static_cast<const LinearSolver&>(chain_) : *general_;
     }
+    void explain(const SparseMatrix& lower);
 
     BlockTridiagonal chain_;
-    General general_;
+    std::unique_ptr<LinearSolver> general_;
     bool is_chain_ = true;
     std::string explanation_;
 };
 
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/automatic.ipp>  // IWYU pragma: export
+#endif

@@ -9,18 +9,13 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
-#include <ancf/solver/block_tridiagonal_kernel.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <string_view>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -30,9 +25,8 @@ namespace ancf {
 /// nodes of different size side by side, clamped ends, three-node elements. Positive definite
 /// matrices are the purpose. An indefinite one is factorised as well and its negative eigenvalues
 /// are counted, but without pivoting: where a pivot vanishes it counts as singular.
-class BlockTridiagonal {
+class BlockTridiagonal final : public LinearSolver {
 public:
-    static constexpr Storage storage = Storage::lower;  ///< the lower half is read
     static constexpr int max_block = 24;  ///< unknowns in the widest block that is accepted
 
     BlockTridiagonal() = default;
@@ -47,18 +41,21 @@ public:
         return detail::widest_block(detail::chain_starts(lower)) <= max_block;
     }
 
+    /// The lower half is read.
+    [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
+
     /// @throws InvalidArgument unless square, compressed, lower, and of blocks up to max_block.
-    void analyze(const SparseMatrix& lower);
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower);
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    void solve(const VectorX& b, VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
-    /// The word that tables print.
-    [[nodiscard]] static constexpr std::string_view name() noexcept { return "block-tridiagonal"; }
+    /// "block-tridiagonal".
+    [[nodiscard]] std::string_view name() const noexcept override { return "block-tridiagonal"; }
 
     /// Number of blocks along the chain.
     [[nodiscard]] int blocks() const noexcept { return layout_.blocks(); }
@@ -67,22 +64,6 @@ public:
     [[nodiscard]] int width() const noexcept { return layout_.width; }
 
 private:
-    using Widths = std::integer_sequence<int, 6, 12, max_block>;
-
-    // Returns the smallest compiled width that holds `widest`, which is at most max_block.
-    template <int... Width>
-    static int fitting_width(int widest, std::integer_sequence<int, Width...>) {
-        int fitting = max_block;
-        ((fitting = widest <= Width ? std::min(fitting, Width) : fitting), ...);
-        return fitting;
-    }
-
-    // Calls action(std::integral_constant<int, N>()) with the N of the layout.
-    template <class Action, int... Width>
-    void with_width(Action&& action, std::integer_sequence<int, Width...>) const {
-        ((layout_.width == Width ? action(std::integral_constant<int, Width>()) : void()), ...);
-    }
-
     void solve_in_place(VectorX& x) const;
 
     detail::BlockLayout layout_;
@@ -93,61 +74,8 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-inline void BlockTridiagonal::analyze(const SparseMatrix& lower) {
-    detail::require_storage(name(), lower, storage);
-    const std::vector<int> starts = detail::chain_starts(lower);
-    const int widest = detail::widest_block(starts);
-    detail::require(widest <= max_block, name(), " needs a chain of blocks of at most ", max_block,
-                    " unknowns, got a block of ", widest);
-    stage_.reset();
-    layout_ = detail::block_layout(lower, starts, fitting_width(widest, Widths()));
-    const Eigen::Index width = layout_.width;
-    panels_.resize(2 * width * width * layout_.blocks());
-    stage_.analysed(lower);
-}
-
-inline FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) {
-    stage_.begin_factorisation(name(), lower);
-    detail::require(detail::stays_within(lower, layout_), name(), " analysed another pattern");
-    roots_.resize(lower.cols());
-    probe_.resize(lower.cols());
-    detail::PivotSummary summary;
-    with_width(
-        [&](auto width) {
-            using Kernel = detail::BlockKernel<width()>;
-            summary =
-                Kernel::factorize(layout_, lower, panels_.data(), roots_.data(), probe_.data());
-            if (summary.complete || summary.failed_column >= 0) return;
-            detail::symmetric_roots(lower, roots_);
-            summary.weights = detail::probe_load(roots_, probe_);
-            summary.energy = Kernel::probe_energy(layout_, panels_.data(), probe_.data());
-        },
-        Widths());
-    FactorReport report;
-    if (summary.failed_column >= 0) {
-        detail::report_failure(lower, summary.failed_column, report);
-    } else {
-        report.negative_pivots = summary.negative;
-        report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
-        if (!(report.rcond > singular_rcond_)) {
-            detail::probe_load(roots_, probe_);
-            solve_in_place(probe_);
-            detail::report_failure(lower, detail::softest_unknown(roots_, probe_), report);
-        }
-    }
-    return stage_.finished(report);
-}
-
-inline void BlockTridiagonal::solve_in_place(VectorX& x) const {
-    with_width(
-        [&](auto width) { detail::BlockKernel<width()>::solve(layout_, panels_.data(), x.data()); },
-        Widths());
-}
-
-inline void BlockTridiagonal::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    if (&x != &b) x = b;
-    solve_in_place(x);
-}
-
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/block_tridiagonal.ipp>  // IWYU pragma: export
+#endif

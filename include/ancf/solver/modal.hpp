@@ -9,25 +9,17 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/model.hpp>
-#include <ancf/solver/convergence.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
-#include <ancf/solver/mechanism.hpp>
-#include <ancf/solver/subspace.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -78,7 +70,6 @@ struct ModalReport {
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
 ///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
-template <class Scene, class LinearSolver>
 [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                                         const ModalOptions& options = {});
 
@@ -93,194 +84,11 @@ template <class Scene, class LinearSolver>
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
-template <class Scene, class LinearSolver>
 [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                                          const ModalOptions& options = {});
 
-namespace detail {
-
-/// Whether the tangent of every element of a model can be taken at given stresses.
-template <class Scene>
-struct TakesStresses;
-template <class... Elements>
-struct TakesStresses<Model<Elements...>> : std::conjunction<EvaluatesMixed<Elements>...> {};
-
-/// The tangent of a scene that a load deflects linearly.
-template <class Scene>
-class Deflected {
-public:
-    Deflected(const Scene& model, Assembly<Scene>& assembly)
-        : model_(model),
-          assembly_(assembly),
-          rest_(VectorX::Zero(model.state().q.size())),
-          deflection_(rest_),
-          forces_(VectorX::Zero(assembly.numbering().multipliers())) {}
-
-    /// Sets the response to one unit of load, from the factorised tangent of the unloaded scene.
-    template <class LinearSolver>
-    void respond(const LinearSolver& solver) {
-        const Numbering& numbering = assembly_.numbering();
-        VectorX load, response;
-        numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0), load);
-        load.conservativeResizeLike(VectorX::Zero(numbering.unknowns()));
-        solver.solve(load, response);
-        numbering.add_free(response.head(numbering.free_coordinates()), 1.0, deflection_);
-        forces_ = response.tail(numbering.multipliers());
-        size_ = ConvergenceMonitor(model_, numbering).correction(response);
-    }
-
-    /// Writes the change of the tangent per unit of load; returns the element that failed.
-    [[nodiscard]] std::optional<Fault> change(const SparseMatrix& unloaded, SparseMatrix& out) {
-        if constexpr (TakesStresses<Scene>::value) {
-            const Correction stresses{model_.state().q, deflection_};
-            const auto fault = evaluate(1.0, model_.state().q, &stresses);
-            out = assembly_.tangent() - unloaded;
-            return fault;
-        } else {
-            // central, so that the extension due to linearly added rotations, of even order, drops
-            // out; the step leaves the difference ten digits of the tangent
-            const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
-            if (const auto fault = evaluate(-step, model_.state().q - step * deflection_))
-                return fault;
-            out = assembly_.tangent();
-            const auto fault = evaluate(step, model_.state().q + step * deflection_);
-            out = (assembly_.tangent() - out) / (2.0 * step);
-            return fault;
-        }
-    }
-
-    /// Evaluates the tangent at a load factor; returns the element that failed.
-    [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q,
-                                                const Correction* stresses = nullptr) {
-        const VectorX multipliers = model_.state().multipliers + factor * forces_;
-        return assembly_.evaluate({q, rest_, multipliers, {factor, factor}}, Request::tangent,
-                                  nullptr, stresses);
-    }
-
-private:
-    const Scene& model_;
-    Assembly<Scene>& assembly_;
-    VectorX rest_;
-    VectorX deflection_;  // all coordinates per unit of load
-    VectorX forces_;      // multipliers per unit of load
-    double size_ = 0.0;   // of the deflection, each coordinate relative to its scale
-};
-
-/// Factorises A; what a constraint does not account for must not be negative.
-template <class Scene, class LinearSolver>
-Status factorise(const Assembly<Scene>& assembly, const SparseMatrix& A, LinearSolver& solver) {
-    solver.analyze(A);
-    const FactorReport factor = solver.factorize(A);
-    if (factor.status != Status::converged) return factor.status;
-    return factor.negative_pivots > assembly.numbering().multipliers() ? Status::singular
-                                                                       : Status::converged;
-}
-
-/// Returns a report with the cause of a singular A.
-template <class Scene, class LinearSolver>
-ModalReport with_cause(ModalReport report, const Scene& model, const Assembly<Scene>& assembly,
-                       const SparseMatrix& A, LinearSolver& solver) {
-    if (report.status == Status::singular)
-        report.message =
-            singular_cause(model.layout(), assembly.numbering(), Scene::dimension, A, solver);
-    return report;
-}
-
-/// Finds the modes of a factorised A and turns th into values.
-template <class Scene, class LinearSolver, class Value>
-ModalReport modes_of(const Assembly<Scene>& assembly, const SparseMatrix& A, const SparseMatrix& B,
-                     LinearSolver& solver, const ModalOptions& options, const Value& value) {
-    ModalReport report;
-    const Numbering& numbering = assembly.numbering();
-    Subspace<LinearSolver> space(A, B, solver);
-    report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
-                              options.max_iterations);
-    report.iterations = space.iterations;
-    if (report.status != Status::converged && report.status != Status::max_iterations)
-        return report;
-    const auto count = std::min<Eigen::Index>(options.count, space.values.size());
-    for (Eigen::Index k = 0; k < count; ++k) {
-        if (space.values[k] == 0.0) break;
-        Mode mode;
-        double scale = 1.0;
-        mode.value = value(space.values[k], scale);
-        mode.residual = space.residual(k);
-        mode.shape.setZero(numbering.coordinates());
-        numbering.add_free(space.vectors.col(k).head(numbering.free_coordinates()), scale,
-                           mode.shape);
-        report.modes.push_back(std::move(mode));
-    }
-    return report;
-}
-
-}  // namespace detail
-
-inline void ModalOptions::check() const {
-    detail::require(count >= 1, "ModalOptions: count must be at least 1, got ", count);
-    detail::require(max_iterations >= 1, "ModalOptions: max_iterations must be at least 1, got ",
-                    max_iterations);
-    detail::require_finite("ModalOptions: factor", factor);
-    detail::require_finite("ModalOptions: shift", shift);
-    detail::require_positive("ModalOptions: tolerance", tolerance);
-}
-
-template <class Scene, class LinearSolver>
-ModalReport natural_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
-    require_linear_solver<LinearSolver>();
-    options.check();
-    Assembly<Scene> assembly(model, LinearSolver::storage);
-    const State& state = model.state();
-    const VectorX rest = VectorX::Zero(state.q.size());
-    const Instant instant{options.factor, options.factor};
-    if (const auto fault =
-            assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
-    if (assembly.numbering().free_coordinates() == 0) return {};
-    const SparseMatrix mass = assembly.mass();
-    SparseMatrix A = assembly.tangent() - options.shift * mass;
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(A);
-    if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return {status,
-                {},
-                0,
-                {},
-                detail::singular_cause(model.layout(), assembly.numbering(), Scene::dimension, A,
-                                       solver)};
-    const auto value = [&](double th, double& scale) {
-        scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
-        return options.shift + 1.0 / th;
-    };
-    return detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, value), model,
-                              assembly, A, solver);
-}
-
-template <class Scene, class LinearSolver>
-ModalReport buckling_modes(const Scene& model, LinearSolver& solver, const ModalOptions& options) {
-    require_linear_solver<LinearSolver>();
-    options.check();
-    Assembly<Scene> assembly(model, LinearSolver::storage);
-    detail::Deflected<Scene> deflected(model, assembly);
-    if (const auto fault = deflected.evaluate(0.0, model.state().q))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
-    if (assembly.numbering().free_coordinates() == 0) return {};
-    SparseMatrix unloaded = assembly.tangent();
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(unloaded);
-    if (const Status status = detail::factorise(assembly, unloaded, solver);
-        status != Status::converged)
-        return {status,
-                {},
-                0,
-                {},
-                detail::singular_cause(model.layout(), assembly.numbering(), Scene::dimension,
-                                       unloaded, solver)};
-    deflected.respond(solver);
-    SparseMatrix change;
-    if (const auto fault = deflected.change(unloaded, change))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
-    SparseMatrix B = -change;
-    if (LinearSolver::storage == Storage::full) detail::symmetrise(B);
-    return detail::modes_of(assembly, unloaded, B, solver, options,
-                            [](double th, double&) { return 1.0 / th; });
-}
-
 }  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/modal.ipp>
+#endif

@@ -12,9 +12,9 @@
 #pragma once
 
 #include <ancf/assembly/assembly.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/model.hpp>
-#include <ancf/solver/convergence.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -125,10 +125,11 @@ struct PathReport {
 /// Constraints may move with the load factor, which is their time.
 /// @throws InvalidArgument for options that cannot be meant, driven supports, or a scene that the
 ///         solver's storage does not suit.
-template <class Scene, class LinearSolver>
 [[nodiscard]] PathReport follow_path(Scene& model, LinearSolver& solver,
                                      const PathOptions& options = {});
 
 }  // namespace ancf
 
-#include <ancf/solver/path_follower.hpp>
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/path.ipp>
+#endif

@@ -12,8 +12,9 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/model.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/stability.hpp>
 #include <ancf/types.hpp>
@@ -112,26 +113,11 @@ struct StaticsReport {
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
-template <class Scene, class LinearSolver>
 [[nodiscard]] StaticsReport solve_statics(Scene& model, LinearSolver& solver,
                                           const StaticsOptions& options = {});
 
-inline void StaticsOptions::check() const {
-    detail::require(steps >= 1, "StaticsOptions: steps must be at least 1, got ", steps);
-    detail::require(max_iterations >= 1, "StaticsOptions: max_iterations must be at least 1, got ",
-                    max_iterations);
-    detail::require(mixed_iterations >= 1,
-                    "StaticsOptions: mixed_iterations must be at least 1, got ", mixed_iterations);
-    detail::require_positive("StaticsOptions: residual_tolerance", residual_tolerance);
-    detail::require_positive("StaticsOptions: correction_tolerance", correction_tolerance);
-    detail::require_positive("StaticsOptions: min_step", min_step);
-    detail::require_finite("StaticsOptions: first_factor", first_factor);
-    detail::require_finite("StaticsOptions: last_factor", last_factor);
-    detail::require(first_factor != last_factor,
-                    "StaticsOptions: first_factor and last_factor must differ, both are ",
-                    last_factor);
-}
-
 }  // namespace ancf
 
-#include <ancf/solver/statics_run.hpp>  // IWYU pragma: export
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/statics.ipp>
+#endif

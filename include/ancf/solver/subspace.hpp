@@ -7,139 +7,48 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/Eigenvalues>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace ancf::detail {
 
 /// Largest eigenvalues of B x = th A x by subspace iteration with Rayleigh's quotients.
-template <class LinearSolver>
 class Subspace {
 public:
-    Subspace(const SparseMatrix& A, const SparseMatrix& B, LinearSolver& solver)
-        : A_(A), B_(B), magnitude_(A.cwiseAbs()), solver_(solver) {}
+    /// @param solver  has A factorised.
+    Subspace(const SparseMatrix& A, const SparseMatrix& B, const LinearSolver& solver);
 
     /// Iterates until no wanted value changes by more than the tolerance, relative, and the
     /// round-off of x^T A x.
     /// @param free  number of coordinates, at least 1; the rest of the unknowns are multipliers
     /// @return      singular where x^T A x is negative for a vector that the block contains
-    Status run(int free, int count, double tolerance, int max_iterations) {
-        const Eigen::Index size = A_.rows();
-        const auto width = std::min<Eigen::Index>(2 * count + 8, free);
-        // a fixed mixture of all modes: results repeat bit for bit
-        MatrixX start(size, width);
-        const VectorX scales = unit_scales(A_);
-        double state = 0.5;
-        for (Eigen::Index k = 0; k < start.size(); ++k) {
-            state = std::fmod(997.0 * state + 0.123456789, 1.0);
-            start(k) = (state - 0.5) * scales[k % size];
-        }
-        vectors = std::move(start);
-        VectorX last = VectorX::Zero(count);
-        for (iterations = 0; iterations < max_iterations;) {
-            ++iterations;
-            const MatrixX image = product(B_, vectors);
-            VectorX column;
-            for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
-                solver_.solve(image.col(k), column);
-                vectors.col(k) = column;
-            }
-            if (!vectors.allFinite()) return Status::not_finite;
-            if (!reduce(count)) return Status::singular;
-            // by magnitude: of a pair of either sign either may come first
-            const VectorX wanted =
-                values.head(std::min<Eigen::Index>(count, values.size())).cwiseAbs();
-            if (wanted.size() == last.size() &&
-                ((wanted - last).array().abs() <=
-                 (tolerance + noise(wanted.size()).array()) * wanted.array())
-                    .all())
-                return Status::converged;
-            if (width == free && iterations > 1) return Status::converged;  // they span all
-            last = wanted;
-        }
-        return Status::max_iterations;
-    }
+    [[nodiscard]] Status run(int free, int count, double tolerance, int max_iterations);
 
     /// Returns |B x - th A x|/(th |A x|) of mode k.
-    [[nodiscard]] double residual(Eigen::Index k) const {
-        const VectorX Ax = product(A_, vectors.col(k));
-        return (product(B_, vectors.col(k)) - values[k] * Ax).norm() /
-               (std::abs(values[k]) * Ax.norm());
-    }
+    [[nodiscard]] double residual(Eigen::Index k) const;
 
     VectorX values;   ///< by falling magnitude
     MatrixX vectors;  ///< columns, x^T A x = 1
     int iterations = 0;
 
 private:
-    [[nodiscard]] static MatrixX product(const SparseMatrix& matrix, const MatrixX& x) {
-        if constexpr (LinearSolver::storage == Storage::lower) {
-            return matrix.template selfadjointView<Eigen::Lower>() * x;
-        } else {
-            return matrix * x;
-        }
-    }
-
-    /// Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
-    [[nodiscard]] VectorX noise(Eigen::Index count) const {
-        const MatrixX x = vectors.leftCols(count).cwiseAbs();
-        return std::numeric_limits<double>::epsilon() *
-               x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
-    }
-
-    /// Solves the problem on the span of the vectors; those that add nothing are left out.
-    /// Returns false where the metric is not positive on the span, or nothing is left.
-    bool reduce(int count) {
-        const MatrixX a = vectors.transpose() * product(A_, vectors);
-        // of unit diagonal: columns differ by the ratio of the eigenvalues
-        const VectorX diagonal = a.diagonal();
-        if (!(diagonal.minCoeff() > 0.0)) return false;
-        const VectorX scale = diagonal.cwiseSqrt().cwiseInverse();
-        const MatrixX unit = scale.asDiagonal() * a * scale.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<MatrixX> metric(unit);
-        const VectorX& weights = metric.eigenvalues();
-        const double least = 1e-13 * weights[weights.size() - 1];
-        const double round_off = noise(diagonal.size()).cwiseQuotient(diagonal).sum();
-        if (weights[0] < -std::max(least, 4.0 * round_off)) return false;
-        Eigen::Index first = 0;
-        while (first < weights.size() && weights[first] <= least) ++first;
-        const Eigen::Index rank = weights.size() - first;
-        const MatrixX basis =
-            vectors * (scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
-                       weights.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
-        const MatrixX b = basis.transpose() * product(B_, basis);
-        const Eigen::SelfAdjointEigenSolver<MatrixX> reduced(0.5 * (b + b.transpose()));
-        std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
-        for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
-        std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
-            return std::abs(reduced.eigenvalues()[i]) > std::abs(reduced.eigenvalues()[j]);
-        });
-        MatrixX sorted(rank, rank);
-        values.resize(rank);
-        for (Eigen::Index k = 0; k < rank; ++k) {
-            const Eigen::Index from = order[static_cast<std::size_t>(k)];
-            values[k] = reduced.eigenvalues()[from];
-            sorted.col(k) = reduced.eigenvectors().col(from);
-        }
-        vectors = basis * sorted;
-        return rank >= std::min<Eigen::Index>(count, 1);
-    }
+    [[nodiscard]] MatrixX product(const SparseMatrix& matrix, const MatrixX& x) const;
+    // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
+    [[nodiscard]] VectorX noise(Eigen::Index count) const;
+    // Solves the problem on the span of the vectors; those that add nothing are left out. Returns
+    // false where the metric is not positive on the span, or nothing is left.
+    [[nodiscard]] bool reduce(int count);
 
     const SparseMatrix& A_;
     const SparseMatrix& B_;
     SparseMatrix magnitude_;
-    LinearSolver& solver_;
+    const LinearSolver& solver_;
 };
 
 }  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/subspace.ipp>
+#endif

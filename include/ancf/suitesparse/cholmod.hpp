@@ -8,16 +8,12 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <cholmod.h>
-
-#include <cstddef>
 #include <memory>
-#include <new>
 #include <string_view>
 
 namespace ancf::suitesparse {
@@ -43,204 +39,52 @@ struct CholmodOptions {
     double singular_rcond = default_singular_rcond;   ///< 0 refuses zero pivots only
 };
 
-namespace detail {
-
-/// The state of CHOLMOD: parameters, factor and the workspace of solve.
-class CholmodSession {
-public:
-    CholmodSession()
-        : common_(new cholmod_common),
-          factor_(nullptr, Free{common_.get()}),
-          x_(nullptr, Free{common_.get()}),
-          y_(nullptr, Free{common_.get()}),
-          e_(nullptr, Free{common_.get()}) {
-        cholmod_start(common_.get());
-    }
-
-    [[nodiscard]] cholmod_common& common() noexcept { return *common_; }
-    [[nodiscard]] cholmod_factor* factor() noexcept { return factor_.get(); }
-    void reset_factor(cholmod_factor* factor) noexcept { factor_.reset(factor); }
-
-    /// Throws what the last call's status asks for: bad_alloc, or InvalidArgument.
-    void check() const {
-        const int status = common_->status;
-        if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-        ancf::detail::require(status >= CHOLMOD_OK, "cholmod refused the matrix, status ", status,
-                              status == CHOLMOD_TOO_LARGE ? ": too large for 32-bit indices" : "");
-    }
-
-    /// Solves with the factor; returns the solution, owned by the session.
-    const double* solve(cholmod_dense& b) {
-        cholmod_dense* x = x_.release();
-        cholmod_dense* y = y_.release();
-        cholmod_dense* e = e_.release();
-        cholmod_solve2(CHOLMOD_A, factor_.get(), &b, nullptr, &x, nullptr, &y, &e, common_.get());
-        x_.reset(x);
-        y_.reset(y);
-        e_.reset(e);
-        check();
-        return static_cast<const double*>(x_->x);
-    }
-
-private:
-    struct Finish {
-        void operator()(cholmod_common* common) const noexcept {
-            cholmod_finish(common);
-            delete common;
-        }
-    };
-    struct Free {
-        cholmod_common* common;
-        void operator()(cholmod_factor* factor) const noexcept {
-            cholmod_free_factor(&factor, common);
-        }
-        void operator()(cholmod_dense* dense) const noexcept { cholmod_free_dense(&dense, common); }
-    };
-    using Dense = std::unique_ptr<cholmod_dense, Free>;
-
-    std::unique_ptr<cholmod_common, Finish> common_;  // declared first, destroyed last
-    std::unique_ptr<cholmod_factor, Free> factor_;
-    Dense x_, y_, e_;
-};
-
-}  // namespace detail
-
 /// Solves symmetric systems by CHOLMOD.
 ///
 /// A matrix that is not positive definite has the status singular and the column where it failed;
 /// simplicial, it is factorised as long as no pivot vanishes, and the negative pivots are counted.
-class Cholmod {
+class Cholmod final : public LinearSolver {
 public:
-    static constexpr Storage storage = Storage::lower;  ///< the lower half is read
-
     /// @throws InvalidArgument for a singular_rcond outside of [0, 1).
     explicit Cholmod(const CholmodOptions& options = {}) : options_(options) {
         ancf::detail::require_singular_rcond(options.singular_rcond);
     }
 
+    /// The lower half is read.
+    [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
+
     /// @throws InvalidArgument unless square, compressed and lower.
-    void analyze(const SparseMatrix& lower);
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower);
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
     /// @note not for two threads at once: it keeps a workspace.
-    void solve(const VectorX& b, VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
-    [[nodiscard]] static constexpr std::string_view name() noexcept { return "cholmod"; }
+    [[nodiscard]] std::string_view name() const noexcept override { return "cholmod"; }
 
     /// Whether the analysis chose dense blocks.
-    [[nodiscard]] bool supernodal() const noexcept {
-        return session_ && session_->factor() != nullptr && session_->factor()->is_super != 0;
-    }
+    [[nodiscard]] bool supernodal() const noexcept;
 
 private:
-    static cholmod_sparse view(const SparseMatrix& lower) noexcept;
-    [[nodiscard]] static int negative_pivots(const cholmod_factor& factor) noexcept;
+    class Session;  // the state of CHOLMOD
+    struct Finish {
+        void operator()(Session* session) const noexcept;
+    };
+
     void substitute(const VectorX& b, VectorX& x) const;
-    void configure() const;
 
     CholmodOptions options_;
-    std::unique_ptr<detail::CholmodSession> session_;
+    std::unique_ptr<Session, Finish> session_;
     ancf::detail::SolverStage stage_;
 };
 
-inline cholmod_sparse Cholmod::view(const SparseMatrix& lower) noexcept {
-    cholmod_sparse view = {};
-    view.nrow = static_cast<std::size_t>(lower.rows());
-    view.ncol = static_cast<std::size_t>(lower.cols());
-    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    view.p = const_cast<int*>(lower.outerIndexPtr());
-    view.i = const_cast<int*>(lower.innerIndexPtr());
-    view.x = const_cast<double*>(lower.valuePtr());
-    view.stype = -1;  // symmetric, lower half stored
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-}
-
-inline void Cholmod::configure() const {
-    cholmod_common& common = session_->common();
-    common.print = 0;
-    common.error_handler = nullptr;
-    switch (options_.mode) {
-        case CholmodMode::automatic: common.supernodal = CHOLMOD_AUTO; break;
-        case CholmodMode::simplicial: common.supernodal = CHOLMOD_SIMPLICIAL; break;
-        case CholmodMode::supernodal: common.supernodal = CHOLMOD_SUPERNODAL; break;
-    }
-    if (options_.ordering == CholmodOrdering::automatic) return;
-    const bool natural = options_.ordering == CholmodOrdering::natural;
-    common.nmethods = 1;
-    common.method[0].ordering = natural ? CHOLMOD_NATURAL : CHOLMOD_AMD;
-    common.postorder = natural ? 0 : 1;
-}
-
-inline void Cholmod::analyze(const SparseMatrix& lower) {
-    ancf::detail::require_storage(name(), lower, storage);
-    stage_.reset();
-    session_ = std::make_unique<detail::CholmodSession>();
-    configure();
-    if (lower.cols() > 0) {
-        cholmod_sparse matrix = view(lower);
-        session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));
-        session_->check();
-    }
-    stage_.analysed(lower);
-}
-
-inline FactorReport Cholmod::factorize(const SparseMatrix& lower) {
-    stage_.begin_factorisation(name(), lower);
-    if (lower.cols() == 0) return stage_.finished({Status::converged, -1, 1.0, 0});
-    cholmod_sparse matrix = view(lower);
-    cholmod_factorize(&matrix, session_->factor(), &session_->common());
-    session_->check();
-    const cholmod_factor& factor = *session_->factor();
-    FactorReport report;
-    if (factor.minor < factor.n) {
-        const int column = static_cast<const int*>(factor.Perm)[factor.minor];
-        ancf::detail::report_failure(lower, column, report);
-    } else {
-        report.negative_pivots = negative_pivots(factor);
-        ancf::detail::report_condition(
-            lower, options_.singular_rcond,
-            [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
-    }
-    return stage_.finished(report);
-}
-
-/// Returns the number of negative entries of D; none in L L^T.
-inline int Cholmod::negative_pivots(const cholmod_factor& factor) noexcept {
-    if (factor.is_ll != 0) return 0;
-    const auto* start = static_cast<const int*>(factor.p);
-    const auto* value = static_cast<const double*>(factor.x);
-    int count = 0;
-    for (std::size_t k = 0; k < factor.n; ++k) count += value[start[k]] < 0.0 ? 1 : 0;
-    return count;
-}
-
-inline void Cholmod::substitute(const VectorX& b, VectorX& x) const {
-    cholmod_dense right = {};
-    right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
-    right.ncol = 1;
-    right.x = const_cast<double*>(b.data());
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    x = Eigen::Map<const VectorX>(session_->solve(right), b.size());
-}
-
-inline void Cholmod::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    if (b.size() > 0) {
-        substitute(b, x);
-    } else {
-        x = b;
-    }
-}
-
 }  // namespace ancf::suitesparse
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/suitesparse/cholmod.ipp>  // IWYU pragma: export
+#endif

@@ -9,20 +9,18 @@
 
 #pragma once
 
-#include <ancf/sundials/index.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/types.hpp>
 
 #include <ida/ida.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
 #include <sundials/sundials_types.h>
-#include <sunlinsol/sunlinsol_klu.h>
-#include <sunmatrix/sunmatrix_sparse.h>
 
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 #include <type_traits>
 
@@ -79,13 +77,6 @@ struct DestroyIda {
     void operator()(void* ida) const noexcept { IDAFree(&ida); }
 };
 
-/// Passes a new object on, or throws where SUNDIALS returned none.
-template <class Handle>
-Handle made(Handle handle) {
-    if (handle == nullptr) throw std::bad_alloc();
-    return handle;
-}
-
 }  // namespace detail
 
 /// Owns an N_Vector.
@@ -99,85 +90,29 @@ using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;  ///< owns the memor
 
 /// Returns a vector of zeros.
 /// @throws InvalidArgument where SUNDIALS cannot count so far: see checked_index
-[[nodiscard]] inline VectorOwner make_vector(const Context& context, Eigen::Index size) {
-    const auto length = detail::checked_index(size, "unknowns");
-    VectorOwner vector(detail::made(N_VNew_Serial(length, context.get())));
-    N_VConst(0.0, vector.get());
-    return vector;
-}
+[[nodiscard]] VectorOwner make_vector(const Context& context, Eigen::Index size);
 
 /// Returns an empty sparse matrix in compressed columns.
 /// @throws InvalidArgument where SUNDIALS cannot count so far: see checked_index
-[[nodiscard]] inline MatrixOwner make_matrix(const Context& context, Eigen::Index size,
-                                             Eigen::Index values) {
-    const auto length = detail::checked_index(size, "unknowns");
-    const auto entries = detail::checked_index(values, "entries of the Jacobian");
-    return MatrixOwner(
-        detail::made(SUNSparseMatrix(length, length, entries, CSC_MAT, context.get())));
-}
+[[nodiscard]] MatrixOwner make_matrix(const Context& context, Eigen::Index size,
+                                      Eigen::Index values);
 
 /// Returns KLU for the size of a matrix and a vector.
-[[nodiscard]] inline LinearSolverOwner make_klu(const Context& context, N_Vector vector,
-                                                SUNMatrix matrix) {
-    return LinearSolverOwner(detail::made(SUNLinSol_KLU(vector, matrix, context.get())));
-}
+[[nodiscard]] LinearSolverOwner make_klu(const Context& context, N_Vector vector, SUNMatrix matrix);
 
 /// Returns an IDA object whose messages go to the context.
-[[nodiscard]] inline IdaOwner make_ida(Context& context) {
-    IdaOwner ida(detail::made(IDACreate(context.get())));
-    context.silence(ida.get());
-    return ida;
-}
+[[nodiscard]] IdaOwner make_ida(Context& context);
 
 /// Returns IDA's own name of a return code, such as IDA_ERR_FAIL.
-[[nodiscard]] inline std::string code_name(int code) {
-    const std::unique_ptr<char, decltype(&std::free)> name(IDAGetReturnFlagName(code), &std::free);
-    return name == nullptr ? std::string() : std::string(name.get());
-}
+[[nodiscard]] std::string code_name(int code);
 
 /// Returns the entries of a vector of SUNDIALS as a column that can be read and written.
 [[nodiscard]] inline Eigen::Map<VectorX> view(N_Vector vector) noexcept {
     return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};
 }
 
-inline void Context::remember(const char* message) noexcept {
-    try {
-        message_ = message == nullptr ? "" : message;
-    } catch (...) {
-        message_.clear();  // no memory for the text: the return code still tells
-    }
-}
-
-#if SUNDIALS_VERSION_MAJOR >= 7
-
-inline Context::Context() {
-    if (SUNContext_Create(SUN_COMM_NULL, &handle_) != SUN_SUCCESS) throw std::bad_alloc();
-    SUNContext_ClearErrHandlers(handle_);
-    SUNContext_PushErrHandler(
-        handle_,
-        [](int, const char*, const char*, const char* message, SUNErrCode, void* self, SUNContext) {
-            static_cast<Context*>(self)->remember(message);
-        },
-        this);
-}
-
-inline void Context::silence(void*) noexcept {}  // the context's handler serves all its objects
-
-#else
-
-inline Context::Context() {
-    if (SUNContext_Create(nullptr, &handle_) != 0) throw std::bad_alloc();
-}
-
-inline void Context::silence(void* ida) noexcept {
-    IDASetErrHandlerFn(
-        ida,
-        [](int, const char*, const char*, char* message, void* self) {
-            static_cast<Context*>(self)->remember(message);
-        },
-        this);
-}
-
-#endif
-
 }  // namespace ancf::sundials
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/sundials/context.ipp>  // IWYU pragma: export
+#endif

@@ -13,12 +13,11 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
-#include <ancf/error.hpp>
 #include <ancf/sundials/jacobian_map.hpp>
 
-#include <cmath>
 #include <string>
 
 namespace ancf::sundials {
@@ -79,31 +78,14 @@ public:
     /// @return status converged at the end; inconsistent or redundant, with the constraint named,
     ///         where it did not start; or why it ended before, with what was observed until then.
     /// @throws InvalidArgument for a schedule that does not fit the model's time, or no unknowns.
-    template <class Scene>
-    [[nodiscard]] IdaReport integrate(DynamicProblem<Scene>& problem,
-                                      const Schedule& schedule) const;
+    [[nodiscard]] IdaReport integrate(DynamicProblem& problem, const Schedule& schedule) const;
 
 private:
     IdaOptions options_;
 };
 
-inline void IdaOptions::check() const {
-    const auto scale = [](const char* name, double value) {
-        ancf::detail::require(std::isfinite(value) && value >= 0.0, "IdaOptions: ", name,
-                              " must be positive, or 0 for automatic, got ", value);
-    };
-    ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
-                          "IdaOptions: tolerance must be from 1e-14 to 1, got ", tolerance);
-    scale("length_scale", length_scale);
-    scale("velocity_scale", velocity_scale);
-    scale("force_scale", force_scale);
-    scale("first_step", first_step);
-    scale("max_step", max_step);
-    ancf::detail::require(max_steps >= 0,
-                          "IdaOptions: max_steps must be positive, or 0 for no limit, ", "got ",
-                          max_steps);
-}
-
 }  // namespace ancf::sundials
 
-#include <ancf/sundials/ida_definitions.hpp>
+#if !defined(ANCF_COMPILED)
+#include <ancf/sundials/ida.ipp>  // IWYU pragma: export
+#endif

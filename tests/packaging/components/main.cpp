@@ -5,7 +5,7 @@
 /// Solves a cantilever with CHOLMOD; small load, so that the tip follows P L^3/(3 E I).
 
 #include <ancf/element/cross_section_beam.hpp>
-#include <ancf/model/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>
@@ -20,8 +20,9 @@ std::string refusal_of_ida();
 int main() {
     const auto steel = ancf::Material::isotropic(2.0e11, 0.3, 7850.0);
     const auto section = ancf::rectangle(0.01, 0.01);
-    ancf::Model<ancf::CrossSectionBeam<3>> model;
-    const auto beam = ancf::straight_beam(model, steel, section, {0, 0, 0}, {1, 0, 0}, 8);
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(model, steel, section,
+                                                                     {0, 0, 0}, {1, 0, 0}, 8);
     model.clamp(beam.first());
     model.add(ancf::Force<3>(beam.last(), {0.0, 1e-2, 0.0}));
 

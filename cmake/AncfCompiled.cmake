@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: 2026 The ancf authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The same headers, compiled once: a static library of the definitions and of the usual elements.
+#
+# ancf_add_compiled(NAME): a static library target. Its units are generated from the headers: one for each element that
+# a header declares `extern template`, one for each layer or part of a layer.
+# ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
+
+# Writes a unit that includes the given files and ends with the given text, and appends its path to the list UNIT_LIST.
+function(_ancf_compiled_unit unit_list stem files end)
+    set(text "#define ANCF_SOURCE\n")
+    foreach(file IN LISTS files)
+        string(APPEND text "#include <${file}>\n")
+    endforeach()
+    set(unit ${PROJECT_BINARY_DIR}/compiled/${stem}.cpp)
+    file(CONFIGURE OUTPUT ${unit} CONTENT "${text}${end}" @ONLY)
+    set(${unit_list} ${${unit_list}} ${unit} PARENT_SCOPE)
+endfunction()
+
+# Sets `sources` to the units of the given layers.
+function(_ancf_compiled_layers result)
+    set(sources)
+    foreach(layer IN LISTS ARGN)
+        file(GLOB_RECURSE definitions RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
+            ${PROJECT_SOURCE_DIR}/include/ancf/${layer}/*.ipp)
+        if(layer MATCHES "^(solver|dynamics|suitesparse|sundials)$") # each of them is large
+            foreach(file IN LISTS definitions)
+                string(REGEX REPLACE "^ancf/|[.]ipp$" "" stem ${file})
+                string(REPLACE "/" "_" stem ${stem})
+                _ancf_compiled_unit(sources ${stem} ${file} "")
+            endforeach()
+        elseif(definitions)
+            _ancf_compiled_unit(sources ${layer} "${definitions}" "")
+        endif()
+    endforeach()
+    set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
+# Sets RESULT to one unit for each element.
+function(_ancf_compiled_elements result)
+    set(sources)
+    file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
+        ${PROJECT_SOURCE_DIR}/include/ancf/element/*.hpp)
+    foreach(header IN LISTS headers)
+        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines
+            REGEX "^extern template (class [^;]*|std::unique_ptr<ElementGroup> detail::make_group<[A-Za-z]*>\\(\\))")
+        foreach(line IN LISTS lines)
+            string(REGEX REPLACE "^extern template (class |.*make_group<)" "" element "${line}")
+            string(REGEX REPLACE "(>\\(\\);|>\\(\\)|;)$" "" element "${element}")
+            if(NOT element)
+                continue()
+            endif()
+            string(MAKE_C_IDENTIFIER "element_${element}" stem)
+            set(text "namespace ancf {\n")
+            if(line MATCHES " class ")
+                string(APPEND text "template class ${element};\n")
+            endif()
+            string(APPEND text "template std::unique_ptr<ElementGroup> detail::make_group<${element}>();\n}\n")
+            _ancf_compiled_unit(sources ${stem} "${header};ancf/model/group_of.hpp" "${text}")
+        endforeach()
+    endforeach()
+    set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(ancf_add_compiled name)
+    _ancf_compiled_layers(layers section element model assembly solver dynamics output)
+    _ancf_compiled_elements(elements)
+    file(GLOB common RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ancf/*.ipp)
+    _ancf_compiled_unit(sources common "${common}" "namespace ancf::detail {
+const char ANCF_LAYOUT = 0;
+const char header_only_and_compiled_units_do_not_mix = 0;
+}
+")
+    add_library(${name} STATIC ${sources} ${layers} ${elements})
+    target_link_libraries(${name} PUBLIC ancf::ancf)
+    target_compile_definitions(${name} PUBLIC ANCF_COMPILED)
+    _ancf_compiled_properties(${name})
+endfunction()
+
+function(ancf_add_compiled_component library component)
+    _ancf_compiled_layers(units ${component})
+    add_library(${library}_${component} STATIC ${units})
+    target_link_libraries(${library}_${component} PUBLIC ${library} ancf::${component})
+    _ancf_compiled_properties(${library}_${component})
+endfunction()
+
+# Built when something needs it; usable in shared libraries.
+function(_ancf_compiled_properties name)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXCLUDE_FROM_ALL ON)
+    if(ANCF_SANITIZE)
+        list(JOIN ANCF_SANITIZE "," sanitizers)
+        target_compile_options(${name} PRIVATE -fsanitize=${sanitizers} -fno-sanitize-recover=all
+            -fno-omit-frame-pointer -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
+    endif()
+endfunction()

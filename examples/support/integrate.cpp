@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/output/csv.hpp>
+#include <ancf/output/state_file.hpp>
+
+#if ANCF_WITH_SUITESPARSE
+#include <ancf/suitesparse/klu.hpp>
+#else
+#include <ancf/solver/eigen_lu.hpp>
+#endif
+#if ANCF_WITH_SUNDIALS
+#include <ancf/sundials/ida.hpp>
+#endif
+
+#include <support/motion.hpp>
+#include <support/progress.hpp>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace examples {
+
+namespace {
+
+/// Integrates by IDA.
+[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem, const MotionOptions& options,
+                                      const ancf::Schedule& schedule) {
+#if ANCF_WITH_SUNDIALS
+    ancf::sundials::IdaOptions ida;
+    ida.tolerance = options.tolerance;
+    if (options.integrator == "ida-ggl") ida.form = ancf::sundials::Form::gear_gupta_leimkuhler;
+    auto report = ancf::sundials::Ida(ida).integrate(problem, schedule);
+    std::string detail = "order at most " + std::to_string(report.order) + ", " + report.code;
+    return {std::move(report), std::move(detail)};
+#else
+    static_cast<void>(problem);
+    static_cast<void>(schedule);
+    ancf::detail::reject("--integrator ", options.integrator,
+                         " needs SUNDIALS, and this program was built without it");
+#endif
+}
+
+/// Integrates by the integrator of the options.
+[[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem, const MotionOptions& options,
+                                       const ancf::Schedule& schedule, const ancf::Memory& memory) {
+    if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
+    const std::unique_ptr<ancf::LinearSolver> solver = general_solver();
+    if (options.integrator == "energy") {
+        ancf::EnergyMomentumOptions method;
+        method.step = options.step;
+        return {ancf::EnergyMomentum(method).integrate(problem, *solver, schedule, memory), ""};
+    }
+    ancf::GeneralizedAlphaOptions method;
+    method.step = options.step;
+    method.rho = options.rho;
+    return {ancf::GeneralizedAlpha(method).integrate(problem, *solver, schedule, memory),
+            "rho " + ancf::number_text(options.rho, 6)};
+}
+
+}  // namespace
+
+std::unique_ptr<ancf::LinearSolver> general_solver() {
+#if ANCF_WITH_SUITESPARSE
+    return std::make_unique<ancf::suitesparse::Klu>();
+#else
+    return std::make_unique<ancf::EigenLu>();
+#endif
+}
+
+Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
+    ancf::Memory memory;
+    if (!options.restart.empty()) {
+        ancf::SavedState saved = ancf::load_state(options.restart);
+        ancf::State& state = model.state();
+        ancf::detail::require(
+            saved.state.q.size() == state.q.size() && saved.state.v.size() == state.v.size() &&
+                saved.state.multipliers.size() == state.multipliers.size(),
+            options.restart, ": the scene has ", state.q.size(), " coordinates and ",
+            state.multipliers.size(), " multipliers, the file ", saved.state.q.size(), " and ",
+            saved.state.multipliers.size());
+        state = std::move(saved.state);
+        if (!options.by_ida()) memory = std::move(saved.memory);
+    }
+    const double start = model.state().time;
+    schedule.end += start;
+    for (double& time : schedule.times) time += start;
+    ProgressBar bar(start);
+    schedule.progress = [&](double time, double end) {
+        bar.show(time, end);
+        return true;
+    };
+    ancf::DynamicProblem problem(model);
+    Motion motion = integrate_problem(problem, options, schedule, memory);
+    bar.clear();
+    if (!options.save.empty())
+        ancf::save_state(options.save, {model.state(), motion.report.memory});
+    return motion;
+}
+
+}  // namespace examples

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Sums and products as plain loops: definitions.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/compiler.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
+
+namespace ancf::detail {
+
+ANCF_INLINE VectorX combination(std::initializer_list<Term> terms) {
+    const Eigen::Index size = terms.begin()->vector.size();
+    VectorX sum(size);
+    double* out = sum.data();
+    for (Eigen::Index i = 0; i < size; ++i)
+        out[i] = terms.begin()->factor * terms.begin()->vector[i];
+    for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
+        eigen_assert(term->vector.size() == size);
+        const double* x = term->vector.data();
+        for (Eigen::Index i = 0; i < size; ++i) out[i] += term->factor * x[i];
+    }
+    return sum;
+}
+
+ANCF_INLINE VectorX difference(const VectorX& a, const VectorX& b) {
+    return combination({{1.0, a}, {-1.0, b}});
+}
+
+ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
+    out.resize(static_cast<Eigen::Index>(at.size()));
+    double* to = out.data();
+    for (const int k : at) *to++ = x[k];
+}
+
+/// Returns the largest |x(i)| / scale_i of so many, 0 of none and NaN where an entry is NaN.
+template <class Entry>
+double largest_ratio_of(const Entry& x, Eigen::Index count, const VectorX& scale) {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double ratio = std::abs(x(i)) / scale[i];
+        if (!(ratio <= largest)) largest = ratio;
+        if (ratio != ratio) break;
+    }
+    return largest;
+}
+
+ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
+    return largest_ratio_of([&](Eigen::Index i) { return x[i]; }, x.size(), scale);
+}
+
+ANCF_INLINE double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale) {
+    return largest_ratio_of([&](Eigen::Index i) { return x[i] - y[i]; }, x.size(), scale);
+}
+
+ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size() && largest == largest; ++i)
+        if (!(std::abs(x[i]) <= largest)) largest = std::abs(x[i]);
+    return largest;
+}
+
+ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
+    VectorX out = VectorX::Zero(A.rows());
+    for (Eigen::Index j = 0; j < A.cols(); ++j)
+        for (Eigen::Index i = 0; i < A.rows(); ++i) out[i] += A(i, j) * x[j];
+    return out;
+}
+
+ANCF_INLINE void add_product(const SparseMatrix& A, Storage storage, double scale, const VectorX& x,
+                             VectorX& out) {
+    const int* row = A.innerIndexPtr();
+    const double* value = A.valuePtr();
+    const auto columns = static_cast<int>(std::min<Eigen::Index>(A.cols(), x.size()));
+    const auto rows = static_cast<int>(out.size());
+    for (int j = 0; j < columns; ++j)
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+            const int i = row[k];
+            if (i < rows) out[i] += scale * value[k] * x[j];
+            if (storage == Storage::lower && i != j && i < x.size() && j < rows)
+                out[j] += scale * value[k] * x[i];
+        }
+}
+
+ANCF_INLINE VectorX multiply(const SparseMatrix& A, Storage storage, const VectorX& x) {
+    VectorX out = VectorX::Zero(x.size());
+    add_product(A, storage, 1.0, x, out);
+    return out;
+}
+
+ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage storage) {
+    // Two passes over the entries kept: count each column, then fill it. Rows ascend, since the
+    // mirror images of a column come from columns before it.
+    std::vector<int> next(static_cast<std::size_t>(size) + 1, 0);
+    const auto visit = [&](const auto& keep) {
+        for (int j = 0; j < size; ++j)
+            for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+                const int i = A.innerIndexPtr()[k];
+                const double value = A.valuePtr()[k];
+                if (i >= size || value == 0.0) continue;
+                keep(i, j, value);
+                if (storage == Storage::lower && i != j) keep(j, i, value);
+            }
+    };
+    visit([&](int, int j, double) { ++next[static_cast<std::size_t>(j) + 1]; });
+    for (std::size_t j = 0; j < static_cast<std::size_t>(size); ++j) next[j + 1] += next[j];
+    SparseMatrix block(size, size);
+    block.resizeNonZeros(next.back());
+    std::copy(next.begin(), next.end(), block.outerIndexPtr());
+    visit([&](int i, int j, double value) {
+        const int slot = next[static_cast<std::size_t>(j)]++;
+        block.innerIndexPtr()[slot] = i;
+        block.valuePtr()[slot] = value;
+    });
+    return block;
+}
+
+ANCF_INLINE void symmetrise(SparseMatrix& A) {
+    const std::vector<double> values(A.valuePtr(), A.valuePtr() + A.nonZeros());
+    // rows ascend, so the mirror images of a column's entries are met in their order
+    std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
+    for (int j = 0; j < static_cast<int>(A.cols()); ++j)
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
+            int& mirrored = next.data()[A.innerIndexPtr()[k]];
+            A.valuePtr()[k] = 0.5 * (values.data()[k] + values.data()[mirrored++]);
+        }
+}
+
+ANCF_INLINE bool all_finite(const SparseMatrix& matrix) noexcept {
+    for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
+        if (!std::isfinite(matrix.valuePtr()[k])) return false;
+    return true;
+}
+
+ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
+    const auto size = static_cast<int>(matrix.cols());
+    const auto for_each_entry = [&](const auto& visit) {
+        for (int j = 0; j < size; ++j)
+            for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
+                if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
+                    visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
+    };
+    const auto power = [](int exponent) {
+        return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
+    };
+    VectorX scales = VectorX::Zero(size);
+    int first = 0;
+    bool found = false;
+    for_each_entry([&](int i, int j, double value) {
+        if (i != j) return;
+        const int exponent = std::ilogb(value);
+        if (!found) first = exponent;
+        found = true;
+        const int apart = exponent - first;
+        scales[i] = power(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
+    });
+    VectorX largest = VectorX::Zero(size);
+    for_each_entry([&](int i, int j, double value) {
+        if (scales[i] == 0.0) largest[i] = std::max(largest[i], value * scales[j]);
+        if (scales[j] == 0.0) largest[j] = std::max(largest[j], value * scales[i]);
+    });
+    for (int i = 0; i < size; ++i)
+        if (scales[i] == 0.0)
+            scales[i] = largest[i] > 0.0 ? power(first - std::ilogb(largest[i])) : 1.0;
+    return scales;
+}
+
+ANCF_INLINE SparseMatrix lower_half(const SparseMatrix& A) {
+    const auto size = static_cast<int>(A.cols());
+    SparseMatrix lower(size, size);
+    lower.reserve(A.nonZeros());
+    for (int j = 0; j < size; ++j) {
+        lower.startVec(j);
+        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k)
+            if (const int i = A.innerIndexPtr()[k]; i >= j)
+                lower.insertBack(i, j) = A.valuePtr()[k];
+    }
+    lower.finalize();
+    return lower;
+}
+
+}  // namespace ancf::detail

@@ -1,0 +1,677 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Assembly: definitions. First what is set up once, then the evaluation, then inertia.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/element/requirement.hpp>
+#include <ancf/error.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+namespace detail {
+
+/// The indices of an element's coordinates.
+struct ElementIndices {
+    int at[ElementGroup::max_dofs];
+};
+
+/// Copies the entries of an element from a vector of all coordinates.
+inline void gather(const VectorX& all, const ElementIndices& indices, int dofs, double* out) {
+    for (int i = 0; i < dofs; ++i) out[i] = all[indices.at[i]];
+}
+
+}  // namespace detail
+
+ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
+    : model_(model), numbering_(model), revision_(model.revision()) {
+    list_coordinates();
+    if (storage == Storage::lower) {
+        detail::require(
+            model.constraints().empty(),
+            "Assembly: constraints make the tangent indefinite; choose a solver of full "
+            "storage such as EigenLu, Klu or Umfpack");
+        for (const ScaledLoad& load : model.loads())
+            detail::require(
+                load.load.symmetric(),
+                "Assembly: a load has an unsymmetric stiffness; choose a solver of full storage "
+                "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
+                "`constant_force` or `symmetric_stiffness` where that is so");
+    }
+    build_pattern(storage);
+    for (const auto& group : model.groups()) build_slots(*group);
+    build_clearing();
+    build_gravity();
+    tangent_ = pattern_.matrix();
+}
+
+ANCF_INLINE void Assembly::refresh() {
+    const Revision now = model_.revision();
+    if (now == revision_) return;
+    detail::require(now.scene == revision_.scene,
+                    "nodes, elements, supports, loads or constraints of the model have changed: "
+                    "make a new Assembly or DynamicProblem for it");
+    build_gravity();
+    revision_ = now;
+}
+
+ANCF_INLINE std::vector<int> Assembly::coordinates_of(const Coupling& coupling,
+                                                      const char* what) const {
+    const Layout& layout = model_.layout();
+    std::vector<int> coordinates;
+    for (const NodeField& at : coupling) {
+        const int first = layout.index(at);
+        detail::require(first >= 0, "a ", what, " acts on ", to_string(at.field), " of node ",
+                        at.node.index, ", which carries no such vector: no element there has one");
+        for (int k = 0; k < layout.dimension(); ++k) coordinates.push_back(first + k);
+    }
+    return coordinates;
+}
+
+ANCF_INLINE void Assembly::list_coordinates() {
+    for (const ScaledLoad& load : model_.loads())
+        load_coordinates_.push_back(coordinates_of(load.load.coupling(), "load"));
+    for (const AnyConstraint& constraint : model_.constraints()) {
+        const Coupling coupling = constraint.coupling();
+        constraint_coordinates_.push_back(coordinates_of(coupling, "constraint"));
+        std::vector<int>& powers = constraint_powers_.emplace_back();
+        for (const NodeField& at : coupling)
+            powers.insert(powers.end(), static_cast<std::size_t>(model_.dimension()),
+                          length_power(at.field));
+    }
+}
+
+ANCF_INLINE void Assembly::build_pattern(Storage storage) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& group : model_.groups())
+        for (const Connection& c : group->connections)
+            pairs.emplace_back(c.first.index, c.second.index);
+    std::vector<int> blocks;
+    const auto couple_all = [&](const std::vector<int>& coordinates) {
+        blocks.clear();
+        for (const int k : coordinates) blocks.push_back(numbering_.block(k));
+        std::sort(blocks.begin(), blocks.end());
+        blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+        for (std::size_t a = 0; a < blocks.size(); ++a)
+            for (std::size_t b = a + 1; b < blocks.size(); ++b)
+                pairs.emplace_back(blocks[a], blocks[b]);
+    };
+    for (std::size_t k = 0; k < load_coordinates_.size(); ++k)
+        if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k]);
+    for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
+        couple_all(constraint_coordinates_[k]);
+        for (const int block : blocks)
+            pairs.emplace_back(block, numbering_.constraint_block(static_cast<int>(k)));
+    }
+    pattern_ = BlockPattern(numbering_.block_sizes(), std::move(pairs), storage);
+}
+
+ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
+    const Layout& layout = model_.layout();
+    const int half = group.dofs() / 2;
+    std::vector<ElementSlots> all;
+    all.reserve(group.connections.size());
+    for (const Connection& c : group.connections) {
+        ElementSlots slots;
+        slots.node = {c.first.index, c.second.index};
+        slots.plain = true;
+        for (std::size_t a = 0; a < 2; ++a) {
+            const int node = slots.node[a];
+            const int size = pattern_.first(node + 1) - pattern_.first(node);
+            slots.plain = slots.plain && layout.fields(node) == group.fields() && size == half;
+            for (std::size_t b = 0; b < 2; ++b)
+                slots.base[a][b] =
+                    pattern_.stored(node, slots.node[b]) ? pattern_.base(node, slots.node[b]) : -1;
+        }
+        all.push_back(slots);
+    }
+    slots_.push_back(std::move(all));
+    schedules_.emplace_back(group.connections, layout.nodes());
+}
+
+// Each run clears the columns of the nodes that no run before it touched, just before it adds to
+// them: they come from memory once, and threads share that work too.
+ANCF_INLINE void Assembly::build_clearing() {
+    const int nodes = model_.layout().nodes();
+    std::vector<char> seen(static_cast<std::size_t>(nodes), 0);
+    const auto append = [&](int block, std::vector<ValueRange>& ranges) {
+        const ValueRange next{pattern_.first_value(block), pattern_.first_value(block + 1)};
+        if (!ranges.empty() && ranges.back().last == next.first)
+            ranges.back().last = next.last;
+        else
+            ranges.push_back(next);
+    };
+    for (std::size_t index = 0; index < schedules_.size(); ++index) {
+        const std::vector<Connection>& connections = model_.groups()[index]->connections;
+        cleared_.emplace_back();
+        for (const std::vector<ElementRun>& runs : schedules_[index].colours())
+            for (const ElementRun& run : runs) {
+                std::vector<int> fresh;
+                ElementSchedule::visit_nodes(connections, run, [&](std::size_t node) {
+                    if (seen[node] == 0) fresh.push_back(static_cast<int>(node));
+                    seen[node] = 1;
+                });
+                std::sort(fresh.begin(), fresh.end());
+                cleared_.back().emplace_back();
+                for (const int node : fresh) append(node, cleared_.back().back());
+            }
+    }
+    const int blocks = static_cast<int>(numbering_.block_sizes().size());
+    for (int block = 0; block < blocks; ++block)
+        if (block >= nodes || seen[static_cast<std::size_t>(block)] == 0)
+            append(block, cleared_first_);
+}
+
+ANCF_INLINE void Assembly::clear_values(const std::vector<ValueRange>& ranges) {
+    for (const ValueRange& range : ranges)
+        std::fill(tangent_.valuePtr() + range.first, tangent_.valuePtr() + range.last, 0.0);
+}
+
+ANCF_INLINE void Assembly::element_coordinates(const ElementPlace& place, int* out) const {
+    const auto group = static_cast<std::size_t>(place.group);
+    detail::element_coordinates(model_.layout(), model_.dimension(),
+                                model_.groups()[group]->fields(),
+                                slots_[group][static_cast<std::size_t>(place.element)], out);
+}
+
+template <class Visitor>
+void Assembly::for_each_element(const Visitor& visit) const {
+    detail::ElementIndices indices;
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+        const ElementGroup& group = *model_.groups()[k];
+        const int count = static_cast<int>(slots_[k].size());
+        for (int element = 0; element < count; ++element) {
+            const ElementPlace place{static_cast<int>(k), element};
+            element_coordinates(place, indices.at);
+            visit(group, place, indices);
+        }
+    }
+}
+
+ANCF_INLINE void Assembly::build_gravity() {
+    gravity_.setZero(numbering_.coordinates());
+    double acceleration[3] = {};
+    for (int k = 0; k < model_.dimension(); ++k) acceleration[k] = model_.gravity_component(k);
+    std::vector<std::vector<double>> forces;  // of each group's prototypes
+    for (const auto& group : model_.groups()) {
+        const auto dofs = static_cast<std::size_t>(group->dofs());
+        std::vector<double>& of =
+            forces.emplace_back(dofs * static_cast<std::size_t>(group->prototype_count()));
+        for (int k = 0; k < group->prototype_count(); ++k)
+            group->gravity(k, acceleration, of.data() + dofs * static_cast<std::size_t>(k));
+    }
+    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
+                         const detail::ElementIndices& indices) {
+        const double* const force =
+            forces[static_cast<std::size_t>(place.group)].data() +
+            static_cast<std::ptrdiff_t>(group.dofs()) * group.prototype_of(place.element);
+        for (int i = 0; i < group.dofs(); ++i) gravity_[indices.at[i]] += force[i];
+    });
+    for (const PointMass& point : model_.masses()) {
+        const int at = model_.coordinate(point.node, Field::r);
+        for (int i = 0; i < model_.dimension(); ++i)
+            gravity_[at + i] += point.mass * acceleration[i];
+    }
+}
+
+ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
+                                                    const VectorX* increment,
+                                                    const Correction* last) {
+    refresh();
+    detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
+                        at.multipliers.size() == numbering_.multipliers(),
+                    "Assembly::evaluate: expected ", numbering_.coordinates(),
+                    " coordinates and rates and ", numbering_.multipliers(), " multipliers, got ",
+                    at.q.size(), ", ", at.v.size(), " and ", at.multipliers.size());
+    if (increment) check_size("evaluate", "increments", *increment);
+    if (last) {
+        check_size("evaluate", "coordinates before the correction", last->before);
+        check_size("evaluate", "corrections", last->change);
+    }
+    energy_known_ = request != Request::force || increment != nullptr;
+    if (!energy_known_) force_q_ = at.q;
+    internal_.setZero(numbering_.coordinates());
+    constraint_.setZero(numbering_.coordinates());
+    strain_energy_ = 0.0;
+    if (request != Request::force) clear_values(cleared_first_);
+    if (request == Request::tangent_and_damping) {
+        if (damping_.nonZeros() != tangent_.nonZeros()) damping_ = pattern_.matrix();
+        std::fill_n(damping_.valuePtr(), damping_.nonZeros(), 0.0);
+    }
+    add_elements(at, request, increment, last);
+    const double gravity_scale = model_.gravity_scale(at.instant);
+    external_ = gravity_scale * gravity_;
+    load_potential_ = -external_.dot(at.q);
+    add_loads(at, request);
+    add_constraints(at, request);
+    if (std::isfinite(strain_energy_) && internal_.allFinite() && external_.allFinite() &&
+        constraint_.allFinite())
+        return std::nullopt;
+    return inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+}
+
+ANCF_INLINE double Assembly::strain_energy() const {
+    if (energy_known_) return strain_energy_;
+    strain_energy_ = 0.0;
+    for (std::size_t index = 0; index < schedules_.size(); ++index) {
+        const ElementGroup& group = *model_.groups()[index];
+        strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t) {
+            double energy = 0.0;
+            for (int k = run.first; k < run.last; ++k) {
+                detail::ElementIndices indices;
+                double e[ElementGroup::max_dofs];
+                element_coordinates({static_cast<int>(index), k}, indices.at);
+                detail::gather(force_q_, indices, group.dofs(), e);
+                energy += group.energy(group.prototype_of(k), e);
+            }
+            return energy;
+        });
+    }
+    energy_known_ = true;
+    return strain_energy_;
+}
+
+ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request,
+                                        const VectorX* increment, const Correction* last) {
+    const bool tangent = request != Request::force;
+    for (std::size_t index = 0; index < schedules_.size(); ++index) {
+        const ElementGroup& group = *model_.groups()[index];
+        const GroupTarget target{slots_[index].data(),
+                                 model_.layout(),
+                                 numbering_.equations(),
+                                 pattern_.first_rows(),
+                                 pattern_.heights(),
+                                 pattern_.storage(),
+                                 at.q.data(),
+                                 increment != nullptr ? increment->data() : nullptr,
+                                 last != nullptr ? last->before.data() : nullptr,
+                                 last != nullptr ? last->change.data() : nullptr,
+                                 tangent,
+                                 internal_.data(),
+                                 tangent_.valuePtr()};
+        strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
+            if (tangent) clear_values(cleared_[index][place]);
+            return group.add(run, target);
+        });
+    }
+}
+
+ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* block,
+                                     SparseMatrix& matrix) const {
+    detail::ElementIndices indices;
+    element_coordinates(place, indices.at);
+    const auto group = static_cast<std::size_t>(place.group);
+    const int dofs = model_.groups()[group]->dofs(), half = dofs / 2;
+    const ElementSlots& slots = slots_[group][static_cast<std::size_t>(place.element)];
+    for (std::size_t b = 0; b < 2; ++b)
+        for (int j = 0; j < half; ++j) {
+            const int column = static_cast<int>(b) * half + j;
+            const int equation = numbering_.equation(indices.at[column]);
+            if (equation < 0) continue;
+            const int node = slots.node[b], own = equation - pattern_.first(node);
+            for (std::size_t a = 0; a < 2; ++a) {
+                if (slots.base[a][b] < 0) continue;
+                const bool lower = a == b && pattern_.storage() == Storage::lower;
+                double* const values =
+                    matrix.valuePtr() + slots.base[a][b] + pattern_.column_offset(node, own);
+                for (int i = 0; i < half; ++i) {
+                    const int row =
+                        numbering_.equation(indices.at[static_cast<int>(a) * half + i]) -
+                        pattern_.first(slots.node[a]);
+                    if (row >= (lower ? own : 0))
+                        values[row] += block[column * dofs + static_cast<int>(a) * half + i];
+                }
+            }
+        }
+}
+
+ANCF_INLINE void Assembly::add_value(int row, int column, double value,
+                                     SparseMatrix& matrix) const {
+    const int i = numbering_.equation(row);
+    const int j = numbering_.equation(column);
+    if (i < 0 || j < 0 || (pattern_.storage() == Storage::lower && i < j)) return;
+    const int a = numbering_.block(row);
+    const int b = numbering_.block(column);
+    const int slot = pattern_.base(a, b) + pattern_.column_offset(b, j - pattern_.first(b)) + i -
+                     pattern_.first(a);
+    matrix.valuePtr()[slot] += value;
+}
+
+template <class Visitor>
+void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
+                             const Visitor& visit) const {
+    LoadState local;
+    LoadResult result;
+    local.time = time;
+    local.derivatives = derivatives;
+    for (std::size_t k = 0; k < load_coordinates_.size(); ++k) {
+        const std::vector<int>& coordinates = load_coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(coordinates.size());
+        detail::gather(q, coordinates, local.q);
+        detail::gather(v, coordinates, local.v);
+        const AnyLoad& load = model_.loads()[k].load;
+        const Eigen::Index rows = load.constant() ? 0 : size;
+        result.force.setZero(size);
+        result.stiffness.setZero(rows, rows);
+        result.damping.setZero(rows, rows);
+        result.potential = result.period = 0.0;
+        load.evaluate(local, result);
+        const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
+        detail::require(
+            result.force.size() == size && sized(result.stiffness) && sized(result.damping),
+            "a load on ", size, " coordinates changed the size of its results; its force has ",
+            result.force.size(), " entries");
+        visit(model_.loads()[k], coordinates, result);
+    }
+}
+
+ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
+    angles_.clear();
+    faulty_load_ = -1;
+    int place = -1;
+    for_each_load(
+        at.q, at.v, at.instant.time, request != Request::force,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = load.scale(at.instant);
+            const int size = static_cast<int>(coordinates.size());
+            ++place;
+            load_potential_ += scale * result.potential;
+            if (faulty_load_ < 0 && !(std::isfinite(scale) && result.force.allFinite()))
+                faulty_load_ = place;
+            if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
+            for (int i = 0; i < size; ++i)
+                external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
+            if (request == Request::force || result.stiffness.size() == 0) return;
+            for (int i = 0; i < size; ++i)
+                for (int j = 0; j < size; ++j) {
+                    const int row = coordinates[static_cast<std::size_t>(i)];
+                    const int column = coordinates[static_cast<std::size_t>(j)];
+                    if (result.stiffness(i, j) != 0.0)
+                        add_value(row, column, -scale * result.stiffness(i, j), tangent_);
+                    if (request == Request::tangent_and_damping && result.damping(i, j) != 0.0)
+                        add_value(row, column, -scale * result.damping(i, j), damping_);
+                }
+        });
+}
+
+ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
+    check_size("load_rate", "coordinates", q);
+    const double step = detail::factor_step(factor);
+    const auto slope = [&](const auto& scale) {
+        return (scale(Instant{factor + step, factor + step}) -
+                scale(Instant{factor - step, factor - step})) /
+               (2.0 * step);
+    };
+    VectorX rate = slope([&](const Instant& at) { return model_.gravity_scale(at); }) * gravity_;
+    for_each_load(
+        q, VectorX::Zero(q.size()), factor, false,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            const double scale = slope([&](const Instant& at) { return load.scale(at); });
+            for (std::size_t i = 0; i < coordinates.size(); ++i)
+                rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
+        });
+    return rate;
+}
+
+ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request request) {
+    violation_.setZero(numbering_.multipliers());
+    violation_rate_.setZero(numbering_.multipliers());
+    convection_.setZero(numbering_.multipliers());
+    faulty_constraint_ = -1;
+    steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
+    ConstraintState local;
+    ConstraintResult result;
+    local.time = at.instant.time;
+    int first = 0;
+    for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
+        const AnyConstraint& constraint = model_.constraints()[k];
+        const std::vector<int>& coordinates = constraint_coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(coordinates.size());
+        const int equations = constraint.equations();
+        detail::gather(at.q, coordinates, local.q);
+        detail::gather(at.v, coordinates, local.v);
+        local.multipliers = at.multipliers.segment(first, equations);
+        result.reset(equations, size);
+        constraint.evaluate(local, result);
+        detail::require(result.violation.size() == equations &&
+                            result.jacobian.rows() == equations && result.jacobian.cols() == size &&
+                            result.stiffness.rows() == size && result.stiffness.cols() == size &&
+                            result.rate.size() == equations &&
+                            result.convection.size() == equations,
+                        "constraint ", constraint.name(), " of ", equations, " equations on ", size,
+                        " coordinates changed the size of its results");
+        violation_.segment(first, equations) = result.violation;
+        violation_rate_.segment(first, equations) = result.rate;
+        convection_.segment(first, equations) = result.convection;
+        if (faulty_constraint_ < 0 &&
+            !(result.violation.allFinite() && result.jacobian.allFinite()))
+            faulty_constraint_ = static_cast<int>(k);
+        for (Eigen::Index i = 0; i < size; ++i)
+            for (int e = 0; e < equations; ++e)
+                constraint_[coordinates[static_cast<std::size_t>(i)]] +=
+                    result.jacobian(e, i) * local.multipliers[e];
+        for (Eigen::Index i = 0; i < size; ++i)
+            for (int e = 0; e < equations; ++e) {
+                const int power = constraint_powers_[k][static_cast<std::size_t>(i)];
+                double& most = steepest_[static_cast<std::size_t>(first + e)]
+                                        [static_cast<std::size_t>(power + 1)];
+                most = std::max(most, std::abs(result.jacobian(e, i)));
+            }
+        if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
+        first += equations;
+    }
+}
+
+ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
+    VectorX scale(numbering_.multipliers());
+    for (std::size_t e = 0; e < steepest_.size(); ++e)
+        scale[static_cast<Eigen::Index>(e)] =
+            std::max({steepest_[e][0] / length, steepest_[e][1], steepest_[e][2] * length});
+    return scale;
+}
+
+ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const ConstraintResult& result) {
+    const std::vector<int>& coordinates =
+        constraint_coordinates_[static_cast<std::size_t>(constraint)];
+    const int own = numbering_.constraint_block(constraint);
+    const int size = static_cast<int>(coordinates.size());
+    double* values = tangent_.valuePtr();
+    for (int j = 0; j < size; ++j) {
+        const int coordinate = coordinates[static_cast<std::size_t>(j)];
+        const int equation = numbering_.equation(coordinate);
+        if (equation < 0) continue;
+        const int node = numbering_.block(coordinate);
+        const int place = equation - pattern_.first(node);
+        for (int i = 0; i < size; ++i)
+            if (result.stiffness(i, j) != 0.0)
+                add_value(coordinates[static_cast<std::size_t>(i)], coordinate,
+                          result.stiffness(i, j), tangent_);
+        for (int i = 0; i < result.jacobian.rows(); ++i) {
+            const double value = result.jacobian(i, j);
+            values[pattern_.base(own, node) + pattern_.column_offset(node, place) + i] += value;
+            values[pattern_.base(node, own) + pattern_.column_offset(own, i) + place] += value;
+        }
+    }
+}
+
+ANCF_INLINE void Assembly::check_size(const char* call, const char* what,
+                                      const VectorX& given) const {
+    detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
+                    numbering_.coordinates(), " ", what, ", got ", given.size());
+}
+
+ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
+    check_size("inspect", "coordinates", q);
+    Status status = Status::converged;
+    const auto found =
+        find_element(q, [&](const ElementGroup& group, int prototype, const double* e) {
+            bool finite = true;
+            for (int i = 0; i < group.dofs(); ++i) finite = finite && std::isfinite(e[i]);
+            status = !finite                          ? Status::not_finite
+                     : group.admissible(prototype, e) ? Status::converged
+                                                      : Status::degenerate;
+            return status != Status::converged;
+        });
+    if (!found) return std::nullopt;
+    return Fault{status, found->group, found->element};
+}
+
+ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
+    if (fault.element >= 0)
+        return detail::joined({"element ", fault.element, " of the type ",
+                               model_.groups()[static_cast<std::size_t>(fault.group)]->name(),
+                               " is ", to_string(fault.status)});
+    if (faulty_load_ >= 0)
+        return detail::joined({"the force of load ", faulty_load_, " is not finite"});
+    if (faulty_constraint_ >= 0) {
+        const auto at = static_cast<std::size_t>(faulty_constraint_);
+        return detail::joined({"the direction of constraint ", faulty_constraint_, " (",
+                               model_.constraints()[at].name(),
+                               ") is not finite: do points coincide?"});
+    }
+    return detail::joined({"a load, a constraint or a coordinate is ", to_string(fault.status)});
+}
+
+ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) const {
+    check_size("softened", "coordinates", q);
+    return find_element(q, [](const ElementGroup& group, int prototype, const double* e) {
+        return group.softened(prototype, e);
+    });
+}
+
+namespace detail {
+
+/// Returns the least cosine of the angle between the slopes at the ends of an element.
+template <int Dimension>
+[[nodiscard]] double least_cosine(const Layout& layout, const ElementGroup& group,
+                                  const VectorX& q) {
+    double least = 1.0;
+    const auto slope = [&](NodeId node) -> Vector<double, Dimension> {
+        return q.segment<Dimension>(layout.index({node, Field::r_x}));
+    };
+    for (const Connection& connection : group.connections) {
+        const auto first = slope(connection.first), second = slope(connection.second);
+        const double lengths = first.norm() * second.norm();
+        if (lengths > 0.0) least = std::min(least, first.dot(second) / lengths);
+    }
+    return least;
+}
+
+}  // namespace detail
+
+ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
+    check_size("largest_turn", "coordinates", q);
+    double least = 1.0;
+    for (const auto& group : model_.groups()) {
+        if (!group->fields().contains(Field::r_x)) continue;
+        const Layout& layout = model_.layout();
+        least =
+            std::min(least, model_.dimension() == 2 ? detail::least_cosine<2>(layout, *group, q)
+                                                    : detail::least_cosine<3>(layout, *group, q));
+    }
+    return std::acos(std::max(least, -1.0));
+}
+
+template <class Judge>
+std::optional<ElementPlace> Assembly::find_element(const VectorX& q, const Judge& judge) const {
+    std::optional<ElementPlace> found;
+    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
+                         const detail::ElementIndices& indices) {
+        if (found) return;
+        double e[ElementGroup::max_dofs];
+        detail::gather(q, indices, group.dofs(), e);
+        if (judge(group, group.prototype_of(place.element), e)) found = place;
+    });
+    return found;
+}
+
+ANCF_INLINE void Assembly::residual(VectorX& out) const {
+    out.resize(numbering_.unknowns());
+    for (int k = 0; k < numbering_.coordinates(); ++k)
+        if (const int equation = numbering_.equation(k); equation >= 0)
+            out[equation] = internal_[k] + constraint_[k] - external_[k];
+    out.tail(numbering_.multipliers()) = violation_;
+}
+
+namespace detail {
+
+/// Returns the mass matrices of all prototypes of each group, by columns, one after the other.
+[[nodiscard]] ANCF_INLINE std::vector<std::vector<double>> prototype_masses(const Scene& model) {
+    std::vector<std::vector<double>> masses;
+    for (const auto& group : model.groups()) {
+        const auto size = static_cast<std::size_t>(group->dofs() * group->dofs());
+        std::vector<double>& of =
+            masses.emplace_back(size * static_cast<std::size_t>(group->prototype_count()));
+        for (int k = 0; k < group->prototype_count(); ++k)
+            group->mass(k, of.data() + size * static_cast<std::size_t>(k));
+    }
+    return masses;
+}
+
+}  // namespace detail
+
+ANCF_INLINE SparseMatrix Assembly::mass() const {
+    SparseMatrix result = pattern_.matrix();
+    const auto masses = detail::prototype_masses(model_);
+    for_each_element(
+        [&](const ElementGroup& group, const ElementPlace& place, const detail::ElementIndices&) {
+            const std::ptrdiff_t size = group.dofs() * group.dofs();
+            add_block(place,
+                      masses[static_cast<std::size_t>(place.group)].data() +
+                          size * group.prototype_of(place.element),
+                      result);
+        });
+    for (const PointMass& point : model_.masses())
+        for (int i = 0; i < model_.dimension(); ++i) {
+            const int at = model_.coordinate(point.node, Field::r) + i;
+            add_value(at, at, point.mass, result);
+        }
+    return result;
+}
+
+ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
+    check_size("mass_product", "coordinates", a);
+    VectorX result = VectorX::Zero(a.size());
+    const auto masses = detail::prototype_masses(model_);
+    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
+                         const detail::ElementIndices& indices) {
+        const int dofs = group.dofs();
+        const double* mass =
+            masses[static_cast<std::size_t>(place.group)].data() +
+            static_cast<std::ptrdiff_t>(dofs) * dofs * group.prototype_of(place.element);
+        double e[ElementGroup::max_dofs];
+        detail::gather(a, indices, dofs, e);
+        for (int j = 0; j < dofs; ++j)
+            for (int i = 0; i < dofs; ++i) result[indices.at[i]] += *mass++ * e[j];
+    });
+    for (const PointMass& point : model_.masses()) {
+        const int at = model_.coordinate(point.node, Field::r);
+        for (int i = 0; i < model_.dimension(); ++i) result[at + i] += point.mass * a[at + i];
+    }
+    return result;
+}
+
+ANCF_INLINE void Assembly::apply_supports(const Instant& instant, VectorX& q) const {
+    detail::require(q.size() == numbering_.coordinates(), "the state has ", q.size(),
+                    " coordinates, the model has ", numbering_.coordinates());
+    for (const Support& support : model_.supports())
+        if (support.value)
+            q[model_.layout().index({support.node, support.field}) + support.component] =
+                support.value(instant.time);
+}
+
+}  // namespace ancf

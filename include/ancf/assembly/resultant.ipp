@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Resultants: definitions.
+
+#pragma once
+
+#include <ancf/assembly/resultant.hpp>
+#include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/layout.hpp>
+
+namespace ancf {
+namespace detail {
+
+ANCF_INLINE void require_coordinates(const char* name, const Layout& layout, const VectorX& q,
+                                     const VectorX& force) {
+    require(q.size() == layout.size() && force.size() == layout.size(), name, ": expected ",
+            layout.size(), " coordinates and forces, got ", q.size(), " and ", force.size());
+}
+
+/// Returns a node's part of a generalised force, its moment about the node or the origin.
+[[nodiscard]] ANCF_INLINE Resultant resultant_about(int dimension, const Layout& layout,
+                                                    const VectorX& q, const VectorX& force,
+                                                    int node, bool origin) {
+    Resultant sum;
+    const bool positioned = layout.fields(node).contains(Field::r);
+    for (int at = layout.first(node); at < layout.first(node + 1); at += dimension) {
+        Vector<double, 3> arm = Vector<double, 3>::Zero(), part = Vector<double, 3>::Zero();
+        for (int k = 0; k < dimension; ++k) {
+            arm[k] = q[at + k];
+            part[k] = force[at + k];
+        }
+        const bool position = positioned && at == layout.first(node);
+        if (position) sum.force = part;
+        if (!position || origin) sum.moment += cross(arm, part);
+    }
+    return sum;
+}
+
+}  // namespace detail
+
+ANCF_INLINE Resultant resultant(const Scene& model, const VectorX& q, const VectorX& force) {
+    const Layout& layout = model.layout();
+    detail::require_coordinates("resultant", layout, q, force);
+    Resultant sum;
+    for (int node = 0; node < layout.nodes(); ++node) {
+        const Resultant part =
+            detail::resultant_about(model.dimension(), layout, q, force, node, true);
+        sum.force += part.force;
+        sum.moment += part.moment;
+    }
+    return sum;
+}
+
+ANCF_INLINE Resultant nodal_resultant(const Scene& model, const VectorX& q, const VectorX& force,
+                                      NodeId node) {
+    const Layout& layout = model.layout();
+    detail::require_coordinates("nodal_resultant", layout, q, force);
+    detail::require(node.index >= 0 && node.index < layout.nodes(), "nodal_resultant: there are ",
+                    layout.nodes(), " nodes, got node ", node.index);
+    return detail::resultant_about(model.dimension(), layout, q, force, node.index, false);
+}
+
+}  // namespace ancf

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of constraint_set.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/dynamics/constraint_set.hpp>
+#include <ancf/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ancf {
+
+template <class Visitor>
+void ConstraintSet::for_each(const Visitor& visit) const {
+    for (std::size_t k = 0; k < results_.size(); ++k)
+        visit(static_cast<int>(k), results_[k], coordinates_[k], first_[k]);
+}
+
+ANCF_INLINE ConstraintSet::ConstraintSet(const Scene& model, const Numbering& numbering)
+    : model_(model), numbering_(numbering) {
+    int first = 0;
+    for (const AnyConstraint& constraint : model.constraints()) {
+        std::vector<int> coordinates;
+        for (const NodeField& at : constraint.coupling())
+            for (int k = 0; k < model.dimension(); ++k)
+                coordinates.push_back(model.layout().index(at) + k);
+        coordinates_.push_back(std::move(coordinates));
+        first_.push_back(first);
+        first += constraint.equations();
+    }
+    results_.resize(coordinates_.size());
+    left_out_.assign(static_cast<std::size_t>(first), 0);
+    violation_.setZero(first);
+    rate_.setZero(first);
+    full_rate_.setZero(first);
+    convection_.setZero(first);
+}
+
+ANCF_INLINE void ConstraintSet::leave_out(const std::vector<int>& equations) {
+    std::fill(left_out_.begin(), left_out_.end(), char{0});
+    for (const int equation : equations) left_out_[static_cast<std::size_t>(equation)] = 1;
+}
+
+ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v) {
+    time_ = time;
+    q_ = q;
+    v_ = v;
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+        const AnyConstraint& constraint = model_.constraints()[k];
+        const auto size = static_cast<Eigen::Index>(coordinates_[k].size());
+        const int equations = constraint.equations();
+        local_.time = time;
+        detail::gather(q, coordinates_[k], local_.q);
+        detail::gather(v, coordinates_[k], local_.v);
+        local_.multipliers.setZero(equations);
+        ConstraintResult& result = results_[k];
+        result.reset(equations, size);
+        constraint.evaluate(local_, result);
+        const VectorX slide = detail::multiply(result.jacobian, local_.v);
+        for (int i = 0; i < equations; ++i) {
+            violation_[first_[k] + i] = result.violation[i];
+            full_rate_[first_[k] + i] = slide[i] + result.rate[i];
+            convection_[first_[k] + i] = result.convection[i];
+        }
+    }
+    rate_ = full_rate_;
+    for (int i = 0; i < size(); ++i)
+        if (left_out(i)) rate_[i] = convection_[i] = 0.0;
+}
+
+ANCF_INLINE double ConstraintSet::largest_violation() const noexcept {
+    return detail::largest_magnitude(violation_);
+}
+
+ANCF_INLINE double ConstraintSet::largest_rate() const noexcept {
+    return detail::largest_magnitude(full_rate_);
+}
+
+ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
+    VectorX out = VectorX::Zero(size());
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        VectorX local;
+        detail::gather(a, at, local);
+        const VectorX part = detail::multiply(result.jacobian, local);
+        std::copy_n(part.data(), part.size(), out.data() + first);
+    });
+    for (int i = 0; i < size(); ++i)
+        if (left_out(i)) out[i] = 0.0;
+    return out;
+}
+
+ANCF_INLINE VectorX ConstraintSet::magnitude(const VectorX& x) const {
+    VectorX out = VectorX::Zero(size());
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        for (Eigen::Index j = 0; j < result.jacobian.cols(); ++j)
+            for (Eigen::Index i = 0; i < result.jacobian.rows(); ++i)
+                out[first + i] +=
+                    std::abs(result.jacobian(i, j)) * x[at[static_cast<std::size_t>(j)]];
+    });
+    return out;
+}
+
+ANCF_INLINE void ConstraintSet::add_transpose_product(const VectorX& mu, double scale,
+                                                      VectorX& free) const {
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        for (std::size_t j = 0; j < at.size(); ++j) {
+            const int equation = numbering_.equation(at[j]);
+            if (equation < 0) continue;
+            for (int i = 0; i < result.jacobian.rows(); ++i)
+                if (!left_out(first + i))
+                    free[equation] +=
+                        scale * result.jacobian(i, static_cast<Eigen::Index>(j)) * mu[first + i];
+        }
+    });
+}
+
+ANCF_INLINE void ConstraintSet::write_jacobian(const BlockPattern& pattern,
+                                               SparseMatrix& matrix) const {
+    double* values = matrix.valuePtr();
+    for_each(
+        [&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
+            const int own = numbering_.constraint_block(constraint);
+            const int equations = static_cast<int>(result.jacobian.rows());
+            for (std::size_t j = 0; j < at.size(); ++j) {
+                const int equation = numbering_.equation(at[j]);
+                if (equation < 0) continue;
+                const int node = numbering_.block(at[j]);
+                const int place = equation - pattern.first(node);
+                const int row = pattern.base(own, node) + pattern.column_offset(node, place);
+                const int column = pattern.base(node, own) + place;
+                for (int i = 0; i < equations; ++i) {
+                    // assigned, not added: a vector listed twice in a coupling is summed here
+                    double value = 0.0;
+                    if (!left_out(first + i))
+                        for (std::size_t k = 0; k < at.size(); ++k)
+                            if (at[k] == at[j])
+                                value += result.jacobian(i, static_cast<Eigen::Index>(k));
+                    values[row + i] = value;
+                    values[column + pattern.column_offset(own, i)] = value;
+                }
+            }
+            for (int i = 0; i < equations; ++i)
+                values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
+                    left_out(first + i) ? 1.0 : 0.0;
+        });
+}
+
+ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, const VectorX& mu,
+                                                   SparseMatrix& matrix) const {
+    double* values = matrix.valuePtr();
+    ConstraintState local;
+    ConstraintResult result;
+    local.time = time_;
+    for (std::size_t k = 0; k < results_.size(); ++k) {
+        const AnyConstraint& constraint = model_.constraints()[k];
+        const std::vector<int>& at = coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(at.size());
+        const int equations = constraint.equations();
+        const int own = numbering_.constraint_block(static_cast<int>(k));
+        detail::gather(q_, at, local.q);
+        detail::gather(v_, at, local.v);
+        for (int e = 0; e < equations; ++e) {
+            if (left_out(first_[k] + e)) continue;
+            // with one multiplier 1 the stiffness is the Hessian of that equation
+            local.multipliers.setZero(equations);
+            local.multipliers[e] = 1.0;
+            result.reset(equations, size);
+            constraint.evaluate(local, result);
+            const VectorX row = detail::multiply(result.stiffness, local.v);
+            const double weight = mu[first_[k] + e];
+            for (Eigen::Index j = 0; j < size; ++j) {
+                const int coordinate = at[static_cast<std::size_t>(j)];
+                const int equation = numbering_.equation(coordinate);
+                if (equation < 0) continue;
+                const int node = numbering_.block(coordinate);
+                const int offset = pattern.column_offset(node, equation - pattern.first(node));
+                values[pattern.base(own, node) + offset + e] += row[j];
+                if (weight == 0.0) continue;
+                for (Eigen::Index i = 0; i < size; ++i) {
+                    const int to = at[static_cast<std::size_t>(i)];
+                    if (numbering_.equation(to) < 0 || result.stiffness(i, j) == 0.0) continue;
+                    const int block = numbering_.block(to);
+                    values[pattern.base(block, node) + offset + numbering_.equation(to) -
+                           pattern.first(block)] += weight * result.stiffness(i, j);
+                }
+            }
+        }
+    }
+}
+
+ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
+    SparseMatrix columns(numbering_.free_coordinates(), size());
+    std::vector<int> rows;  // of a constraint's columns: a vector listed twice is summed
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        rows.clear();
+        for (const int coordinate : at)
+            if (numbering_.equation(coordinate) >= 0)
+                rows.push_back(numbering_.equation(coordinate));
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        for (int i = 0; i < result.jacobian.rows(); ++i) {
+            columns.startVec(first + i);
+            for (const int row : rows) columns.insertBack(row, first + i) = 0.0;
+            double* values = columns.valuePtr() + columns.outerIndexPtr()[first + i];
+            for (std::size_t j = 0; j < at.size(); ++j)
+                if (const int row = numbering_.equation(at[j]); row >= 0)
+                    values[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()] +=
+                        result.jacobian(i, static_cast<Eigen::Index>(j));
+        }
+    });
+    columns.finalize();
+    return columns;
+}
+
+ANCF_INLINE int ConstraintSet::constraint_of(int equation) const {
+    return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), equation) -
+                            first_.begin()) -
+           1;
+}
+
+ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
+    const auto constraint = static_cast<std::size_t>(constraint_of(equation));
+    return detail::joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
+                           "), equation ", equation - first_[constraint]});
+}
+
+}  // namespace ancf

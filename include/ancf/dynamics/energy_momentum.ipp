@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of energy_momentum.hpp: one run of the scheme.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/energy_momentum_system.hpp>
+#include <ancf/dynamics/recorder.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace ancf {
+namespace detail {
+
+/// One run.
+class EnergyMomentumRun {
+public:
+    EnergyMomentumRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
+                      const EnergyMomentumOptions& options, const Start& start,
+                      DynamicsReport& report)
+        : problem_(problem),
+          solver_(solver),
+          schedule_(schedule),
+          options_(options),
+          report_(report),
+          recorder_(problem, schedule, report, options.follow_energy),
+          system_(problem),
+          acceleration_(start.acceleration),
+          origin_(start.time) {
+        static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
+        solver_.analyze(problem.mass());
+    }
+
+    void run(const Memory& memory);
+
+private:
+    void recall(const Memory& memory);
+    void remember();
+    [[nodiscard]] bool advance(double target, double whole);
+    [[nodiscard]] Status step(double h);
+    [[nodiscard]] Status evaluate(double h, bool matrix);
+    void set_rates(double h);
+
+    static constexpr double floor = 1e-16;  // of corrections, relative
+
+    DynamicProblem& problem_;
+    LinearSolver& solver_;
+    const Schedule& schedule_;
+    const EnergyMomentumOptions& options_;
+    DynamicsReport& report_;
+    Recorder recorder_;
+    EnergyMomentumSystem system_;
+
+    MotionPoint now_, next_;
+    VectorX acceleration_;         // mean of the last step: the prediction of the next
+    double origin_, count_ = 0.0;  // of the grid of steps
+    MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
+    double linearised_width_ = 0.0;                // 0: there is no matrix
+    State full_now_, full_next_;
+    VectorX increment_;  // q_1 - q_0, free of the round-off of q
+    VectorX rhs_, solution_;
+};
+
+ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
+    if (!memory.empty()) recall(memory);
+    next_ = now_;
+    recorder_.start(now_);
+    bool going = true;
+    const double least = 1e-9 * std::min(options_.step, schedule_.end - now_.time);
+    while (going && schedule_.end - now_.time > least) {
+        const double grid = origin_ + (count_ + 1.0) * options_.step;
+        if (schedule_.end >= grid - 1e-9 * options_.step) {
+            going = advance(grid, options_.step);
+            if (now_.time == grid) count_ += 1.0;
+        } else {
+            going = advance(schedule_.end, schedule_.end - now_.time);
+            origin_ = now_.time;
+            count_ = 0.0;
+        }
+    }
+    recorder_.finish(now_);
+    remember();
+}
+
+/// Moves now_ on to a time, in one step or, where Newton's method fails, in shorter ones.
+ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
+    double width = whole;
+    while (now_.time < target) {
+        const double rest = target - now_.time;
+        const bool last = rest <= width * (1.0 + 1e-6);
+        // a run that goes on within a step has less than the whole of it left
+        const bool full = width == whole && std::abs(rest - whole) <= 1e-6 * whole;
+        const double h = full || !last ? width : rest;
+        next_.time = last ? target : now_.time + h;
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        const Status status = turn.fits() ? step(h) : Status::diverged;
+        if (status != Status::converged) {
+            if (turn.fits()) ++report_.convergence_failures;
+            width *= 0.5;
+            if (width > whole * 1e-3) continue;
+            report_.status = status;
+            report_.message = turn.fits()
+                                  ? joined({"Newton's method failed in the step from ", now_.time,
+                                            " s: ", to_string(status)},
+                                           6)
+                                  : driven_turn_text(constraints, turn, now_.time, next_.time);
+            if (report_.fault)
+                report_.message += "; " + problem_.assembly().describe(*report_.fault);
+            return false;
+        }
+        acceleration_ = (next_.v - now_.v) / h;
+        std::swap(now_, next_);
+        if (recorder_.step(next_, now_)) continue;
+        report_.status = Status::stopped;
+        report_.message = "the progress callback asked to stop";
+        return false;
+    }
+    return true;
+}
+
+/// Takes one step by Newton's method, until the corrections are round-off.
+///
+/// The matrix at hand, of an earlier step or iterate, stays while it converges fast enough.
+ANCF_INLINE Status EnergyMomentumRun::step(double h) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
+    full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
+    system_.begin(now_.time, h, full_now_.q, full_now_.v);
+    increment_ = h * (now_.v + 0.5 * h * acceleration_);
+    next_.q = now_.q + increment_;
+    next_.lambda = now_.lambda;
+    bool renew = linearised_width_ != h;
+    double before = 0.0;
+    for (int k = 1; k <= options_.max_iterations; ++k) {
+        if (const Status status = evaluate(h, renew); status != Status::converged) return status;
+        solver_.solve(rhs_, solution_);
+        ++report_.iterations;
+        const VectorX correction = solution_.head(n);
+        increment_ += correction;
+        next_.q = now_.q + increment_;
+        next_.lambda += 2.0 / (h * h) * solution_.tail(m);
+        const double change = largest_ratio(correction, problem_.scales());
+        if (!std::isfinite(change)) return Status::not_finite;
+        const double ratio = k > 1 ? change / before : 0.0;
+        // corrections that no longer shrink are the round-off of the residual
+        if (change <= floor || (ratio > 0.3 && change <= 1e-11)) {
+            set_rates(h);
+            return Status::converged;
+        }
+        // so slow that a new matrix is cheaper
+        renew = k > 1 && (ratio > 0.9 || std::log(floor / change) / std::log(ratio) > 6.0);
+        before = change;
+    }
+    return Status::max_iterations;
+}
+
+/// Evaluates at next_ and, where asked, builds and factorises the matrix there.
+ANCF_INLINE Status EnergyMomentumRun::evaluate(double h, bool matrix) {
+    set_rates(h);
+    full_next_ = problem_.raw_state(next_.time, next_.q, next_.v);
+    ++report_.evaluations;
+    report_.fault.reset();
+    if (!system_.evaluate(full_next_.q, full_next_.v, next_.lambda, matrix, rhs_)) {
+        report_.fault = problem_.assembly().inspect(full_next_.q);
+        return report_.fault ? report_.fault->status : Status::not_finite;
+    }
+    if (!matrix) return Status::converged;
+    ++report_.jacobians;
+    ++report_.factorisations;
+    linearised_from_ = now_;
+    linearised_to_ = next_;
+    const Status status = solver_.factorize(system_.matrix()).status;
+    linearised_width_ = status == Status::converged ? h : 0.0;
+    return status;
+}
+
+ANCF_INLINE void EnergyMomentumRun::set_rates(double h) { next_.v = 2.0 / h * increment_ - now_.v; }
+
+ANCF_INLINE void EnergyMomentumRun::remember() {
+    Memory& memory = report_.memory;
+    memory.integrator = "energy_momentum";
+    memory.put("q", now_.q);
+    memory.put("v", now_.v);
+    memory.put("lambda", now_.lambda);
+    memory.put("acceleration", acceleration_);
+    VectorX scalars(8);
+    scalars << now_.time, origin_, count_, options_.step, linearised_from_.time,
+        linearised_to_.time, linearised_width_, problem_.length_scale();
+    memory.put("scalars", scalars);
+    memory.put("signature", signature(problem_, now_));
+    if (linearised_width_ == 0.0) return;
+    memory.put("linearised_from_q", linearised_from_.q);
+    memory.put("linearised_from_v", linearised_from_.v);
+    memory.put("linearised_to_q", linearised_to_.q);
+    memory.put("linearised_to_lambda", linearised_to_.lambda);
+}
+
+ANCF_INLINE void EnergyMomentumRun::recall(const Memory& memory) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
+    require(memory.integrator == "energy_momentum", "EnergyMomentum: the memory is that of ",
+            memory.integrator);
+    const VectorX& scalars = memory.get("scalars", 8);
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
+            "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
+            " s");
+    problem_.set_length_scale(scalars[7]);
+    const MotionPoint end = {scalars[0], memory.get("q", n), memory.get("v", n),
+                             memory.get("lambda", m)};
+    require_continuation("EnergyMomentum", memory, problem_, now_, end);
+    const double width = scalars[6];
+    if (width > 0.0) {
+        // evaluate the matrix again in the step that it comes from
+        now_ = {
+            scalars[4], memory.get("linearised_from_q", n), memory.get("linearised_from_v", n), {}};
+        next_ = {scalars[5],
+                 memory.get("linearised_to_q", n),
+                 {},
+                 memory.get("linearised_to_lambda", m)};
+        full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
+        system_.begin(now_.time, width, full_now_.q, full_now_.v);
+        increment_ = next_.q - now_.q;
+        if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
+    }
+    now_ = end;
+    acceleration_ = memory.get("acceleration", n);
+    origin_ = scalars[3] == options_.step ? scalars[1] : now_.time;
+    count_ = scalars[3] == options_.step ? scalars[2] : 0.0;
+}
+
+}  // namespace detail
+
+ANCF_INLINE void EnergyMomentumOptions::check() const {
+    detail::require_positive("EnergyMomentumOptions: step", step);
+    detail::require(max_iterations >= 1,
+                    "EnergyMomentumOptions: max_iterations must be at least 1, got ",
+                    max_iterations);
+}
+
+ANCF_INLINE DynamicsReport EnergyMomentum::integrate(DynamicProblem& problem, LinearSolver& solver,
+                                                     const Schedule& schedule,
+                                                     const Memory& memory) const {
+    detail::require_same_storage(solver, problem);
+    detail::require_motion(problem);
+    schedule.check(problem.model().state().time);
+    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
+    DynamicsReport report;
+    const Start start = problem.start();
+    report.time = start.time;
+    ++report.evaluations;
+    if (start.status != Status::converged) {
+        report.status = start.status;
+        report.message = start.message;
+        return report;
+    }
+    detail::EnergyMomentumRun(problem, solver, schedule, options_, start, report).run(memory);
+    return report;
+}
+
+}  // namespace ancf

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of kkt.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/dynamics/kkt.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace ancf {
+
+ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
+                                    std::vector<int> blocks) {
+    rows_ = rows;
+    blocks_ = std::move(blocks);
+    if (blocks_.empty())
+        for (int row = 0; row < pattern.cols(); ++row) blocks_.push_back(row);
+    share_ = largest_share;
+    factorised_.clear();
+    matrix_ = detail::lower_half(pattern);
+    for (int row = 0; row < matrix_.cols(); ++row) {
+        const SparseMatrix::InnerIterator first(matrix_, row);
+        detail::require(first && first.row() == row,
+                        "KktSystem: the pattern has no diagonal entry in row ", row);
+    }
+}
+
+ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
+    const double* first = matrix.valuePtr();
+    const double* last = first + matrix.nonZeros();
+    if (std::equal(first, last, factorised_.begin(), factorised_.end())) return Status::converged;
+    factorised_.clear();
+    if (!detail::all_finite(matrix)) return Status::not_finite;
+    matrix_ = detail::lower_half(matrix);
+    scales_ = detail::unit_scales(matrix_);
+    if (!factorize_shifted()) return Status::singular;
+    factorised_.assign(first, last);
+    return Status::converged;
+}
+
+ANCF_INLINE Status KktSystem::solve(const VectorX& b, VectorX& x) {
+    for (;;) {
+        const double error = refine(b, x);
+        if (error <= 1e-13) return Status::converged;
+        if (!x.allFinite() || share_ < smallest_share)
+            return error <= 1e-10 ? Status::converged : Status::singular;
+        share_ *= 1e-3;
+        if (!factorize_shifted()) return Status::singular;
+    }
+}
+
+ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    x = b;
+    ldlt_.solve(x);
+    VectorX residual, next = x;
+    double error = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < 30; ++step) {
+        const double now = relative_residual(b, next, residual);
+        if (!(now < error)) break;
+        const bool slow = now > 0.5 * error;
+        x = next;
+        error = now;
+        if (slow || error < 4.0 * epsilon) break;
+        ldlt_.solve(residual);
+        next = detail::combination({{1.0, x}, {1.0, residual}});
+    }
+    return error;
+}
+
+ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX& x,
+                                                VectorX& residual) const {
+    residual = b;
+    double largest[2] = {0.0, 0.0}, rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
+    const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]) / scales_[i]);
+    VectorX terms = b;  // |b| + |matrix| times the largest entries of x
+    for (double& term : terms) term = std::abs(term);
+    for (int j = 0; j < matrix_.cols(); ++j)
+        for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
+            const auto i = entry.row();
+            residual[i] -= entry.value() * x[j];
+            terms[i] += std::abs(entry.value()) * scales_[j] * largest[part(j)];
+            if (i == j) continue;
+            residual[j] -= entry.value() * x[i];
+            terms[j] += std::abs(entry.value()) * scales_[i] * largest[part(i)];
+        }
+    for (Eigen::Index i = 0; i < b.size(); ++i) {
+        rest[part(i)] = std::max(rest[part(i)], scales_[i] * std::abs(residual[i]));
+        size[part(i)] = std::max(size[part(i)], scales_[i] * terms[i]);
+    }
+    if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
+    double ratio = 0.0;
+    for (int k = 0; k < 2; ++k)
+        if (size[k] > 0.0) ratio = std::max(ratio, rest[k] / size[k]);
+    return ratio;
+}
+
+ANCF_INLINE bool KktSystem::factorize_shifted() {
+    // the first entry of a column of the lower half is its diagonal
+    VectorX shift = VectorX::Zero(matrix_.cols());
+    for (int column = 0; column < rows_; ++column) {
+        const SparseMatrix::InnerIterator diagonal(matrix_, column);
+        if (diagonal.value() == 0.0) continue;
+        for (SparseMatrix::InnerIterator entry(matrix_, column); entry; ++entry)
+            if (entry.row() >= rows_)
+                shift[entry.row()] += entry.value() * entry.value() / std::abs(diagonal.value());
+    }
+    SparseMatrix shifted = matrix_;
+    for (int row = rows_; row < matrix_.cols(); ++row) {
+        SparseMatrix::InnerIterator diagonal(shifted, row);
+        if (diagonal.value() == 0.0) diagonal.valueRef() = -share_ * shift[row];
+    }
+    return ldlt_.factorize(shifted, blocks_);
+}
+
+namespace detail {
+
+/// A row of a sparse triangular factor, columns ascending.
+struct SparseRow {
+    std::vector<int> columns;
+    std::vector<double> values;
+};
+
+/// Rotates two rows that begin in the same column so that the second one loses it.
+ANCF_INLINE void rotate(SparseRow& upper, SparseRow& lower) {
+    const double length = std::hypot(upper.values[0], lower.values[0]);
+    const double c = upper.values[0] / length, s = lower.values[0] / length;
+    SparseRow turned, rest;
+    std::size_t i = 0, j = 0;
+    while (i < upper.columns.size() || j < lower.columns.size()) {
+        const bool from_upper = j == lower.columns.size() ||
+                                (i < upper.columns.size() && upper.columns[i] <= lower.columns[j]);
+        const bool from_lower = i == upper.columns.size() ||
+                                (j < lower.columns.size() && lower.columns[j] <= upper.columns[i]);
+        const int column = from_upper ? upper.columns[i] : lower.columns[j];
+        const double a = from_upper ? upper.values[i++] : 0.0;
+        const double b = from_lower ? lower.values[j++] : 0.0;
+        turned.columns.push_back(column);
+        turned.values.push_back(c * a + s * b);
+        if (turned.columns.size() == 1) continue;
+        rest.columns.push_back(column);
+        rest.values.push_back(c * b - s * a);
+    }
+    std::swap(upper, turned);
+    std::swap(lower, rest);
+}
+
+/// Turns a row into a triangular factor whose row j, where there is one, begins in column j.
+ANCF_INLINE void insert(std::vector<SparseRow>& factor, SparseRow row) {
+    while (!row.columns.empty()) {
+        SparseRow& upper = factor[static_cast<std::size_t>(row.columns[0])];
+        if (upper.columns.empty()) {
+            std::swap(upper, row);
+        } else if (row.values[0] == 0.0) {
+            row.columns.erase(row.columns.begin());
+            row.values.erase(row.values.begin());
+        } else {
+            rotate(upper, row);
+        }
+    }
+}
+
+}  // namespace detail
+
+ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
+                                            double tolerance) {
+    const auto equations = static_cast<int>(columns.cols());
+    std::vector<detail::SparseRow> coordinates(static_cast<std::size_t>(columns.rows()));
+    for (int j = 0; j < equations; ++j) {
+        double square = 0.0;
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry)
+            square += std::pow(entry.value() * scales[entry.row()], 2);
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
+            const double value = entry.value() * scales[entry.row()] / std::sqrt(square);
+            if (entry.value() == 0.0) continue;
+            coordinates[static_cast<std::size_t>(entry.row())].columns.push_back(j);
+            coordinates[static_cast<std::size_t>(entry.row())].values.push_back(value);
+        }
+    }
+    // in the order of their first equations: a row then ends soon in an empty row of the factor
+    std::vector<detail::SparseRow> factor(static_cast<std::size_t>(equations));
+    for (int j = 0; j < equations; ++j)
+        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
+            detail::SparseRow& row = coordinates[static_cast<std::size_t>(entry.row())];
+            if (!row.columns.empty() && row.columns[0] == j)
+                detail::insert(factor, std::exchange(row, {}));
+        }
+    std::vector<int> dependent;
+    for (int j = 0; j < equations; ++j) {
+        detail::SparseRow& row = factor[static_cast<std::size_t>(j)];
+        if (!row.columns.empty() && std::abs(row.values[0]) > tolerance) continue;
+        dependent.push_back(j);
+        if (row.columns.empty()) continue;
+        detail::SparseRow rest = std::exchange(row, {});
+        rest.columns.erase(rest.columns.begin());
+        rest.values.erase(rest.values.begin());
+        detail::insert(factor, std::move(rest));
+    }
+    return dependent;
+}
+
+}  // namespace ancf

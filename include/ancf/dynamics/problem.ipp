@@ -1,0 +1,680 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of problem.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/dynamics/frequency.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+ANCF_INLINE void ProblemOptions::check() const {
+    detail::require_positive("ProblemOptions: consistency", consistency);
+    detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
+}
+
+ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& options)
+    : model_(model),
+      options_(options),
+      assembly_(model, options.storage),
+      revision_(model.revision()),
+      constraints_(model, assembly_.numbering()) {
+    options_.check();
+    check_sizes();
+    list_driven();
+    full_q_ = model.state().q;
+    full_v_.setZero(full_q_.size());
+    full_a_.setZero(full_q_.size());
+    measure();
+    set_mass();
+    kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
+}
+
+ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
+    std::vector<int> result;
+    const std::vector<int>& sizes = numbering().block_sizes();
+    for (std::size_t block = 0; block < sizes.size(); ++block)
+        result.insert(result.end(), static_cast<std::size_t>(sizes[block]),
+                      static_cast<int>(block));
+    result.resize(static_cast<std::size_t>(equations));
+    return result;
+}
+
+ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
+    x = b;
+    mass_factor_.solve(x);
+}
+
+ANCF_INLINE void DynamicProblem::set_mass() {
+    mass_ = assembly_.mass();
+    compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
+    bool definite = mass_factor_.factorize(compact_mass_, blocks(size()));
+    for (int row = 0; definite && row < size(); ++row) definite = mass_factor_.pivot(row) > 0.0;
+    detail::require(definite,
+                    "DynamicProblem: the mass matrix is not positive definite; every node needs an "
+                    "element of positive density");
+    kkt_matrix_ = mass_;
+}
+
+ANCF_INLINE void DynamicProblem::refresh() {
+    if (model_.revision() == revision_) return;
+    assembly_.refresh();
+    set_mass();
+    revision_ = model_.revision();
+}
+
+ANCF_INLINE void DynamicProblem::list_driven() {
+    for (const Support& support : model_.supports()) {
+        if (!support.value) continue;
+        detail::require(static_cast<bool>(support.rate) && static_cast<bool>(support.acceleration),
+                        "DynamicProblem: the support of ", to_string(support.field), ", component ",
+                        support.component, ", of node ", support.node.index,
+                        " has a value over time; dynamics needs its rate and acceleration too");
+        driven_.push_back(
+            {model_.coordinate(support.node, support.field) + support.component, &support});
+    }
+}
+
+namespace detail {
+
+/// Returns the diagonal of the box that holds the nodes, m; zero where there is none.
+template <int Dimension>
+[[nodiscard]] double diagonal_of_nodes(const Layout& layout, const VectorX& q) {
+    Vector<double, Dimension> low, high;
+    low.setConstant(std::numeric_limits<double>::infinity());
+    high = -low;
+    for (int node = 0; node < layout.nodes(); ++node) {
+        if (!layout.fields(node).contains(Field::r)) continue;
+        for (int i = 0; i < Dimension; ++i) {
+            low[i] = std::min(low[i], q[layout.first(node) + i]);
+            high[i] = std::max(high[i], q[layout.first(node) + i]);
+        }
+    }
+    high -= low;
+    return high.allFinite() ? high.norm() : 0.0;
+}
+
+}  // namespace detail
+
+ANCF_INLINE void DynamicProblem::measure() {
+    double length = model_.dimension() == 2
+                        ? detail::diagonal_of_nodes<2>(model_.layout(), full_q_)
+                        : detail::diagonal_of_nodes<3>(model_.layout(), full_q_);
+    for (const auto& group : model_.groups())
+        for (int k = 0; k < group->prototype_count(); ++k)
+            length = std::max(length, group->length(k));
+    set_length_scale(length > 0.0 ? length : 1.0);
+}
+
+ANCF_INLINE void DynamicProblem::set_length_scale(double length) {
+    detail::require_positive("DynamicProblem: length scale", length);
+    length_ = length;
+    full_scales_ = scales_of(length);
+    numbering().gather_free(full_scales_, scales_);
+}
+
+ANCF_INLINE VectorX DynamicProblem::scales_of(double length) const {
+    const Layout& layout = model_.layout();
+    VectorX scales = VectorX::Ones(layout.size());
+    for (int node = 0; node < layout.nodes(); ++node)
+        for (const Field field : {Field::r, Field::r_xx})
+            if (const int first = layout.index({{node}, field}); first >= 0)
+                for (int i = 0; i < model_.dimension(); ++i)
+                    scales[first + i] = field == Field::r ? length : 1.0 / length;
+    return scales;
+}
+
+ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const VectorX& v) {
+    refresh();
+    const Numbering& numbers = numbering();
+    detail::require(q.size() == size() && v.size() == size(), "DynamicProblem: expected ", size(),
+                    " free coordinates and rates, got ", q.size(), " and ", v.size());
+    time_ = t;
+    for (int k = 0; k < numbers.coordinates(); ++k)
+        if (const int equation = numbers.equation(k); equation >= 0) {
+            full_q_[k] = q[equation];
+            full_v_[k] = v[equation];
+        }
+    for (const Driven& driven : driven_) {
+        full_q_[driven.coordinate] = driven.support->value(t);
+        full_v_[driven.coordinate] = driven.support->rate(t);
+        full_a_[driven.coordinate] = driven.support->acceleration(t);
+    }
+}
+
+// --- start -------------------------------------------------------------------------------------
+
+ANCF_INLINE std::string DynamicProblem::check_supports(double t) const {
+    const State& state = model_.state();
+    const double fastest = detail::largest_ratio(state.v, full_scales_);
+    for (const Support& support : model_.supports()) {
+        const int at = model_.coordinate(support.node, support.field) + support.component;
+        const double value = support.value ? support.value(t) : state.q[at];
+        const double gap = std::abs(state.q[at] - value);
+        const double rate = support.value ? 0.0 : std::abs(state.v[at]);
+        const double allowed = options_.consistency * full_scales_[at];
+        if (gap <= allowed && rate <= fastest * allowed) continue;
+        const std::string which =
+            detail::joined({"the support of ", to_string(support.field), ", component ",
+                            support.component, ", of node ", support.node.index});
+        if (gap > allowed)
+            return detail::joined(
+                {which, " prescribes ", value, " at the start, the state has ", state.q[at]}, 6);
+        return detail::joined({which, " holds it, the state moves it at ", state.v[at]}, 6);
+    }
+    return {};
+}
+
+ANCF_INLINE std::string DynamicProblem::check_constraints() {
+    constraints_.evaluate(time_, full_q_, full_v_);
+    const VectorX lengths = constraints_.magnitude(full_scales_);
+    for (int i = 0; i < multipliers(); ++i)
+        if (!std::isfinite(lengths[i]) || !std::isfinite(constraints_.violation()[i]) ||
+            !std::isfinite(constraints_.rate()[i]))
+            return "no direction belongs to " + constraints_.describe(i) +
+                   ": its derivatives are not finite, do points coincide?";
+    const double fastest = detail::largest_ratio(full_v_, full_scales_);
+    // worst equation, at position and then at velocity level
+    const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
+        int at = -1;
+        double ratio = 1.0;
+        for (int i = 0; i < values.size(); ++i) {
+            const double limit = options_.consistency * allowed(i);
+            const double size = std::abs(values[i]);
+            if (size <= limit || (limit > 0.0 && size / limit <= ratio)) continue;
+            at = i;
+            if (limit > 0.0) ratio = size / limit;
+        }
+        if (at < 0) return std::string();
+        return detail::joined({constraints_.describe(at), ": |", what, "| = ", std::abs(values[at]),
+                               ", allowed ", options_.consistency * allowed(at)},
+                              6);
+    };
+    std::string message = worst(
+        constraints_.violation(), [&](int i) { return lengths[i]; }, "g");
+    if (!message.empty()) return "the initial coordinates violate " + message;
+    const VectorX slide = constraints_.product(full_v_);
+    message = worst(
+        constraints_.rate(),
+        [&](int i) { return lengths[i] * fastest + std::abs(constraints_.rate()[i] - slide[i]); },
+        "G v + g_t");
+    return message.empty() ? message : "the initial rates violate " + message;
+}
+
+ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
+    left_out_.clear();
+    constraints_.leave_out(left_out_);
+    if (multipliers() == 0) return;
+    const std::vector<int> dependent =
+        dependent_rows(constraints_.transposed_jacobian(), scales_, options_.redundancy_tolerance);
+    if (dependent.empty()) return;
+    if (options_.redundancy == Redundancy::minimum_norm) {
+        left_out_ = dependent;
+        constraints_.leave_out(left_out_);
+        return;
+    }
+    start.status = Status::redundant;
+    start.message = "these follow from the equations before them: ";
+    for (std::size_t k = 0; k < dependent.size(); ++k)
+        start.message += (k == 0 ? "" : "; ") + constraints_.describe(dependent[k]);
+}
+
+ANCF_INLINE void DynamicProblem::check_sizes() const {
+    const State& state = model_.state();
+    const int size = model_.layout().size();
+    detail::require(state.q.size() == size && state.v.size() == size,
+                    "DynamicProblem: the model has ", size, " coordinates, its state ",
+                    state.q.size(), " and ", state.v.size(), " rates");
+}
+
+ANCF_INLINE Start DynamicProblem::start() {
+    refresh();
+    check_sizes();
+    const State& state = model_.state();
+    Start start;
+    start.time = state.time;
+    numbering().gather_free(state.q, start.q);
+    numbering().gather_free(state.v, start.v);
+    start.acceleration.setZero(size());
+    start.multipliers.setZero(multipliers());
+    angles_.clear();
+    full_q_ = state.q;
+    full_v_.setZero(state.v.size());
+    full_a_.setZero(state.v.size());
+
+    const auto refuse = [&](Status status, std::string message) {
+        start.status = status;
+        start.message = std::move(message);
+        return start;
+    };
+    if (!state.q.allFinite() || !state.v.allFinite())
+        return refuse(Status::not_finite, "the initial state is not finite");
+    if (const auto fault = assembly_.inspect(state.q))
+        return refuse(fault->status, assembly_.describe(*fault) + " at the start");
+    std::string message = check_supports(state.time);
+    if (!message.empty()) return refuse(Status::inconsistent, message);
+    expand(state.time, start.q, start.v);
+    left_out_.clear();
+    constraints_.leave_out(left_out_);
+    message = check_constraints();
+    if (!message.empty()) return refuse(Status::inconsistent, message);
+    find_redundant(start);
+    if (start.status != Status::converged) return start;
+
+    start.status =
+        accelerations(state.time, start.q, start.v, start.acceleration, start.multipliers);
+    if (start.status != Status::converged)
+        start.message = "the initial accelerations could not be solved for: " +
+                        std::string(to_string(start.status));
+    return start;
+}
+
+ANCF_INLINE Status DynamicProblem::factorize_kkt() {
+    if (multipliers() > 0) constraints_.write_jacobian(assembly_.pattern(), kkt_matrix_);
+    return kkt_.factorize(kkt_matrix_);
+}
+
+ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
+    if (!b.allFinite()) return Status::not_finite;
+    const Status status = kkt_.solve(b, x);
+    return x.allFinite() ? status : Status::not_finite;
+}
+
+ANCF_INLINE Status DynamicProblem::accelerations(double t, const VectorX& q, const VectorX& v,
+                                                 VectorX& acceleration, VectorX& multipliers) {
+    const VectorX none = VectorX::Zero(this->multipliers());
+    if (const auto fault = evaluate(t, q, v, none, Request::force)) return fault->status;
+    constraints_.evaluate(t, full_q_, full_v_);
+    if (const Status status = factorize_kkt(); status != Status::converged) return status;
+    // held coordinates only: the free ones are unknown
+    VectorX b(numbering().unknowns()), x;
+    const VectorX known = constraints_.product(full_a_);
+    for (int i = 0; i < size(); ++i) b[i] = -force_[i];
+    for (int i = 0; i < known.size(); ++i) b[size() + i] = -constraints_.convection()[i] - known[i];
+    if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
+    acceleration = x.head(size());
+    multipliers = x.tail(this->multipliers());
+    return Status::converged;
+}
+
+ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& jerk) {
+    if (const auto fault =
+            evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent_and_damping))
+        return fault->status;
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    VectorX sum = VectorX::Zero(size());
+    detail::add_product(tangent(), options_.storage, -1.0, at.v, sum);
+    detail::add_product(damping(), options_.storage, -1.0, at.acceleration, sum);
+    std::copy(sum.data(), sum.data() + size(), b.data());
+    VectorX whole = VectorX::Zero(full_a_.size());
+    // one-sided: a load may begin at the start, and no function of time is asked for earlier
+    constexpr double weights[] = {-1.5, 2.0, -0.5};
+    for (int place = 0; place < 3; ++place) {
+        const double later = place * step;
+        const double t = at.time + later;
+        if (const auto fault = evaluate(t, at.q, at.v, at.multipliers, Request::force))
+            return fault->status;
+        for (int i = 0; i < size(); ++i) b[i] -= weights[place] / step * force_[i];
+        if (multipliers() == 0) continue;
+        evaluate_constraints(
+            t,
+            detail::combination(
+                {{1.0, at.q}, {later, at.v}, {0.5 * later * later, at.acceleration}}),
+            detail::combination({{1.0, at.v}, {later, at.acceleration}}));
+        whole = full_a_;  // of driven coordinates at that time
+        for (int k = 0; k < numbering().coordinates(); ++k)
+            if (const int equation = numbering().equation(k); equation >= 0)
+                whole[k] = at.acceleration[equation];
+        const VectorX known = constraints_.product(whole);
+        for (int i = 0; i < multipliers(); ++i)
+            b[size() + i] -= weights[place] / step * (known[i] + constraints_.convection()[i]);
+    }
+    evaluate_constraints(at.time, at.q, at.v);
+    if (const Status status = factorize_kkt(); status != Status::converged) return status;
+    VectorX x;
+    if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
+    jerk = x.head(size());
+    return Status::converged;
+}
+
+// --- evaluation --------------------------------------------------------------------------------
+
+ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const VectorX& q,
+                                                          const VectorX& v, const VectorX& lambda,
+                                                          Request request) {
+    expand(t, q, v);
+    lambda_ = lambda;
+    for (const int equation : left_out_) lambda_[equation] = 0.0;
+    const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
+    force_.resize(size());
+    for (int k = 0; k < numbering().coordinates(); ++k)
+        if (const int equation = numbering().equation(k); equation >= 0)
+            force_[equation] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
+                               assembly_.external_force()[k];
+    if (!driven_.empty()) {
+        VectorX inertia;
+        numbering().gather_free(assembly_.mass_product(full_a_), inertia);
+        force_ += inertia;
+    }
+    constraint_residual_ = assembly_.violation();
+    violation_ = detail::largest_magnitude(constraint_residual_);
+    for (const int equation : left_out_) constraint_residual_[equation] = lambda[equation];
+    if (request != Request::force && !left_out_.empty()) {
+        tangent_ = assembly_.tangent();
+        constraints_.evaluate(t, full_q_, full_v_);
+        constraints_.write_jacobian(assembly_.pattern(), tangent_);
+    }
+    return fault;
+}
+
+ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const VectorX& v,
+                                              const VectorX& lambda) {
+    (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
+    Energies result = energies();
+    const std::vector<AnglePotential>& found = assembly_.angle_potentials();
+    const bool first = angles_.size() != found.size();
+    if (first) angles_.assign(found.size(), 0.0);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const auto& [scale, value, period] = found[k];
+        const double turns = first ? 0.0 : std::round((angles_[k] - value) / period);
+        if (std::isfinite(turns)) angles_[k] = value + turns * period;
+        result.potential += scale * turns * period;
+    }
+    return result;
+}
+
+ANCF_INLINE Energies DynamicProblem::energies() const {
+    Energies result;
+    result.strain = assembly_.strain_energy();
+    result.potential = assembly_.load_potential();
+    result.load_power = assembly_.external_force().dot(full_v_);
+    result.constraint_power = lambda_.dot(assembly_.violation_rate());
+    if (driven_.empty()) {
+        VectorX v;
+        numbering().gather_free(full_v_, v);
+        result.kinetic = 0.5 * v.dot(detail::multiply(compact_mass_, Storage::full, v));
+        return result;
+    }
+    result.kinetic = 0.5 * full_v_.dot(assembly_.mass_product(full_v_));
+    VectorX acceleration = full_a_;
+    VectorX change;
+    solve_mass(force_, change);
+    numbering().add_free(change, -1.0, acceleration);
+    const VectorX inertia = assembly_.mass_product(acceleration);
+    for (const Driven& driven : driven_) {
+        const int k = driven.coordinate;
+        result.constraint_power +=
+            full_v_[k] * (inertia[k] + assembly_.internal_force()[k] +
+                          assembly_.constraint_force()[k] - assembly_.external_force()[k]);
+    }
+    return result;
+}
+
+ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q,
+                                                      const VectorX& v) {
+    expand(t, q, v);
+    constraints_.evaluate(t, full_q_, full_v_);
+}
+
+ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double scale,
+                                                      VectorX& out) const {
+    constraints_.add_transpose_product(mu, scale, out);
+}
+
+ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
+    if (out.nonZeros() != mass_.nonZeros()) out = mass_;
+    std::fill_n(out.valuePtr(), out.nonZeros(), 0.0);
+    constraints_.add_velocity_level(assembly_.pattern(), mu, out);
+}
+
+// --- projection --------------------------------------------------------------------------------
+
+ANCF_INLINE bool DynamicProblem::project(double t, VectorX& q, VectorX& v) {
+    if (multipliers() == 0) return true;
+    VectorX moved = q;
+    VectorX slowed = v;
+    if (!project_positions(t, moved, v) || !project_rates(t, moved, slowed)) return false;
+    q = std::move(moved);
+    v = std::move(slowed);
+    return true;
+}
+
+ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const VectorX& v) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    VectorX x;
+    double before = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        evaluate_constraints(t, q, v);
+        double relative = 0.0;
+        const VectorX scale = constraints_.magnitude(full_scales_);
+        for (int i = 0; i < multipliers(); ++i) {
+            const bool out = std::binary_search(left_out_.begin(), left_out_.end(), i);
+            b[size() + i] = out ? 0.0 : -constraints_.violation()[i];
+            if (!out && scale[i] > 0.0)
+                relative = std::max(relative, std::abs(constraints_.violation()[i]) / scale[i]);
+        }
+        if (relative <= epsilon) return true;
+        // round-off may lie a little higher: stop when the iteration no longer gains
+        if (relative >= 0.5 * before) return relative <= 64.0 * epsilon;
+        before = relative;
+        if (factorize_kkt() != Status::converged) return false;
+        if (solve_kkt(b, x) != Status::converged) return false;
+        q += x.head(size());
+    }
+    return false;
+}
+
+ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v) {
+    VectorX b = VectorX::Zero(numbering().unknowns());
+    VectorX x;
+    for (int pass = 0; pass < 2; ++pass) {  // the second removes the round-off of the first
+        evaluate_constraints(t, q, v);
+        if (factorize_kkt() != Status::converged) return false;
+        b.tail(multipliers()) = -constraints_.rate();
+        if (solve_kkt(b, x) != Status::converged) return false;
+        v += x.head(size());
+    }
+    return true;
+}
+
+// --- whole states ------------------------------------------------------------------------------
+
+ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,
+                                        const VectorX& lambda) {
+    expand(t, q, v);
+    State result;
+    result.time = t;
+    result.q = full_q_;
+    result.v = full_v_;
+    result.multipliers = lambda;
+    if (!left_out_.empty()) minimize_multipliers(result.multipliers);
+    return result;
+}
+
+ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
+    expand(t, q, v);
+    State result;
+    result.time = t;
+    result.q = full_q_;
+    result.v = full_v_;
+    return result;
+}
+
+ANCF_INLINE void DynamicProblem::store(double t, const VectorX& q, const VectorX& v,
+                                       const VectorX& lambda) {
+    model_.state() = state(t, q, v, lambda);
+}
+
+ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
+    for (const int equation : left_out_) multipliers[equation] = 0.0;
+    constraints_.evaluate(time_, full_q_, full_v_);
+    if (factorize_kkt() != Status::converged) return;
+    const SparseMatrix rows = constraints_.transposed_jacobian();
+    // multipliers of all units compare by the work that changes by the coordinates' scales take
+    const VectorX weights = constraints_.magnitude(full_scales_).cwiseAbs2();
+    const auto product = [&](const VectorX& a, const VectorX& b) {
+        double sum = 0.0;
+        for (Eigen::Index i = 0; i < a.size(); ++i) sum += weights[i] * a[i] * b[i];
+        return sum;
+    };
+    std::vector<VectorX> basis;
+    for (const int equation : left_out_) {
+        VectorX b = VectorX::Zero(numbering().unknowns()), x;
+        for (SparseMatrix::InnerIterator entry(rows, equation); entry; ++entry)
+            b[entry.row()] = entry.value();
+        if (solve_kkt(b, x) != Status::converged) continue;
+        // of an equation that no longer follows from the others something is left
+        const VectorX rest = detail::multiply(compact_mass_, Storage::full, x.head(size()));
+        const auto work = [&](const VectorX& force) {
+            double sum = 0.0;
+            for (int i = 0; i < size(); ++i) sum += std::pow(force[i] * scales_[i], 2);
+            return std::sqrt(sum);
+        };
+        if (work(rest) > 1e-8 * work(b)) continue;
+        VectorX silent = x.tail(multipliers.size());
+        silent[equation] = -1.0;
+        for (int pass = 0; pass < 2; ++pass)  // Gram-Schmidt, twice
+            for (const VectorX& earlier : basis) silent -= product(earlier, silent) * earlier;
+        silent /= std::sqrt(product(silent, silent));
+        basis.push_back(silent);
+        multipliers -= product(silent, multipliers) * silent;
+    }
+}
+
+ANCF_INLINE Snapshot DynamicProblem::snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
+                                              State& into) {
+    (void)project(t, q, v);  // where it fails the violation tells
+    const Energies found = energies(t, q, v, lambda);
+    into = state(t, q, v, lambda);
+    evaluate_constraints(t, q, v);
+    return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
+}
+
+ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces) {
+    const int all = numbering().coordinates();
+    detail::require(state.q.size() == all && state.v.size() == all,
+                    "DynamicProblem::reactions: expected ", all, " coordinates and rates, got ",
+                    state.q.size(), " and ", state.v.size());
+    forces.setZero(all);
+    VectorX q, v, acceleration, lambda;
+    numbering().gather_free(state.q, q);
+    numbering().gather_free(state.v, v);
+    if (const Status status = accelerations(state.time, q, v, acceleration, lambda);
+        status != Status::converged)
+        return status;
+    if (const auto fault = evaluate(state.time, q, v, lambda, Request::force)) return fault->status;
+    VectorX whole = full_a_;  // of driven coordinates
+    numbering().add_free(acceleration, 1.0, whole);
+    const VectorX exerted = assembly_.mass_product(whole) + assembly_.internal_force() +
+                            assembly_.constraint_force() - assembly_.external_force();
+    for (int k = 0; k < all; ++k)
+        if (numbering().equation(k) < 0) forces[k] = exerted[k];
+    return Status::converged;
+}
+
+// --- scales ------------------------------------------------------------------------------------
+
+ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
+    const VectorX none = VectorX::Zero(multipliers());
+    (void)evaluate(start.time, start.q, start.v, none, Request::force);
+    const auto largest = [&](const VectorX& forces) {
+        double value = 0.0;
+        for (Eigen::Index k = 0; k < forces.size(); ++k)
+            value = std::max(value, std::abs(forces[k]) * full_scales_[k] / length_);
+        return value;
+    };
+    VectorX inertia = VectorX::Zero(full_q_.size());
+    numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
+                         inertia);
+    const double loads = largest(assembly_.external_force());
+    const double inner = std::max(largest(assembly_.internal_force()), largest(inertia));
+    return inner > force_round_off(start.time, start.q) ? std::max(loads, inner) : loads;
+}
+
+ANCF_INLINE double DynamicProblem::force_round_off(double t, const VectorX& q) {
+    const VectorX rest = VectorX::Zero(size());
+    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    const SparseMatrix magnitudes = assembly_.tangent().cwiseAbs();
+    const VectorX changes = detail::multiply(magnitudes, options_.storage, scales_);
+    // moments of slopes, N m, over the scene's size
+    return std::numeric_limits<double>::epsilon() * changes.cwiseProduct(scales_).maxCoeff() /
+           length_;
+}
+
+ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {
+    const double turn = detail::largest_ratio(start.v, scales_);
+    const double acceleration = detail::largest_ratio(start.acceleration, scales_);
+    if (turn * turn >= acceleration) return turn;
+    // accelerations of a scene in equilibrium are round-off: of the loads or, without any, of K
+    const VectorX none = VectorX::Zero(multipliers());
+    (void)evaluate(start.time, start.q, start.v, none, Request::force);
+    VectorX loads, driven;
+    numbering().gather_free(assembly_.external_force(), loads);
+    solve_mass(loads, driven);
+    const double loaded = detail::largest_ratio(driven, scales_);
+    // accelerations below so many times the square of the highest frequency are round-off
+    constexpr double frequency_noise = 64.0 * std::numeric_limits<double>::epsilon();
+    const double round_off =
+        loaded > 0.0 ? 1e-8 * loaded
+                     : frequency_noise * std::pow(highest_frequency(start.time, start.q), 2);
+    return acceleration > round_off ? std::sqrt(acceleration) : turn;
+}
+
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
+    const VectorX rest = VectorX::Zero(size());
+    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    return std::sqrt(detail::largest_eigenvalue(
+        scales_,
+        [&](const VectorX& x) {
+            return detail::multiply(assembly_.tangent(), options_.storage, x);
+        },
+        [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); },
+        [&](const VectorX& b) {
+            VectorX x;
+            solve_mass(b, x);
+            return x;
+        }));
+}
+
+ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {
+    const double highest = highest_frequency(t, q);
+    if (highest == 0.0) return 0.0;
+    const double square = highest * highest;
+    // far above the round-off of K, far below any elastic frequency
+    const double shift = 1e-12 * square;
+    SparseMatrix shifted = tangent();
+    if (options_.storage == Storage::full) detail::symmetrise(shifted);  // following loads
+    for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
+        shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
+    KktSystem system;
+    system.analyze(shifted, size(), blocks(numbering().unknowns()));
+    if (system.factorize(shifted) != Status::converged) return 0.0;
+    const auto solve = [&](const VectorX& b) {
+        VectorX whole = VectorX::Zero(numbering().unknowns()), x;
+        whole.head(size()) = b;
+        (void)system.solve(whole, x);  // an estimate is enough
+        return VectorX(x.head(size()));
+    };
+    const int freedom = size() - multipliers() + static_cast<int>(left_out_.size());
+    return std::sqrt(detail::lowest_eigenvalue(
+        scales_, freedom,
+        [&](const VectorX& x) { return detail::multiply(tangent(), options_.storage, x); },
+        [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); }, solve,
+        10.0 * shift));
+}
+
+}  // namespace ancf

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of report.hpp.
+
+#pragma once
+
+#include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ancf {
+
+ANCF_INLINE void Schedule::check(double start) const {
+    detail::require(std::isfinite(end) && end >= start, "Schedule: the end must not be before ",
+                    "the start at ", start, " s, got ", end);
+    double before = start;
+    for (const double time : times) {
+        detail::require(time >= before && time <= end, "Schedule: times must ascend from ", start,
+                        " to ", end, " s, got ", time, " after ", before);
+        before = time;
+    }
+}
+
+ANCF_INLINE Schedule equal_intervals(double start, double duration, double interval) {
+    detail::require(std::isfinite(duration) && duration >= 0.0,
+                    "equal_intervals: duration must be at least 0 and finite, got ", duration);
+    detail::require_positive("equal_intervals: interval", interval);
+    detail::require(std::isfinite(start), "equal_intervals: start must be finite, got ", start);
+    constexpr double most = 1e7;
+    detail::require(duration / interval <= most, "equal_intervals: interval ", interval,
+                    " s makes more than ", most, " outputs of ", duration, " s");
+    Schedule schedule;
+    schedule.end = start + duration;
+    const double last = schedule.end - 1e-9 * std::min(interval, duration);
+    for (int k = 0; start + k * interval < last; ++k)
+        schedule.times.push_back(start + k * interval);
+    schedule.times.push_back(schedule.end);
+    return schedule;
+}
+
+ANCF_INLINE void Memory::put(std::string name, VectorX value) {
+    values.emplace_back(std::move(name), std::move(value));
+}
+
+ANCF_INLINE const VectorX& Memory::get(const std::string& name, Eigen::Index size) const {
+    for (const auto& [key, value] : values)
+        if (key == name && value.size() == size) return value;
+    detail::reject("Memory of ", integrator, ": expected ", size, " values of ", name);
+}
+
+}  // namespace ancf

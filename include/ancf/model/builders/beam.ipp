@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Builders of straight beams: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ancf {
+
+ANCF_INLINE NodeId Chain::node(int place) const {
+    detail::require(place >= 0 && place < static_cast<int>(nodes.size()), "Beam: there are ",
+                    nodes.size(), " nodes, got place ", place);
+    return nodes[static_cast<std::size_t>(place)];
+}
+
+ANCF_INLINE Coupling coupling_of(const Connection& connection, Fields fields) {
+    Coupling coupling;
+    for (const NodeId node : {connection.first, connection.second})
+        for (int k = 0; k < field_count; ++k)
+            if (fields.contains(static_cast<Field>(k)))
+                coupling.push_back({node, static_cast<Field>(k)});
+    return coupling;
+}
+
+namespace detail {
+
+/// Returns the length of a direction.
+/// @throws InvalidArgument where it has none or is not finite.
+template <int Dimension>
+[[nodiscard]] double require_length(const char* name, const Vector<double, Dimension>& direction) {
+    const double length = span(direction);
+    require(std::isfinite(length) && length > 0.0, "reference_slopes: ", name,
+            " must have a length, got ", components(direction));
+    return length;
+}
+
+template <int Dimension>
+double distance_apart(const Vector<double, Dimension>& from, const Vector<double, Dimension>& to) {
+    const double length = span(Vector<double, Dimension>(to - from));
+    require(std::isfinite(length) && length > 0.0,
+            "straight_beam: the ends must be finite and apart, got a length of ", length);
+    return length;
+}
+
+template <int Dimension>
+std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
+                                      const Vector<double, Dimension>& from,
+                                      const Vector<double, Dimension>& to,
+                                      const Matrix<double, Dimension>& slopes, int elements) {
+    std::vector<NodeId> nodes;
+    for (int k = 0; k <= elements; ++k) {
+        const double part = static_cast<double>(k) / elements;
+        nodes.push_back(model.add_node((1.0 - part) * from + part * to, slopes));
+    }
+    return nodes;
+}
+
+}  // namespace detail
+
+ANCF_INLINE Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
+                                               const Vector<double, 3>& y_axis) {
+    const double length = detail::require_length("the direction", direction);
+    const double width = detail::require_length("the y axis", y_axis);
+    Matrix<double, 3> slopes;
+    double share = 0.0, square = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        slopes(k, 0) = direction[k] / length;
+        share += y_axis[k] / width * slopes(k, 0);
+    }
+    for (int k = 0; k < 3; ++k) {
+        slopes(k, 1) = y_axis[k] / width - share * slopes(k, 0);
+        square += slopes(k, 1) * slopes(k, 1);
+    }
+    detail::require(std::sqrt(square) > 1e-8,
+                    "reference_slopes: the y axis must not be parallel to the beam, got ",
+                    detail::components(y_axis));
+    for (int k = 0; k < 3; ++k) slopes(k, 1) /= std::sqrt(square);
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3, last = (k + 2) % 3;
+        slopes(k, 2) = slopes(next, 0) * slopes(last, 1) - slopes(last, 0) * slopes(next, 1);
+    }
+    return slopes;
+}
+
+ANCF_INLINE Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction) {
+    const double length = detail::require_length("the direction", direction);
+    const double x = direction[0] / length, y = direction[1] / length, z = direction[2] / length;
+    if (x < -0.9) return reference_slopes(direction, {0.0, 1.0, 0.0});
+    return reference_slopes(direction, {-y, 1.0 - y * y / (1.0 + x), -y * z / (1.0 + x)});
+}
+
+ANCF_INLINE Matrix<double, 2> reference_slopes(const Vector<double, 2>& direction) {
+    const double length = detail::require_length("the direction", direction);
+    Matrix<double, 2> slopes;
+    slopes(0, 0) = slopes(1, 1) = direction[0] / length;
+    slopes(1, 0) = direction[1] / length;
+    slopes(0, 1) = -slopes(1, 0);
+    return slopes;
+}
+
+#if defined(ANCF_SOURCE)
+template double detail::distance_apart<2>(const Vector<double, 2>&, const Vector<double, 2>&);
+template std::vector<NodeId> detail::add_nodes_between<2>(BasicModel<2>&, const Vector<double, 2>&,
+                                                          const Vector<double, 2>&,
+                                                          const Matrix<double, 2>&, int);
+template double detail::distance_apart<3>(const Vector<double, 3>&, const Vector<double, 3>&);
+template std::vector<NodeId> detail::add_nodes_between<3>(BasicModel<3>&, const Vector<double, 3>&,
+                                                          const Vector<double, 3>&,
+                                                          const Matrix<double, 3>&, int);
+#endif
+
+}  // namespace ancf

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Curves of beams: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/constants.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ancf::detail {
+
+ANCF_INLINE Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<double, 3>& tangent,
+                               const Vector<double, 3>& normal, double radius, double angle,
+                               int elements) {
+    require_positive("arc: radius", radius);
+    require_positive("arc: angle", angle);
+    require(elements >= 1, "arc: at least one element is needed, got ", elements);
+    const Matrix<double, 3> start = reference_slopes(tangent, normal);
+    std::vector<CurvePoint<3>> points;
+    for (int k = 0; k <= elements; ++k) {
+        const double turn = angle * k / elements;
+        Matrix<double, 3> rotation;
+        rotation << std::cos(turn), -std::sin(turn), 0.0, std::sin(turn), std::cos(turn), 0.0, 0.0,
+            0.0, 1.0;
+        points.push_back({from + start * Vector<double, 3>(radius * std::sin(turn),
+                                                           radius * (1.0 - std::cos(turn)), 0.0),
+                          start * rotation, start * rotation.col(1) / radius});
+    }
+    return {std::move(points), {radius * angle / elements}};
+}
+
+ANCF_INLINE Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<double, 2>& tangent,
+                               double radius, double angle, int elements) {
+    require_positive("arc: radius", radius);
+    require(std::isfinite(angle) && angle != 0.0, "arc: the angle must not be zero, got ", angle);
+    require(elements >= 1, "arc: at least one element is needed, got ", elements);
+    const Matrix<double, 2> start = reference_slopes(tangent);
+    const double side = angle > 0.0 ? 1.0 : -1.0;
+    std::vector<CurvePoint<2>> points;
+    for (int k = 0; k <= elements; ++k) {
+        const double turn = angle * k / elements;
+        Matrix<double, 2> rotation;
+        rotation << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
+        points.push_back({from + start * Vector<double, 2>(side * radius * std::sin(turn),
+                                                           side * radius * (1.0 - std::cos(turn))),
+                          start * rotation, side / radius * (start * rotation.col(1))});
+    }
+    return {std::move(points), {radius * std::abs(angle) / elements}};
+}
+
+ANCF_INLINE Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<double, 3>& axis,
+                                 const Vector<double, 3>& outward, double radius, double pitch,
+                                 double turns, int elements) {
+    require_positive("helix: radius", radius);
+    require_finite("helix: pitch", pitch);
+    require_positive("helix: turns", turns);
+    require(elements >= 1, "helix: at least one element is needed, got ", elements);
+    const Matrix<double, 3> frame = reference_slopes(axis, outward);  // axis, outward, across
+    const double rise = pitch / (2.0 * pi);
+    const double per_radian = std::sqrt(radius * radius + rise * rise);
+    std::vector<CurvePoint<3>> points;
+    for (int k = 0; k <= elements; ++k) {
+        const double turn = 2.0 * pi * turns * k / elements;
+        const Vector<double, 3> radial =
+            std::cos(turn) * frame.col(1) + std::sin(turn) * frame.col(2);
+        const Vector<double, 3> around =
+            std::cos(turn) * frame.col(2) - std::sin(turn) * frame.col(1);
+        const Vector<double, 3> tangent = (rise * frame.col(0) + radius * around) / per_radian;
+        points.push_back({centre + radius * radial + rise * turn * frame.col(0),
+                          reference_slopes(tangent, Vector<double, 3>(-radial)),
+                          -radius / (per_radian * per_radian) * radial});
+    }
+    return {std::move(points), {2.0 * pi * turns * per_radian / elements}};
+}
+
+ANCF_INLINE Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
+                                  const Vector<double, 3>& y_axis) {
+    const std::size_t count = through.size();
+    require(count >= 2, "spline: at least two points are needed, got ", count);
+    std::vector<double> chords;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+        chords.push_back((through[k + 1] - through[k]).norm());
+        require(std::isfinite(chords[k]) && chords[k] > 0.0, "spline: points ", k, " and ", k + 1,
+                " must be finite and apart");
+    }
+    const auto secant = [&](std::size_t k) -> Vector<double, 3> {
+        return (through[k + 1] - through[k]) / chords[k];
+    };
+    std::vector<CurvePoint<3>> points;
+    for (std::size_t k = 0; k < count; ++k) {
+        Vector<double, 3> tangent, bend = Vector<double, 3>::Zero();
+        if (count == 2) {
+            tangent = secant(0);
+        } else {
+            const std::size_t middle = k == 0 ? 1 : k + 1 == count ? count - 2 : k;
+            const double a = chords[middle - 1], b = chords[middle];
+            tangent = (b * secant(middle - 1) + a * secant(middle)) / (a + b);
+            bend = 2.0 / (a + b) * (secant(middle) - secant(middle - 1));
+            if (k == 0) tangent = 2.0 * secant(0) - tangent;
+            if (k + 1 == count) tangent = 2.0 * secant(count - 2) - tangent;
+        }
+        const double size = tangent.norm();
+        require(size > 1e-9, "spline: the line folds back on itself at point ", k);
+        tangent /= size;
+        bend = (bend - bend.dot(tangent) * tangent) / (size * size);
+        Vector<double, 3> across = y_axis;
+        if (k > 0) {
+            const Vector<double, 3> before = points.back().slopes.col(0);
+            const Vector<double, 3> carried = points.back().slopes.col(1);
+            across =
+                carried - carried.dot(tangent) / (1.0 + before.dot(tangent)) * (before + tangent);
+        }
+        points.push_back({through[k], reference_slopes(tangent, across), bend});
+    }
+    return {std::move(points), chords};
+}
+
+template <int Dimension>
+std::vector<NodeId> add_curve_nodes(BasicModel<Dimension>& model,
+                                    const std::vector<CurvePoint<Dimension>>& points,
+                                    const std::vector<double>& lengths) {
+    require(points.size() >= 2, "beam_through: at least two points are needed, got ",
+            points.size());
+    require(lengths.size() == 1 || lengths.size() + 1 == points.size(),
+            "beam_through: expected one length or ", points.size() - 1, ", got ", lengths.size());
+    std::vector<NodeId> nodes;
+    for (const auto& point : points)
+        nodes.push_back(model.add_node(point.position, point.slopes, point.curvature));
+    return nodes;
+}
+
+template <int Dimension>
+void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
+                           const CurvePoint<Dimension>& second, double* e) {
+    for (const auto* point : {&first, &second})
+        for (int k = 0; k < field_count; ++k) {
+            const auto field = static_cast<Field>(k);
+            if (!fields.contains(field)) continue;
+            for (int i = 0; i < Dimension; ++i)
+                *e++ = field == Field::r      ? point->position[i]
+                       : field == Field::r_xx ? point->curvature[i]
+                                              : point->slopes(i, k - 1);
+        }
+}
+
+#if defined(ANCF_SOURCE)
+template std::vector<NodeId> add_curve_nodes<2>(BasicModel<2>&, const std::vector<CurvePoint<2>>&,
+                                                const std::vector<double>&);
+template void reference_coordinates<2>(Fields, const CurvePoint<2>&, const CurvePoint<2>&, double*);
+template std::vector<NodeId> add_curve_nodes<3>(BasicModel<3>&, const std::vector<CurvePoint<3>>&,
+                                                const std::vector<double>&);
+template void reference_coordinates<3>(Fields, const CurvePoint<3>&, const CurvePoint<3>&, double*);
+#endif
+
+}  // namespace ancf::detail

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Constraints: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ancf::detail {
+
+ANCF_INLINE DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
+                                   double to) {
+    DrivenTurn most;
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+        const double turn =
+            std::abs(constraints[k].driven_angle(to) - constraints[k].driven_angle(from));
+        if (turn > most.angle) most = {turn, k};
+    }
+    return most;
+}
+
+ANCF_INLINE std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
+                                         const DrivenTurn& turn, double from, double to) {
+    return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),
+                   ") is driven by ", turn.angle, " rad between ", from, " and ", to,
+                   ", one step takes ", largest_driven_turn, " rad"},
+                  6);
+}
+
+}  // namespace ancf::detail

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents.
+///
+/// Each holds the nodes' positions together and some angles between their frames by bilinear forms
+/// of the frames' axes. Axes are given in global components as they stand when the joint is made;
+/// the joint keeps them fixed in the frames. Equations in m come first, with multipliers in N, then
+/// those of angles (sines and cosines), with multipliers in N m. Sines grow beyond pi/3 until pi
+/// (turn.hpp): no joint holds half a turn off.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ancf {
+
+/// A frame at a node.
+///
+/// By default that of its section: between r_y and r_z, so that a torque divides as the torsion of
+/// the node's elements does (Layout::torsion_share), or, where a node has no r_z, t along r_x and n
+/// the part of r_y normal to it. What a joint transmits then enters through the section.
+/// Two slopes make the frame t along the first, n the part of the second normal to t: with r_x and
+/// r_y the joint turns the tangent, and one element's shear alone passes the moment on, which is
+/// too soft by 3 M/(k G A l) whatever the mesh.
+struct FrameAt {
+    NodeId node;                ///< where
+    bool of_section = true;     ///< the default; the slopes do not count then
+    Field first = Field::r_x;   ///< along the axis t
+    Field second = Field::r_y;  ///< in the plane of t and n
+
+    /// The frame of a node's section.
+    FrameAt(NodeId at) : node(at) {}  // NOLINT: a node has a frame
+
+    /// @throws InvalidArgument unless both are of r_x, r_y, r_z and differ.
+    FrameAt(NodeId at, Field along, Field across);
+};
+
+namespace detail {
+
+/// What a joint holds on one side.
+enum class SideKind {
+    space,    ///< a frame that rests
+    frame,    ///< two slopes of a node
+    section,  ///< r_y and r_z of a node
+    tangent   ///< one slope of a node
+};
+
+/// One side of a joint as it stands when the joint is made.
+struct JointSide {
+    SideKind kind;
+    FrameAt at = NodeId{};
+    Matrix<double, 3> axes = Matrix<double, 3>::Identity();  ///< at the start; for space always
+    Vector<double, 3> place = Vector<double, 3>::Zero();     ///< at the start
+    double share = 0.5;                                      ///< of r_y in a section's torque
+
+    [[nodiscard]] int vectors() const noexcept {
+        return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;
+    }
+    [[nodiscard]] std::string name() const;
+
+    static JointSide frame(const BasicModel<3>& model, const FrameAt& at);
+    static JointSide tangent(const BasicModel<3>& model, NodeId node);
+    /// Space, at the place of a node.
+    static JointSide space(const BasicModel<3>& model, NodeId at);
+};
+
+template <class Scalar>
+struct Forms;
+
+/// Positions held together (where asked) and angles of two frames held at zero.
+///
+/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine
+/// of the angle whose sine is |s|, or 1 where there is no such form.
+class FrameJoint {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    [[nodiscard]] Coupling coupling() const;
+    [[nodiscard]] int equations() const {
+        return positions() + static_cast<int>(constants_.size());
+    }
+    [[nodiscard]] std::string name() const;
+
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
+
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+    [[nodiscard]] double driven_angle(double time) const {
+        return angle_ ? angle_->value(time) : 0.0;
+    }
+
+protected:
+    FrameJoint(std::string what, JointSide a, JointSide b, bool positions);
+
+    /// Adds the equation sum C_ij A_i.B_j = constant.
+    void add_form(const Matrix<double, 3>& coefficients, double constant = 0.0);
+
+    /// Tells the cosine of the angle that the equations are the sine of.
+    void hold_angle(const Matrix<double, 3>& cosine);
+
+    /// Holds the frames' relative turn at that of the start, further turned about an axis of A.
+    void hold_turn(const Vector<double, 3>& axis_in_a, std::optional<Motion> angle);
+
+    [[nodiscard]] const JointSide& a() const noexcept { return a_; }
+    [[nodiscard]] const JointSide& b() const noexcept { return b_; }
+
+private:
+    // The frames and the equations' forms at one place.
+    template <class Scalar>
+    struct At;
+
+    [[nodiscard]] int positions() const noexcept { return pinned_ ? 3 : 0; }
+    [[nodiscard]] int first_slope() const noexcept {
+        return !pinned_ ? 0 : b_.kind == SideKind::space ? 3 : 6;
+    }
+
+    // The forms' coefficients at a time and, only where an angle is driven, their derivatives.
+    template <class Scalar>
+    [[nodiscard]] Forms<Scalar> forms(const Scalar& time) const;
+    template <class Scalar>
+    [[nodiscard]] Forms<Scalar> form_rates(const Scalar& time) const;
+    [[nodiscard]] Forms<double> form_accelerations(double time) const;
+
+    std::string what_;
+    JointSide a_, b_;
+    bool pinned_;
+    std::vector<Matrix<double, 3>> sines_;                  // forms at the start
+    Matrix<double, 3> cosine_ = Matrix<double, 3>::Zero();  // form at the start
+    std::vector<double> constants_;                         // of the sines
+    double cosine_constant_ = 0.0;
+    bool angular_ = false;  // the sines are of an angle that has the cosine
+    Matrix<double, 3> relative_ = Matrix<double, 3>::Identity();  // R_A^T R_B at the start
+    Matrix<double, 3> turn_ = Matrix<double, 3>::Zero();          // [axis]x in A
+    std::optional<Motion> angle_;
+};
+
+}  // namespace detail
+
+/// A hinge: positions held together, and an axis fixed in both frames; 5 equations.
+///
+/// With w the axis in A and u, v normal to it in B: F w.u = 0, F w.v = 0.
+class Revolute : public detail::FrameJoint {
+public:
+    /// @param axis  in global components, as the model stands.
+    /// @throws InvalidArgument for an axis of no length, equal nodes or a node without a frame.
+    Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
+             const VectorArgument<3>& axis);
+
+    /// A hinge to space, at the place where the node stands.
+    /// @param axis  in global components, as the model stands.
+    /// @throws InvalidArgument for an axis of no length or a node without a frame.
+    Revolute(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis);
+
+private:
+    void hold(const Vector<double, 3>& axis);
+};
+
+/// Positions and frames held together at the angle of the start; 6 equations.
+///
+/// The last three are F sin(angle) times the axis of the frames' relative turn since the start, in
+/// A.
+class Weld : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for equal nodes or a node without a frame.
+    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b);
+
+    /// A weld to space, as the node stands.
+    /// @throws InvalidArgument for a node without a frame.
+    Weld(const BasicModel<3>& model, const FrameAt& a);
+};
+
+/// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
+/// 6 equations. The multiplier of the axis is the motor's moment.
+class DrivenRevolute : public detail::FrameJoint {
+public:
+    /// @param axis   in global components, as the model stands.
+    /// @param angle  rad, of time in s.
+    /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes
+    ///         or a node without a frame.
+    DrivenRevolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
+                   const VectorArgument<3>& axis, Motion angle);
+
+    /// A driven hinge to space: the node turns by -angle(t) against space.
+    /// @param axis   in global components, as the model stands.
+    /// @param angle  rad, of time in s.
+    /// @throws InvalidArgument for an axis of no length, a motion that is not complete or a node
+    ///         without a frame.
+    DrivenRevolute(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis,
+                   Motion angle);
+
+private:
+    void hold(const Vector<double, 3>& axis, Motion angle);
+};
+
+/// A universal (Cardan) joint: positions held together, and the angle between an axis of A and one
+/// of B kept; 4 equations.
+class Universal : public detail::FrameJoint {
+public:
+    /// @param axis_of_a, axis_of_b  in global components, as the model stands.
+    /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a
+    ///         frame.
+    Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
+              const VectorArgument<3>& axis_of_a, const VectorArgument<3>& axis_of_b);
+
+    /// A universal joint to space.
+    /// @throws InvalidArgument for axes of no length or parallel, or a node without a frame.
+    Universal(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis_of_a,
+              const VectorArgument<3>& axis_of_space);
+
+private:
+    void hold(const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b);
+};
+
+/// The tangent r_x of a node kept in the direction that it has in another node's frame, or in
+/// space; 2 equations. With a Pin it welds a cable, whose node has no frame, to a beam or to space.
+class AlignedTangent : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for equal nodes, a node without a frame or a tangent of no length.
+    AlignedTangent(const BasicModel<3>& model, const FrameAt& frame, NodeId tangent);
+
+    /// The direction kept in space.
+    /// @throws InvalidArgument for a tangent of no length.
+    AlignedTangent(const BasicModel<3>& model, NodeId tangent);
+
+private:
+    void hold();
+};
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/constraints/joints.ipp>  // IWYU pragma: export
+#endif

@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Joints between node frames: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraints/frames.hpp>
+#include <ancf/model/constraints/joints.hpp>
+#include <ancf/model/constraints/turn.hpp>
+#include <ancf/model/triad.hpp>
+#include <ancf/types.hpp>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+ANCF_INLINE FrameAt::FrameAt(NodeId at, Field along, Field across)
+    : node(at), of_section(false), first(along), second(across) {
+    detail::require_slope("FrameAt", along, 3);
+    detail::require_slope("FrameAt", across, 3);
+    detail::require(along != across, "FrameAt: a frame needs two different slopes, got ",
+                    to_string(along), " twice");
+}
+
+namespace detail {
+
+/// Returns the frame of two slopes of a side.
+template <class Scalar>
+[[nodiscard]] Triad<Scalar> triad_of(const JointSide& side, const Vector<Scalar, 3>& p,
+                                     const Vector<Scalar, 3>& a) {
+    return side.kind == SideKind::section ? Triad<Scalar>::of_section(p, a, side.share)
+                                          : Triad<Scalar>::of_slopes(p, a);
+}
+
+/// Returns the frame of a side at its slopes, which start at q[first].
+template <class Scalar>
+[[nodiscard]] Triad<Scalar> triad_of(const JointSide& side, const DynamicVector<Scalar>& q,
+                                     int first) {
+    if (side.kind == SideKind::space) return Triad<Scalar>::at_rest(side.axes);
+    const Vector<Scalar, 3> p = q.template segment<3>(first);
+    if (side.kind == SideKind::tangent) return Triad<Scalar>::of_tangent(p);
+    return triad_of<Scalar>(side, p, Vector<Scalar, 3>(q.template segment<3>(first + 3)));
+}
+
+ANCF_INLINE std::string JointSide::name() const {
+    return kind == SideKind::space ? "space" : "node " + std::to_string(at.node.index);
+}
+
+ANCF_INLINE JointSide JointSide::frame(const BasicModel<3>& model, const FrameAt& at) {
+    JointSide side{SideKind::frame, at};
+    if (at.of_section && model.layout().index({at.node, Field::r_z}) >= 0) {
+        side.kind = SideKind::section;
+        side.at.first = Field::r_y;
+        side.at.second = Field::r_z;
+        side.share = model.layout().torsion_share(at.node);
+    }
+    const Vector<double, 3> p = model.value(at.node, side.at.first);
+    const Vector<double, 3> a = model.value(at.node, side.at.second);
+    side.axes = triad_of<double>(side, p, a).axes;
+    side.place = model.position(at.node);
+    require(side.axes.allFinite(), "a joint needs a frame: the slopes of node ", at.node.index,
+            " are parallel or of no length");
+    return side;
+}
+
+ANCF_INLINE JointSide JointSide::tangent(const BasicModel<3>& model, NodeId node) {
+    JointSide side{SideKind::tangent, node};
+    side.axes = Triad<double>::of_tangent(model.value(node, Field::r_x)).axes;
+    require(side.axes.allFinite(), "a joint needs a tangent: r_x of node ", node.index,
+            " has no length");
+    return side;
+}
+
+ANCF_INLINE JointSide JointSide::space(const BasicModel<3>& model, NodeId at) {
+    JointSide side{SideKind::space, NodeId{}};
+    side.place = model.position(at);
+    return side;
+}
+
+/// Returns two unit vectors normal to a unit vector and to each other.
+ANCF_INLINE std::array<Vector<double, 3>, 2> normals_of(const Vector<double, 3>& axis) {
+    int smallest = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(axis[k]) < std::abs(axis[smallest])) smallest = k;
+    Vector<double, 3> other = Vector<double, 3>::Zero();
+    other[smallest] = 1.0;
+    const Vector<double, 3> normal = cross(axis, other), u = normal / normal.norm();
+    return {u, cross(axis, u)};
+}
+
+ANCF_INLINE Vector<double, 3> unit_axis(const char* joint, const Vector<double, 3>& axis) {
+    const double length = axis.norm();
+    require(std::isfinite(length) && length > 0.0, joint, ": the axis must have a length, got ",
+            detail::components(axis));
+    return axis / length;
+}
+
+/// Returns R^T v: the components of v in a frame.
+ANCF_INLINE Vector<double, 3> turned_back(const Matrix<double, 3>& axes,
+                                          const Vector<double, 3>& v) {
+    Vector<double, 3> out;
+    for (int k = 0; k < 3; ++k) out[k] = axes(0, k) * v[0] + axes(1, k) * v[1] + axes(2, k) * v[2];
+    return out;
+}
+
+/// Returns u v^T.
+ANCF_INLINE Matrix<double, 3> outer(const Vector<double, 3>& u, const Vector<double, 3>& v) {
+    Matrix<double, 3> out;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) out(i, j) = u[i] * v[j];
+    return out;
+}
+
+/// The sines and the cosine stand here less their constants.
+template <class Scalar>
+struct FrameJoint::At {
+    Triad<Scalar> a, b;
+    std::vector<FrameForm<Scalar>> sines;
+    FrameForm<Scalar> cosine;
+    TurnFactor<Scalar> factor = {};
+
+    At(const FrameJoint& joint, const DynamicVector<Scalar>& q, const Scalar& time)
+        : At(joint, q, joint.forms(time)) {}
+
+    At(const FrameJoint& joint, const DynamicVector<Scalar>& q, const Forms<Scalar>& forms)
+        : a(triad_of(joint.a_, q, joint.first_slope())),
+          b(triad_of(joint.b_, q, joint.first_slope() + 3 * joint.a_.vectors())),
+          cosine(forms.cosine, a, b) {
+        cosine.value -= Scalar(joint.cosine_constant_);
+        double square = 0.0;
+        for (std::size_t k = 0; k < forms.sines.size(); ++k) {
+            sines.emplace_back(forms.sines[k], a, b);
+            sines[k].value -= Scalar(joint.constants_[k]);
+            square += std::real(sines[k].value) * std::real(sines[k].value);
+        }
+        if (joint.angular_) factor = turn_factor(std::sqrt(square), cosine.value);
+    }
+
+    /// Returns the derivatives of the sines and, where the factor varies, of the cosine after them.
+    [[nodiscard]] std::vector<FormCourse> courses(const FrameJoint& joint,
+                                                  const ConstraintState& at) const {
+        Vector<double, 12> v = Vector<double, 12>::Zero();
+        for (int k = 0; k < a.width + b.width; ++k) v[k] = at.v[joint.first_slope() + k];
+        const Forms<double> now = joint.forms(at.time);
+        std::vector<FormCourse> out;
+        for (const Matrix<double, 3>& form : now.sines) out.emplace_back(form, a, b, v);
+        if (factor.varies) out.emplace_back(now.cosine, a, b, v);
+        if (!joint.angle_) return out;
+        const Forms<double> rates = joint.form_rates(at.time),
+                            accelerations = joint.form_accelerations(at.time);
+        for (std::size_t k = 0; k < now.sines.size(); ++k)
+            out[k].move(rates.sines[k], accelerations.sines[k], a, b, v);
+        if (factor.varies) out.back().move(rates.cosine, accelerations.cosine, a, b, v);
+        return out;
+    }
+};
+
+ANCF_INLINE FrameJoint::FrameJoint(std::string what, JointSide a, JointSide b, bool positions)
+    : what_(std::move(what)), a_(std::move(a)), b_(std::move(b)), pinned_(positions) {
+    require(a_.kind == SideKind::space || b_.kind == SideKind::space || a_.at.node != b_.at.node,
+            "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
+}
+
+ANCF_INLINE void FrameJoint::add_form(const Matrix<double, 3>& coefficients, double constant) {
+    sines_.push_back(coefficients);
+    constants_.push_back(constant);
+}
+
+ANCF_INLINE void FrameJoint::hold_angle(const Matrix<double, 3>& cosine) {
+    cosine_ = cosine;
+    angular_ = true;
+}
+
+ANCF_INLINE void FrameJoint::hold_turn(const Vector<double, 3>& axis_in_a,
+                                       std::optional<Motion> angle) {
+    relative_ = a_.axes.transpose() * b_.axes;
+    turn_ = cross_matrix(axis_in_a);
+    angle_ = std::move(angle);
+    const Forms<double> held = turn_forms<double>(relative_);
+    for (const Matrix<double, 3>& form : held.sines) add_form(form);
+    hold_angle(held.cosine);
+    cosine_constant_ = 0.5;
+}
+
+ANCF_INLINE Coupling FrameJoint::coupling() const {
+    Coupling all;
+    if (pinned_) all.push_back({a_.at.node, Field::r});
+    if (pinned_ && b_.kind != SideKind::space) all.push_back({b_.at.node, Field::r});
+    for (const JointSide* side : {&a_, &b_}) {
+        if (side->vectors() >= 1) all.push_back({side->at.node, side->at.first});
+        if (side->vectors() == 2) all.push_back({side->at.node, side->at.second});
+    }
+    return all;
+}
+
+ANCF_INLINE std::string FrameJoint::name() const {
+    return what_ + " of " + a_.name() + " and " + b_.name();
+}
+
+template <class Scalar>
+Forms<Scalar> FrameJoint::forms(const Scalar& time) const {
+    if (angle_) {
+        const Scalar angle = continued(angle_->value, angle_->rate, time);
+        return turn_forms<Scalar>(rotation_about(turn_, angle) * relative_.template cast<Scalar>());
+    }
+    Forms<Scalar> out;
+    for (const Matrix<double, 3>& form : sines_) out.sines.push_back(form.template cast<Scalar>());
+    out.cosine = cosine_.template cast<Scalar>();
+    return out;
+}
+
+template <class Scalar>
+Forms<Scalar> FrameJoint::form_rates(const Scalar& time) const {
+    const Scalar angle = continued(angle_->value, angle_->rate, time);
+    const Scalar speed = continued(angle_->rate, angle_->acceleration, time);
+    return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() * rotation_about(turn_, angle) *
+                              relative_.template cast<Scalar>());
+}
+
+ANCF_INLINE Forms<double> FrameJoint::form_accelerations(double time) const {
+    const double speed = angle_->rate(time);
+    const Matrix<double, 3> bend =
+        angle_->acceleration(time) * turn_ + speed * speed * turn_ * turn_;
+    const Matrix<double, 3> turned = rotation_about(turn_, angle_->value(time)) * relative_;
+    return turn_forms<double>(bend * turned);
+}
+
+template <class Scalar>
+DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q,
+                                            const Scalar& time) const {
+    DynamicVector<Scalar> g(equations());
+    if (pinned_) {
+        for (int k = 0; k < 3; ++k)
+            g[k] = q[k] - (b_.kind == SideKind::space ? Scalar(b_.place[k]) : q[3 + k]);
+    }
+    const At<Scalar> at(*this, q, time);
+    int row = positions();
+    for (const FrameForm<Scalar>& sine : at.sines) g[row++] = at.factor.value * sine.value;
+    return g;
+}
+
+template <class Scalar>
+DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
+                                           const Scalar& time) const {
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(equations(), q.size());
+    if (pinned_) {
+        for (int k = 0; k < 3; ++k) {
+            g(k, k) = Scalar(1.0);
+            if (b_.kind != SideKind::space) g(k, 3 + k) = Scalar(-1.0);
+        }
+    }
+    const int width = 3 * (a_.vectors() + b_.vectors());
+    const At<Scalar> at(*this, q, time);
+    const Vector<Scalar, 12> of_cosine = at.cosine.gradient(at.a, at.b);
+    int row = positions();
+    for (const FrameForm<Scalar>& sine : at.sines) {
+        const Vector<Scalar, 12> of_sine = sine.gradient(at.a, at.b);
+        for (int k = 0; k < width; ++k)
+            g(row, first_slope() + k) =
+                at.factor.value * of_sine[k] + sine.value * at.factor.first * of_cosine[k];
+        ++row;
+    }
+    return g;
+}
+
+template <class Scalar>
+DynamicVector<Scalar> FrameJoint::rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(equations());
+    if (!angle_) return g;
+    const At<Scalar> at(*this, q, time);
+    const Forms<Scalar> rates = form_rates(time);
+    const Scalar of_cosine = FrameForm<Scalar>(rates.cosine, at.a, at.b).value;
+    for (std::size_t k = 0; k < at.sines.size(); ++k)
+        g[positions() + static_cast<int>(k)] =
+            at.factor.value * FrameForm<Scalar>(rates.sines[k], at.a, at.b).value +
+            at.sines[k].value * at.factor.first * of_cosine;
+    return g;
+}
+
+ANCF_INLINE void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    const At<double> here(*this, at.q, at.time);
+    const TurnFactor<double>& factor = here.factor;
+    const std::vector<FormCourse> forms = here.courses(*this, at);
+    const int first = first_slope();
+    const int width = 3 * (a_.vectors() + b_.vectors());
+    for (std::size_t k = 0; k < here.sines.size(); ++k) {
+        const int row = positions() + static_cast<int>(k);
+        out.convection[row] = factor.value * forms[k].bend;
+        const double force = at.multipliers[row] * factor.value;
+        for (int j = 0; j < width; ++j)
+            for (int i = 0; i < width; ++i)
+                out.stiffness(first + i, first + j) += force * forms[k].hessian(i, j);
+    }
+    if (!factor.varies) return;
+    // (F s)_qq = F s_qq + F' (s_q c_q^T + c_q s_q^T + s c_qq) + F'' s c_q c_q^T
+    const FormCourse& c = forms.back();
+    for (std::size_t k = 0; k < here.sines.size(); ++k) {
+        const int row = positions() + static_cast<int>(k);
+        const double s = here.sines[k].value, force = at.multipliers[row];
+        out.convection[row] += factor.first * (2.0 * c.speed * forms[k].speed + s * c.bend) +
+                               factor.second * s * c.speed * c.speed;
+        const Vector<double, 12>& by_q = forms[k].gradient;
+        for (int j = 0; j < width; ++j)
+            for (int i = 0; i < width; ++i)
+                out.stiffness(first + i, first + j) +=
+                    force * (factor.first * (by_q[i] * c.gradient[j] + c.gradient[i] * by_q[j] +
+                                             s * c.hessian(i, j)) +
+                             factor.second * s * c.gradient[i] * c.gradient[j]);
+    }
+}
+
+#if defined(ANCF_SOURCE)
+ANCF_CONSTRAINT_INSTANCES(FrameJoint)
+#endif
+
+}  // namespace detail
+
+ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
+                               const VectorArgument<3>& axis)
+    : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::frame(model, b), true) {
+    hold(axis);
+}
+
+ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a,
+                               const VectorArgument<3>& axis)
+    : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::space(model, a.node), true) {
+    hold(axis);
+}
+
+ANCF_INLINE void Revolute::hold(const Vector<double, 3>& axis) {
+    const Vector<double, 3> unit = detail::unit_axis("Revolute", axis);
+    const Vector<double, 3> w = detail::turned_back(a().axes, unit);
+    for (const Vector<double, 3>& normal : detail::normals_of(unit))
+        add_form(detail::outer(w, detail::turned_back(b().axes, normal)));
+    hold_angle(detail::outer(w, detail::turned_back(b().axes, unit)));
+}
+
+ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b)
+    : FrameJoint("weld", detail::JointSide::frame(model, a), detail::JointSide::frame(model, b),
+                 true) {
+    hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+}
+
+ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a)
+    : FrameJoint("weld", detail::JointSide::frame(model, a),
+                 detail::JointSide::space(model, a.node), true) {
+    hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+}
+
+ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
+                                           const FrameAt& b, const VectorArgument<3>& axis,
+                                           Motion angle)
+    : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::frame(model, b), true) {
+    hold(axis, std::move(angle));
+}
+
+ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
+                                           const VectorArgument<3>& axis, Motion angle)
+    : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::space(model, a.node), true) {
+    hold(axis, std::move(angle));
+}
+
+ANCF_INLINE void DrivenRevolute::hold(const Vector<double, 3>& axis, Motion angle) {
+    angle.check("DrivenRevolute");
+    hold_turn(detail::turned_back(a().axes, detail::unit_axis("DrivenRevolute", axis)),
+              std::move(angle));
+}
+
+ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
+                                 const VectorArgument<3>& axis_of_a,
+                                 const VectorArgument<3>& axis_of_b)
+    : FrameJoint("universal joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::frame(model, b), true) {
+    hold(axis_of_a, axis_of_b);
+}
+
+ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a,
+                                 const VectorArgument<3>& axis_of_a,
+                                 const VectorArgument<3>& axis_of_space)
+    : FrameJoint("universal joint", detail::JointSide::frame(model, a),
+                 detail::JointSide::space(model, a.node), true) {
+    hold(axis_of_a, axis_of_space);
+}
+
+ANCF_INLINE void Universal::hold(const Vector<double, 3>& axis_of_a,
+                                 const Vector<double, 3>& axis_of_b) {
+    const Vector<double, 3> u = detail::unit_axis("Universal", axis_of_a);
+    const Vector<double, 3> w = detail::unit_axis("Universal", axis_of_b);
+    detail::require(cross(u, w).norm() > 1e-3, "Universal: the axes must not be parallel, got ",
+                    detail::components(axis_of_a), " and ", detail::components(axis_of_b));
+    add_form(detail::outer(detail::turned_back(a().axes, u), detail::turned_back(b().axes, w)),
+             u.dot(w));
+}
+
+ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, const FrameAt& frame,
+                                           NodeId tangent)
+    : FrameJoint("aligned tangent", detail::JointSide::frame(model, frame),
+                 detail::JointSide::tangent(model, tangent), false) {
+    hold();
+}
+
+ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, NodeId tangent)
+    : FrameJoint("aligned tangent", detail::JointSide::space(model, tangent),
+                 detail::JointSide::tangent(model, tangent), false) {
+    hold();
+}
+
+ANCF_INLINE void AlignedTangent::hold() {
+    const Vector<double, 3> t = b().axes.col(0);
+    for (const Vector<double, 3>& normal : detail::normals_of(t))
+        add_form(detail::outer(detail::turned_back(a().axes, normal), {1.0, 0.0, 0.0}));
+    hold_angle(detail::outer(detail::turned_back(a().axes, t), {1.0, 0.0, 0.0}));
+}
+
+}  // namespace ancf

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
+///
+/// The angle th of a slope p has dth = (p x dp)/|p|^2. The joint holds F sin psi = 0 with
+/// psi = th_b - th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <optional>
+#include <string>
+
+namespace ancf {
+
+/// Positions and the angle between two slopes held, or that angle driven; 3 equations.
+class PlanarWeld {
+public:
+    static constexpr int dimension = 2;  ///< of the model it belongs to
+
+    /// @param slope  whose direction counts on both sides; without it r_y, the section's, where a
+    ///               node carries it, and r_x elsewhere.
+    /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
+    ///         is not complete.
+    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {});
+
+    /// As above, the angle driven.
+    /// @param angle  added to the angle of the start, rad.
+    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
+               std::optional<Field> slope = {});
+
+    /// A weld to space, at the node's place.
+    explicit PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope = {});
+
+    /// A driven hinge to space: the node turns by -angle(t).
+    PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {});
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const;
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return 3; }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const;
+
+    /// Returns the angle that it is driven to, rad.
+    [[nodiscard]] double driven_angle(double time) const { return angle_.value(time); }
+
+    /// Returns g.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
+    /// Returns G = dg/dq.
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
+    /// Returns g_t.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+private:
+    // F sin psi and its derivatives with respect to psi = th_b - th_a - start - phi; of complex
+    // numbers the second is not continued.
+    template <class Scalar>
+    struct Held {
+        Scalar value, first, second;
+    };
+
+    template <class Scalar>
+    [[nodiscard]] Held<Scalar> held(const DynamicVector<Scalar>& q, const Scalar& time) const;
+
+    // d(th_b - th_a)/dq
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> angle_gradient(const DynamicVector<Scalar>& q) const;
+    [[nodiscard]] MatrixX angle_hessian(const VectorX& q) const;
+
+    [[nodiscard]] int place_of_a() const noexcept { return to_space_ ? 2 : 4; }
+
+    NodeId a_, b_;
+    bool to_space_;
+    Field slope_a_, slope_b_;
+    Motion angle_;
+    double start_ = 0.0;  // th_b - th_a at the start, rad
+    Vector<double, 2> place_ = Vector<double, 2>::Zero();
+};
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/constraints/planar.ipp>  // IWYU pragma: export
+#endif

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Joints of the plane: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraints/planar.hpp>
+#include <ancf/model/constraints/turn.hpp>
+#include <ancf/model/triad.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace ancf {
+
+namespace detail {
+
+/// Returns the slope whose direction counts.
+ANCF_INLINE Field planar_slope(const BasicModel<2>& model, NodeId node,
+                               std::optional<Field> slope) {
+    if (slope) require_slope("PlanarWeld", *slope, 2);
+    const bool section = model.layout().index({node, Field::r_y}) >= 0;
+    return slope.value_or(section ? Field::r_y : Field::r_x);
+}
+
+/// Returns the angle of a slope, rad.
+ANCF_INLINE double planar_heading(const BasicModel<2>& model, NodeId node, Field slope) {
+    const Vector<double, 2> p = model.value(node, slope);
+    require(p.norm() > 0.0, "PlanarWeld: ", to_string(slope), " of node ", node.index,
+            " has no length");
+    return std::atan2(p[1], p[0]);
+}
+
+}  // namespace detail
+
+ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b,
+                                   std::optional<Field> slope)
+    : PlanarWeld(model, a, b, detail::resting_at(0.0), slope) {}
+
+ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
+                                   std::optional<Field> slope)
+    : a_(a),
+      b_(b),
+      to_space_(false),
+      slope_a_(detail::planar_slope(model, a, slope)),
+      slope_b_(detail::planar_slope(model, b, slope)),
+      angle_(std::move(angle)) {
+    detail::require(a != b, "PlanarWeld: two nodes are joined, got node ", a.index, " twice");
+    angle_.check("PlanarWeld");
+    start_ =
+        detail::planar_heading(model, b, slope_b_) - detail::planar_heading(model, a, slope_a_);
+}
+
+ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope)
+    : PlanarWeld(model, a, detail::resting_at(0.0), slope) {}
+
+ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle,
+                                   std::optional<Field> slope)
+    : a_(a),
+      b_(a),
+      to_space_(true),
+      slope_a_(detail::planar_slope(model, a, slope)),
+      slope_b_(slope_a_),
+      angle_(std::move(angle)) {
+    angle_.check("PlanarWeld");
+    place_ = model.position(a);
+    start_ = -detail::planar_heading(model, a, slope_a_);
+}
+
+ANCF_INLINE Coupling PlanarWeld::coupling() const {
+    if (to_space_) return {{a_, Field::r}, {a_, slope_a_}};
+    return {{a_, Field::r}, {b_, Field::r}, {a_, slope_a_}, {b_, slope_b_}};
+}
+
+ANCF_INLINE std::string PlanarWeld::name() const {
+    return "planar weld of node " + std::to_string(a_.index) + " and " +
+           (to_space_ ? std::string("space") : "node " + std::to_string(b_.index));
+}
+
+template <class Scalar>
+PlanarWeld::Held<Scalar> PlanarWeld::held(const DynamicVector<Scalar>& q,
+                                          const Scalar& time) const {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const Vector<Scalar, 2> a = q.template segment<2>(place_of_a());
+    Vector<Scalar, 2> b(Scalar(1.0), Scalar(0.0));
+    if (!to_space_) b = q.template segment<2>(6);
+    const Scalar lengths = sqrt(Scalar(a.transpose() * a) * Scalar(b.transpose() * b));
+    const Scalar sine = (a[0] * b[1] - a[1] * b[0]) / lengths;
+    const Scalar cosine = Scalar(a.transpose() * b) / lengths;
+    const Scalar target = start_ + detail::continued(angle_.value, angle_.rate, time);
+    const Scalar s = sine * cos(target) - cosine * sin(target),
+                 c = cosine * cos(target) + sine * sin(target);
+    const auto f = detail::turn_factor(std::real(s), c);
+    return {f.value * s, f.value * c - f.first * s * s,
+            -(f.value * s) - s * (3.0 * f.first * c - f.second * s * s)};
+}
+
+template <class Scalar>
+DynamicVector<Scalar> PlanarWeld::angle_gradient(const DynamicVector<Scalar>& q) const {
+    DynamicVector<Scalar> d = DynamicVector<Scalar>::Zero(q.size());
+    const auto add = [&](int at, double sign) {
+        const Vector<Scalar, 2> p = q.template segment<2>(at);
+        const Scalar square = p.transpose() * p;
+        d[at] = -sign * p[1] / square;
+        d[at + 1] = sign * p[0] / square;
+    };
+    add(place_of_a(), -1.0);
+    if (!to_space_) add(6, 1.0);
+    return d;
+}
+
+ANCF_INLINE MatrixX PlanarWeld::angle_hessian(const VectorX& q) const {
+    MatrixX h = MatrixX::Zero(q.size(), q.size());
+    const auto add = [&](int at, double sign) {
+        const double x = q[at];
+        const double y = q[at + 1];
+        const double scale = sign / ((x * x + y * y) * (x * x + y * y));
+        h(at, at) = 2.0 * scale * x * y;
+        h(at + 1, at + 1) = -h(at, at);
+        h(at, at + 1) = h(at + 1, at) = scale * (y * y - x * x);
+    };
+    add(place_of_a(), -1.0);
+    if (!to_space_) add(6, 1.0);
+    return h;
+}
+
+template <class Scalar>
+DynamicVector<Scalar> PlanarWeld::violation(const DynamicVector<Scalar>& q,
+                                            const Scalar& time) const {
+    DynamicVector<Scalar> g(3);
+    g[0] = q[0];
+    g[1] = q[1];
+    for (int k = 0; k < 2; ++k) g[k] -= to_space_ ? Scalar(place_[k]) : q[2 + k];
+    g[2] = held(q, time).value;
+    return g;
+}
+
+template <class Scalar>
+DynamicMatrix<Scalar> PlanarWeld::jacobian(const DynamicVector<Scalar>& q,
+                                           const Scalar& time) const {
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(3, q.size());
+    for (int k = 0; k < 2; ++k) {
+        g(k, k) = Scalar(1.0);
+        if (!to_space_) g(k, 2 + k) = Scalar(-1.0);
+    }
+    g.row(2) = held(q, time).first * angle_gradient(q).transpose();
+    return g;
+}
+
+template <class Scalar>
+DynamicVector<Scalar> PlanarWeld::rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
+    DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(3);
+    g[2] = -held(q, time).first * detail::continued(angle_.rate, angle_.acceleration, time);
+    return g;
+}
+
+ANCF_INLINE void PlanarWeld::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    const Held<double> now = held(at.q, at.time);
+    const VectorX gradient = angle_gradient(at.q);
+    const MatrixX curvature = angle_hessian(at.q);
+    out.stiffness =
+        at.multipliers[2] * (now.first * curvature + now.second * gradient * gradient.transpose());
+    const VectorX bent = curvature * at.v;  // named: within the product g++ 12 warns
+    const double speed = gradient.dot(at.v) - angle_.rate(at.time);
+    out.convection[2] =
+        now.first * (at.v.dot(bent) - angle_.acceleration(at.time)) + now.second * speed * speed;
+}
+
+#if defined(ANCF_SOURCE)
+ANCF_CONSTRAINT_INSTANCES(PlanarWeld)
+#endif
+
+}  // namespace ancf

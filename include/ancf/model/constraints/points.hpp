@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Constraints on coordinates and points: fixed coordinates, pins, distances.
+///
+/// violation, jacobian and rate are templates on the scalar so that the tests differentiate them by
+/// a complex step; evaluate is what a model calls. docs/theory-dynamics.md derives each term.
+
+#pragma once
+
+#include <ancf/element/requirement.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/types.hpp>
+#include <ancf/vector_argument.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// A material point: a weighted sum of nodal vectors.
+struct MaterialPoint {
+    Coupling vectors;             ///< nodal vectors that it combines
+    std::vector<double> weights;  ///< of each vector
+    std::string name;             ///< for messages
+
+    /// A node's position.
+    MaterialPoint(NodeId node);  // NOLINT: a node is a point
+
+    /// A weighted sum of vectors, with a name for messages.
+    MaterialPoint(Coupling at, std::vector<double> with, std::string called);
+};
+
+namespace detail {
+
+/// Returns the point at xi of a line that is cubic in the given parameter length.
+[[nodiscard]] MaterialPoint point_of_line(const Connection& at, int element, double length,
+                                          double xi);
+
+}  // namespace detail
+
+/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation.
+/// @param element  index in the model's group of that type.
+/// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
+template <class Element>
+[[nodiscard]] MaterialPoint point_along(const Scene& model, int element, double xi) {
+    static_assert(Element::fields.contains(Field::r | Field::r_x),
+                  "a point along an element needs r and r_x at its nodes");
+    const auto& group = model.group<Element>();
+    return detail::point_of_line(group.connection(element), element,
+                                 detail::parameter_length(group.element(element)), xi);
+}
+
+namespace detail {
+
+/// The difference d = P_a - P_b of two points, the second of the scene or on a given path.
+template <int Dimension>
+class PointPair {
+public:
+    PointPair(MaterialPoint a, MaterialPoint b);
+    PointPair(MaterialPoint a, PointMotion<Dimension> path);
+
+    [[nodiscard]] Coupling coupling() const;
+    [[nodiscard]] std::string names() const;
+
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, Dimension> difference(const DynamicVector<Scalar>& q,
+                                                       const Scalar& time) const;
+
+    /// The part of d's rate that time alone makes.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, Dimension> drift(const Scalar& time) const;
+    [[nodiscard]] Vector<double, Dimension> drift_rate(double time) const;
+
+    /// The sum of weighted vectors: W q.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, Dimension> moved(const DynamicVector<Scalar>& q) const;
+
+    /// Returns the weights of the coupling's vectors, those of b with their sign turned.
+    [[nodiscard]] const std::vector<double>& weights() const noexcept { return weights_; }
+
+private:
+    static void check(const MaterialPoint& point);
+
+    MaterialPoint a_;
+    std::optional<MaterialPoint> b_;
+    std::optional<PointMotion<Dimension>> path_;
+    std::vector<double> weights_;
+};
+
+}  // namespace detail
+
+/// One coordinate held by a multiplier or driven: g = e - f(t), m or 1.
+///
+/// Its multiplier is the support's reaction. Model::fix removes the coordinate instead and is
+/// cheaper.
+template <int Dimension = 3>
+class FixedCoordinate {
+public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument for a component that does not exist or a value that is not finite.
+    FixedCoordinate(NodeId node, Field field, int component, double value);
+
+    /// Drives a component.
+    FixedCoordinate(NodeId node, Field field, int component, Motion motion);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {at_}; }
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return 1; }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const;
+
+    /// Returns g.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
+    /// Returns G = dg/dq.
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
+    /// Returns g_t.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+private:
+    NodeField at_;
+    int component_;
+    Motion motion_;
+};
+
+/// A point held on another point of the scene, at a place, or on a path: g = P_a - P_b, m.
+///
+/// A spherical joint. Its multipliers are the force that a exerts.
+template <int Dimension = 3>
+class Pin {
+public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument unless the place is finite.
+    Pin(MaterialPoint a, const VectorArgument<Dimension>& place);
+
+    /// @throws InvalidArgument if both are the same node.
+    Pin(MaterialPoint a, MaterialPoint b) : points_(std::move(a), std::move(b)) {}
+
+    /// @throws InvalidArgument unless value, rate and acceleration are given.
+    Pin(MaterialPoint a, PointMotion<Dimension> path) : points_(std::move(a), std::move(path)) {}
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return Dimension; }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
+
+    /// Returns g.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
+    /// Returns G = dg/dq.
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
+    /// Returns g_t.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+private:
+    detail::PointPair<Dimension> points_;
+};
+
+/// A pin's dimension is that of its place.
+template <int Dimension>
+Pin(MaterialPoint, Vector<double, Dimension>) -> Pin<Dimension>;
+
+/// A massless link between two points, or a point and a place or a path: g = |P_a - P_b| - L(t), m.
+///
+/// With n the unit vector from b to a, G = n^T W and its Hessian is W^T (I - n n^T) W/|P_a - P_b|.
+/// The multiplier is the link's force, positive in tension.
+template <int Dimension = 3>
+class Distance {
+public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument unless the length is positive and the place finite.
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length);
+
+    /// @throws InvalidArgument unless the length is positive, or if both are the same node.
+    Distance(MaterialPoint a, MaterialPoint b, double length);
+
+    /// @throws InvalidArgument unless the length is positive and the path complete.
+    Distance(MaterialPoint a, PointMotion<Dimension> path, double length);
+
+    /// A link whose length follows a motion, m.
+    /// @throws InvalidArgument unless the motion is complete, or if both are the same node.
+    Distance(MaterialPoint a, MaterialPoint b, Motion length);
+
+    /// A link to a place whose length follows a motion, m.
+    /// @throws InvalidArgument unless the place is finite and the motion complete.
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return 1; }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
+
+    /// Returns g.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const;
+    /// Returns G = dg/dq.
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const;
+    /// Returns g_t.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const;
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+private:
+    Distance(detail::PointPair<Dimension> points, double length);
+
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, Dimension> direction(const DynamicVector<Scalar>& q,
+                                                      const Scalar& time) const;
+    static void require_place(const Vector<double, Dimension>& place);
+
+    detail::PointPair<Dimension> points_;
+    Motion length_;
+};
+
+/// A link's dimension is that of its place.
+template <int Dimension, class Length>
+Distance(MaterialPoint, Vector<double, Dimension>, Length) -> Distance<Dimension>;
+
+/// Any constraint with its equations driven: g(q, t) - f(t).
+///
+///     model.add(ancf::Driven(ancf::Pin(tip, place), {{1, lift}}));   // lifts the second component
+template <class Constraint>
+class Driven {
+public:
+    /// Of the models it belongs to; 0: any.
+    static constexpr int dimension = detail::dimension_of<Constraint>::value;
+
+    /// @param motions  (equation, motion) pairs; m for an equation in m.
+    /// @throws InvalidArgument for an equation that does not exist or a motion that is not
+    ///         complete.
+    Driven(Constraint constraint, std::vector<std::pair<int, Motion>> motions)
+        : constraint_(std::move(constraint)), motions_(std::move(motions)) {
+        for (const auto& [equation, motion] : motions_) {
+            detail::require(equation >= 0 && equation < constraint_.equations(),
+                            "Driven: ", constraint_.name(), " has ", constraint_.equations(),
+                            " equations, got equation ", equation);
+            motion.check("Driven");
+        }
+    }
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return constraint_.coupling(); }
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return constraint_.equations(); }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
+    /// Returns the angle that the constraint itself is driven to, rad.
+    [[nodiscard]] double driven_angle(double time) const {
+        return detail::driven_angle(constraint_, time);
+    }
+
+    /// Returns g.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
+                                                  const Scalar& time) const {
+        DynamicVector<Scalar> g = constraint_.violation(q, time);
+        for (const auto& [equation, motion] : motions_)
+            g[equation] -= detail::continued(motion.value, motion.rate, time);
+        return g;
+    }
+
+    /// Returns G = dg/dq.
+    template <class Scalar>
+    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
+                                                 const Scalar& time) const {
+        return constraint_.jacobian(q, time);
+    }
+
+    /// Returns g_t.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
+                                             const Scalar& time) const {
+        DynamicVector<Scalar> g = constraint_.rate(q, time);
+        for (const auto& [equation, motion] : motions_)
+            g[equation] -= detail::continued(motion.rate, motion.acceleration, time);
+        return g;
+    }
+
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const {
+        constraint_.evaluate(at, out);
+        for (const auto& [equation, motion] : motions_) {
+            out.violation[equation] -= motion.value(at.time);
+            out.rate[equation] -= motion.rate(at.time);
+            out.convection[equation] -= motion.acceleration(at.time);
+        }
+    }
+
+private:
+    Constraint constraint_;
+    std::vector<std::pair<int, Motion>> motions_;
+};
+
+#if defined(ANCF_COMPILED)
+extern template class detail::PointPair<2>;
+extern template class detail::PointPair<3>;
+extern template class FixedCoordinate<2>;
+extern template class FixedCoordinate<3>;
+extern template class Pin<2>;
+extern template class Pin<3>;
+extern template class Distance<2>;
+extern template class Distance<3>;
+#endif
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/constraints/points.ipp>  // IWYU pragma: export
+#endif

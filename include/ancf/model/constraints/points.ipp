@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Constraints on coordinates and points: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/element/hermite.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraints/points.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+ANCF_INLINE MaterialPoint::MaterialPoint(NodeId node)
+    : vectors{{node, Field::r}}, weights{1.0}, name(detail::joined({"node ", node.index})) {}
+
+ANCF_INLINE MaterialPoint::MaterialPoint(Coupling at, std::vector<double> with, std::string called)
+    : vectors(std::move(at)), weights(std::move(with)), name(std::move(called)) {}
+
+namespace detail {
+
+ANCF_INLINE MaterialPoint point_of_line(const Connection& at, int element, double length,
+                                        double xi) {
+    require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
+    const auto shape = hermite(xi, length);
+    return {{{at.first, Field::r},
+             {at.first, Field::r_x},
+             {at.second, Field::r},
+             {at.second, Field::r_x}},
+            {shape[0], shape[1], shape[2], shape[3]},
+            joined({"the point at ", xi, " of element ", element}, 6)};
+}
+
+template <int Dimension>
+PointPair<Dimension>::PointPair(MaterialPoint a, MaterialPoint b)
+    : a_(std::move(a)), b_(std::move(b)), weights_(a_.weights) {
+    check(a_);
+    check(*b_);
+    require(a_.vectors.size() != 1 || b_->vectors.size() != 1 ||
+                a_.vectors[0].node != b_->vectors[0].node,
+            "a constraint joins two points, got ", a_.name, " twice");
+    for (const double weight : b_->weights) weights_.push_back(-weight);
+}
+
+template <int Dimension>
+PointPair<Dimension>::PointPair(MaterialPoint a, PointMotion<Dimension> path)
+    : a_(std::move(a)), path_(std::move(path)), weights_(a_.weights) {
+    check(a_);
+    path_->check("a point on a path");
+}
+
+template <int Dimension>
+Coupling PointPair<Dimension>::coupling() const {
+    Coupling all = a_.vectors;
+    if (b_) all.insert(all.end(), b_->vectors.begin(), b_->vectors.end());
+    return all;
+}
+
+template <int Dimension>
+std::string PointPair<Dimension>::names() const {
+    return b_ ? a_.name + " and " + b_->name : a_.name + " and a point of space";
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, Dimension> PointPair<Dimension>::difference(const DynamicVector<Scalar>& q,
+                                                           const Scalar& time) const {
+    Vector<Scalar, Dimension> d = moved(q);
+    if (path_) d -= continued(path_->value, path_->rate, time);
+    return d;
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, Dimension> PointPair<Dimension>::drift(const Scalar& time) const {
+    if (!path_) return Vector<Scalar, Dimension>::Zero();
+    return -continued(path_->rate, path_->acceleration, time);
+}
+
+template <int Dimension>
+Vector<double, Dimension> PointPair<Dimension>::drift_rate(double time) const {
+    if (!path_) return Vector<double, Dimension>::Zero();
+    return -path_->acceleration(time);
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, Dimension> PointPair<Dimension>::moved(const DynamicVector<Scalar>& q) const {
+    Vector<Scalar, Dimension> d = Vector<Scalar, Dimension>::Zero();
+    int at = 0;
+    for (const double weight : weights_)
+        for (int i = 0; i < Dimension; ++i) d[i] += weight * q[at++];
+    return d;
+}
+
+template <int Dimension>
+void PointPair<Dimension>::check(const MaterialPoint& point) {
+    require(!point.vectors.empty() && point.vectors.size() == point.weights.size(),
+            "a material point needs one weight per vector, got ", point.vectors.size(),
+            " vectors and ", point.weights.size(), " weights");
+    for (const double weight : point.weights) require_finite("MaterialPoint: weight", weight);
+}
+
+}  // namespace detail
+
+template <int Dimension>
+FixedCoordinate<Dimension>::FixedCoordinate(NodeId node, Field field, int component, double value)
+    : FixedCoordinate(node, field, component, detail::resting_at(value)) {
+    detail::require_finite("FixedCoordinate: value", value);
+}
+
+template <int Dimension>
+FixedCoordinate<Dimension>::FixedCoordinate(NodeId node, Field field, int component, Motion motion)
+    : at_{node, field}, component_(component), motion_(std::move(motion)) {
+    detail::require(component >= 0 && component < Dimension, "FixedCoordinate: a vector has ",
+                    Dimension, " components, got component ", component);
+    motion_.check("FixedCoordinate");
+}
+
+template <int Dimension>
+std::string FixedCoordinate<Dimension>::name() const {
+    return detail::joined(
+        {"fixed ", to_string(at_.field), ", component ", component_, ", of node ", at_.node.index});
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> FixedCoordinate<Dimension>::violation(const DynamicVector<Scalar>& q,
+                                                            const Scalar& time) const {
+    return DynamicVector<Scalar>::Constant(
+        1, q[component_] - detail::continued(motion_.value, motion_.rate, time));
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicMatrix<Scalar> FixedCoordinate<Dimension>::jacobian(const DynamicVector<Scalar>& /*q*/,
+                                                           const Scalar& /*time*/) const {
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, Dimension);
+    g(0, component_) = Scalar(1.0);
+    return g;
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> FixedCoordinate<Dimension>::rate(const DynamicVector<Scalar>& /*q*/,
+                                                       const Scalar& time) const {
+    return DynamicVector<Scalar>::Constant(
+        1, -detail::continued(motion_.rate, motion_.acceleration, time));
+}
+
+template <int Dimension>
+void FixedCoordinate<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    out.convection[0] = -motion_.acceleration(at.time);
+}
+
+template <int Dimension>
+Pin<Dimension>::Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
+    : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
+    detail::require(place.allFinite(), "Pin: the place must be finite, got ",
+                    detail::components(place));
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> Pin<Dimension>::violation(const DynamicVector<Scalar>& q,
+                                                const Scalar& time) const {
+    return points_.difference(q, time);
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicMatrix<Scalar> Pin<Dimension>::jacobian(const DynamicVector<Scalar>& q,
+                                               const Scalar& /*time*/) const {
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(Dimension, q.size());
+    int at = 0;
+    for (const double weight : points_.weights())
+        for (int i = 0; i < Dimension; ++i) g(i, at++) = Scalar(weight);
+    return g;
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> Pin<Dimension>::rate(const DynamicVector<Scalar>& /*q*/,
+                                           const Scalar& time) const {
+    return points_.drift(time);
+}
+
+template <int Dimension>
+void Pin<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    out.convection = points_.drift_rate(at.time);
+}
+
+template <int Dimension>
+Distance<Dimension>::Distance(detail::PointPair<Dimension> points, double length)
+    : points_(std::move(points)), length_(detail::resting_at(length)) {
+    detail::require_positive("Distance: length", length);
+}
+
+template <int Dimension>
+Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& place,
+                              double length)
+    : Distance(detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
+               length) {
+    require_place(place);
+}
+
+template <int Dimension>
+Distance<Dimension>::Distance(MaterialPoint a, MaterialPoint b, double length)
+    : Distance(detail::PointPair<Dimension>(std::move(a), std::move(b)), length) {}
+
+template <int Dimension>
+Distance<Dimension>::Distance(MaterialPoint a, PointMotion<Dimension> path, double length)
+    : Distance(detail::PointPair<Dimension>(std::move(a), std::move(path)), length) {}
+
+template <int Dimension>
+Distance<Dimension>::Distance(MaterialPoint a, MaterialPoint b, Motion length)
+    : points_(std::move(a), std::move(b)), length_(std::move(length)) {
+    length_.check("Distance");
+}
+
+template <int Dimension>
+Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& place,
+                              Motion length)
+    : points_(std::move(a), PointMotion<Dimension>::at_rest(place)), length_(std::move(length)) {
+    require_place(place);
+    length_.check("Distance");
+}
+
+template <int Dimension>
+void Distance<Dimension>::require_place(const Vector<double, Dimension>& place) {
+    detail::require(place.allFinite(), "Distance: the place must be finite, got ",
+                    detail::components(place));
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, Dimension> Distance<Dimension>::direction(const DynamicVector<Scalar>& q,
+                                                         const Scalar& time) const {
+    using std::sqrt;
+    const Vector<Scalar, Dimension> d = points_.difference(q, time);
+    const Scalar square = d.transpose() * d;
+    return d / sqrt(square);
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> Distance<Dimension>::violation(const DynamicVector<Scalar>& q,
+                                                     const Scalar& time) const {
+    using std::sqrt;
+    const Vector<Scalar, Dimension> d = points_.difference(q, time);
+    const Scalar square = d.transpose() * d;
+    return DynamicVector<Scalar>::Constant(
+        1, sqrt(square) - detail::continued(length_.value, length_.rate, time));
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicMatrix<Scalar> Distance<Dimension>::jacobian(const DynamicVector<Scalar>& q,
+                                                    const Scalar& time) const {
+    const Vector<Scalar, Dimension> n = direction(q, time);
+    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, q.size());
+    int at = 0;
+    for (const double weight : points_.weights())
+        for (int i = 0; i < Dimension; ++i) g(0, at++) = weight * n[i];
+    return g;
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> Distance<Dimension>::rate(const DynamicVector<Scalar>& q,
+                                                const Scalar& time) const {
+    const Scalar along = direction(q, time).transpose() * points_.drift(time);
+    return DynamicVector<Scalar>::Constant(
+        1, along - detail::continued(length_.rate, length_.acceleration, time));
+}
+
+template <int Dimension>
+void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    out.violation = violation(at.q, at.time);
+    out.jacobian = jacobian(at.q, at.time);
+    out.rate = rate(at.q, at.time);
+    const Vector<double, Dimension> d = points_.difference(at.q, at.time);
+    const double distance = d.norm();
+    const Vector<double, Dimension> n = d / distance;
+    const Matrix<double, Dimension> curvature =
+        (Matrix<double, Dimension>::Identity() - n * n.transpose()) / distance;
+    const std::vector<double>& weights = points_.weights();
+    const int count = static_cast<int>(weights.size());
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j)
+            out.stiffness.template block<Dimension, Dimension>(Dimension * i, Dimension * j) =
+                at.multipliers[0] * weights[static_cast<std::size_t>(i)] *
+                weights[static_cast<std::size_t>(j)] * curvature;
+    const Vector<double, Dimension> speed = points_.moved(at.v) + points_.drift(at.time);
+    out.convection[0] = speed.dot(curvature * speed) + n.dot(points_.drift_rate(at.time)) -
+                        length_.acceleration(at.time);
+}
+
+#if defined(ANCF_SOURCE)
+#define ANCF_POINT_CONSTRAINT_INSTANCES(Type) \
+    template class Type<2>;                   \
+    template class Type<3>;                   \
+    ANCF_CONSTRAINT_INSTANCES(Type<2>)        \
+    ANCF_CONSTRAINT_INSTANCES(Type<3>)
+template class detail::PointPair<2>;
+template class detail::PointPair<3>;
+ANCF_POINT_CONSTRAINT_INSTANCES(FixedCoordinate)
+ANCF_POINT_CONSTRAINT_INSTANCES(Pin)
+ANCF_POINT_CONSTRAINT_INSTANCES(Distance)
+#endif
+
+}  // namespace ancf

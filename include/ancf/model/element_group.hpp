@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Elements of one type, as the rest of the library sees them: without their type.
+///
+/// ElementGroup is what a scene keeps and an assembly works with; group_of.hpp implements it for
+/// each type of element.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/group_target.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace ancf {
+
+/// An element of a group: which prototype, between which nodes.
+struct Connection {
+    int prototype;  ///< index in the group
+    NodeId first;   ///< node at x = 0
+    NodeId second;  ///< node at x = l
+};
+
+/// All elements of one type. Coordinates, forces and matrices of one element are passed as pointers
+/// to dofs() or dofs() x dofs() doubles, matrices by columns.
+class ElementGroup {
+public:
+    static constexpr int max_dofs = 2 * 3 * field_count;  ///< no element has more
+
+    virtual ~ElementGroup() = default;
+
+    /// Returns a copy with all prototypes and connections.
+    [[nodiscard]] virtual std::unique_ptr<ElementGroup> clone() const = 0;
+
+    // What the type is -------------------------------------------------------------------------
+
+    /// Returns the name of the element's type.
+    [[nodiscard]] std::string_view name() const noexcept { return type_.name; }
+    /// Returns the vectors that a node of such an element carries.
+    [[nodiscard]] Fields fields() const noexcept { return type_.fields; }
+    /// Returns the number of nodal coordinates.
+    [[nodiscard]] int dofs() const noexcept { return type_.dofs; }
+    /// Tells whether the element has the tangent of mixed integration points.
+    [[nodiscard]] bool evaluates_mixed() const noexcept { return type_.evaluates_mixed; }
+    /// Tells whether the group holds elements of a type.
+    template <class Element>
+    [[nodiscard]] bool holds() const noexcept {
+        return type_.id == type_id<Element>();
+    }
+
+    // What it holds ----------------------------------------------------------------------------
+
+    std::vector<Connection> connections;  ///< one for each element
+
+    /// Returns the number of elements.
+    [[nodiscard]] int size() const noexcept { return static_cast<int>(connections.size()); }
+    /// Returns which prototype an element has and its nodes.
+    /// @throws InvalidArgument for an index of no element.
+    [[nodiscard]] const Connection& connection(int index) const {
+        detail::require(index >= 0 && index < size(), "Model: there are ", connections.size(),
+                        " elements of the type ", name(), ", got index ", index);
+        return connections[static_cast<std::size_t>(index)];
+    }
+    /// Returns the prototype of an element of the group.
+    [[nodiscard]] int prototype_of(int index) const noexcept {
+        return connections[static_cast<std::size_t>(index)].prototype;
+    }
+    /// Returns the number of prototypes.
+    [[nodiscard]] virtual int prototype_count() const noexcept = 0;
+
+    // One element, given by its prototype ------------------------------------------------------
+
+    /// Returns the reference length, m.
+    [[nodiscard]] virtual double length(int prototype) const = 0;
+    /// Returns the strain energy, J.
+    [[nodiscard]] virtual double energy(int prototype, const double* e) const = 0;
+    /// Writes the elastic force.
+    virtual void force(int prototype, const double* e, double* out) const = 0;
+    /// Writes the elastic force and the tangent; returns the strain energy, J.
+    virtual double evaluate(int prototype, const double* e, double* force,
+                            double* tangent) const = 0;
+    /// Tells whether the strains are defined.
+    [[nodiscard]] virtual bool admissible(int prototype, const double* e) const = 0;
+    /// Tells whether the element is so short that its law softens; false where it does not say.
+    [[nodiscard]] virtual bool softened(int prototype, const double* e) const = 0;
+    /// Writes the mass matrix.
+    virtual void mass(int prototype, double* out) const = 0;
+    /// Writes the force of gravity.
+    /// @param acceleration  as many components as space has, m/s^2
+    virtual void gravity(int prototype, const double* acceleration, double* out) const = 0;
+    /// Writes what its torsion puts on r_y and on r_z; zero where the element does not say.
+    virtual void torsion_stiffness(int prototype, double (&out)[2]) const = 0;
+
+    // All that an assembly asks for at every iteration -----------------------------------------
+
+    /// Evaluates elements of a run and adds their forces and, where wanted, their tangents.
+    /// @return their strain energy, J; 0 where the force alone is wanted.
+    virtual double add(const ElementRun& run, const GroupTarget& target) const = 0;
+
+protected:
+    /// What a type of element is.
+    struct Type {
+        const void* id;         ///< type_id() of it
+        std::string_view name;  ///< as the compiler writes it
+        Fields fields;          ///< of a node
+        int dofs;               ///< of an element
+        bool evaluates_mixed;   ///< has the tangent of mixed integration points
+    };
+
+    /// @param type  what derived classes know
+    explicit ElementGroup(const Type& type) noexcept : type_(type) {}
+    ElementGroup(const ElementGroup&) = default;             ///< by clone() alone
+    ElementGroup& operator=(const ElementGroup&) = default;  ///< by derived classes alone
+
+    /// Returns what tells a type from others, without run-time type information.
+    template <class Element>
+    [[nodiscard]] static const void* type_id() noexcept {
+        static const char id = 0;
+        return &id;
+    }
+
+private:
+    Type type_;
+};
+
+}  // namespace ancf

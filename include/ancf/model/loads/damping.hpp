@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Damping as loads: Rayleigh's a M + b K0 of elements, drag along a line, and Kelvin and Voigt's
+/// on the generalised strains.
+///
+/// The first two are forces -D v with a constant matrix D per element, the last turns with the
+/// element; the derivatives of all are exact, and every integrator takes them. Scaled by an
+/// amplitude they can be switched on and off in time.
+
+#pragma once
+
+#include <ancf/element/rate.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// The force -D v on the coordinates of some nodal vectors.
+class LinearDamping {
+public:
+    static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+
+    /// @param matrix  D, in the order of the coupling; N s/m for positions.
+    /// @throws InvalidArgument for a matrix that is not square or not finite.
+    LinearDamping(Coupling coupling, MatrixX matrix);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return coupling_; }
+    /// Returns the damping matrix.
+    [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    Coupling coupling_;
+    MatrixX matrix_;
+};
+
+namespace detail {
+
+void add_rayleigh_damping(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+                          double a, double b, const Amplitude& amplitude);
+void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements, double c,
+              const Amplitude& amplitude);
+
+}  // namespace detail
+
+/// Adds Rayleigh damping D = a M + b K0 to a beam, K0 the tangent where the model stands.
+///
+/// A mode of the angular frequency w has the damping ratio a/(2 w) + b w/2. D is fixed in space:
+/// a M brakes rigid motions too, and K0 belongs to the present orientation, so that b is for beams
+/// that turn by small angles.
+/// @param a  >= 0, 1/s  @param b  >= 0, s
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element>
+void add_rayleigh_damping(Scene& model, const Beam<Element>& beam, double a, double b,
+                          const Amplitude& amplitude = {}) {
+    detail::add_rayleigh_damping(model, model.group<Element>(), beam.elements, a, b, amplitude);
+}
+
+/// Adds a drag -c v per length of the stress-free centre line, the same in all directions.
+/// @param c  >= 0, N s/m^2
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element>
+void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude& amplitude = {}) {
+    detail::add_drag(model, model.group<Element>(), beam.elements, c, amplitude);
+}
+
+/// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
+///
+/// A rigid motion of any size meets no force. A mode of the angular frequency w has the damping
+/// ratio eta w/2. Of the curvature vector of Cable<3> the part is damped that the spin of least
+/// dissipation about the tangent leaves: changes of |kappa|; where the line is straight, all.
+template <class Element>
+class KelvinVoigt {
+public:
+    static constexpr int dofs = Element::dofs;  ///< coordinates of the element
+
+    /// @param element   shared by the dampers of equal elements
+    /// @param coupling  of the element's coordinates, as from coupling_of()
+    /// @param eta       ratio of viscosity to stiffness, >= 0, s
+    /// @throws InvalidArgument for a value that is negative or not finite.
+    KelvinVoigt(std::shared_ptr<const Element> element, Coupling coupling, double eta)
+        : element_(std::move(element)), coupling_(std::move(coupling)), eta_(eta) {
+        detail::require(std::isfinite(eta) && eta >= 0.0,
+                        "KelvinVoigt: eta must be finite and not negative, got ", eta);
+    }
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return coupling_; }
+
+    /// Returns the force on the element's coordinates; N for positions, N m for slopes, N m^2 for
+    /// r_xx.
+    /// @param e,v  nodal coordinates and their rates
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,
+                                             const Vector<Scalar, dofs>& v) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    std::shared_ptr<const Element> element_;
+    Coupling coupling_;
+    double eta_;
+};
+
+template <class Element>
+template <class Scalar>
+auto KelvinVoigt<Element>::force(const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& v) const
+    -> Vector<Scalar, dofs> {
+    using Moving = detail::Rate<Scalar>;
+    Vector<Moving, dofs> at;
+    for (int k = 0; k < dofs; ++k) at[k] = Moving(e[k], v[k]);
+    const Vector<Moving, dofs> elastic = element_->force(at);
+    Vector<Scalar, dofs> result;
+    for (int k = 0; k < dofs; ++k) result[k] = -eta_ * elastic[k].rate;
+    return result;
+}
+
+template <class Element>
+void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) const {
+    using Varied = detail::Rate<double>;
+    const Vector<double, dofs> e = state.q, v = state.v;
+    out.force = force<double>(e, v);
+    if (!state.derivatives) return;
+    Vector<Varied, dofs> varied_e, varied_v;
+    for (int k = 0; k < dofs; ++k) {
+        varied_e[k] = Varied(e[k]);
+        varied_v[k] = Varied(v[k]);
+    }
+    Vector<double, dofs> unit = Vector<double, dofs>::Zero();
+    for (int k = 0; k < dofs; ++k) {
+        varied_e[k].rate = unit[k] = 1.0;
+        const Vector<Varied, dofs> varied = force<Varied>(varied_e, varied_v);
+        for (int i = 0; i < dofs; ++i) out.stiffness(i, k) = varied[i].rate;
+        out.damping.col(k) = force<double>(e, unit);  // the force is linear in v
+        varied_e[k].rate = unit[k] = 0.0;
+    }
+}
+
+/// Adds Kelvin and Voigt's damping to a beam, with its elements as they are now.
+/// @param eta  >= 0, s
+/// @throws InvalidArgument for a value that is negative or not finite.
+template <class Element>
+void add_kelvin_voigt(Scene& model, const Beam<Element>& beam, double eta,
+                      const Amplitude& amplitude = {}) {
+    const auto& group = model.group<Element>();
+    std::vector<std::shared_ptr<const Element>> shared(group.prototypes.size());
+    for (const int index : beam.elements) {
+        const Connection& connection = group.connection(index);
+        auto& element = shared[static_cast<std::size_t>(connection.prototype)];
+        if (!element) element = std::make_shared<const Element>(group.element(index));
+        model.add(KelvinVoigt<Element>(element, coupling_of<Element>(connection), eta), amplitude);
+    }
+}
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/loads/damping.ipp>  // IWYU pragma: export
+#endif

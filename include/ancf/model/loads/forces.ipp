@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Dead forces: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/loads/forces.hpp>
+
+#include <utility>
+
+namespace ancf {
+
+template <int Dimension>
+Force<Dimension>::Force(NodeId node, const VectorArgument<Dimension>& force)
+    : node_(node), force_(force) {
+    detail::require(force.allFinite(), "Force: components must be finite, got ",
+                    detail::components(force));
+}
+
+template <int Dimension>
+void Force<Dimension>::evaluate(const LoadState& state, LoadResult& out) const {
+    out.force = force_;
+    out.potential = -force_.dot(state.q);
+}
+
+ANCF_INLINE GeneralisedForce::GeneralisedForce(Coupling coupling, VectorX force)
+    : coupling_(std::move(coupling)), force_(std::move(force)) {
+    detail::require(force_.allFinite(), "GeneralisedForce: components must be finite, got ",
+                    detail::components(force_));
+}
+
+ANCF_INLINE void GeneralisedForce::evaluate(const LoadState& state, LoadResult& out) const {
+    detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
+                    " coordinates are coupled, got ", force_.size(), " force components");
+    out.force = force_;
+    out.potential = -force_.dot(state.q);
+}
+
+#if defined(ANCF_SOURCE)
+template class Force<2>;
+template class Force<3>;
+#endif
+
+}  // namespace ancf

@@ -1,0 +1,364 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A scene of either dimension: nodes, elements of any types, supports, loads and constraints, and
+/// its state.
+///
+/// Assembly, solvers, integrators and output take a Scene, so a function of yours that takes one is
+/// no template. What has the dimension in its arguments, such as adding a node, is in model.hpp.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/element_group.hpp>
+#include <ancf/model/group_of.hpp>
+#include <ancf/model/layout.hpp>
+#include <ancf/model/load.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/model/state.hpp>
+#include <ancf/model/support.hpp>
+#include <ancf/types.hpp>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// A load with its course over time; without one it follows the ramp of an Instant.
+struct ScaledLoad {
+    AnyLoad load;         ///< what acts
+    Amplitude amplitude;  ///< factor over time; empty: the ramp
+
+    /// Returns its factor at an instant.
+    [[nodiscard]] double scale(const Instant& instant) const {
+        return amplitude ? amplitude(instant.time) : instant.ramp;
+    }
+};
+
+/// How often a model has changed: whoever keeps data of it knows by this whether they still hold.
+struct Revision {
+    long scene = 0;       ///< nodes, elements, supports, loads, constraints
+    long properties = 0;  ///< prototypes, masses at nodes, gravity
+
+    /// Tells whether both counts are the same.
+    [[nodiscard]] bool operator==(const Revision& other) const noexcept {
+        return scene == other.scene && properties == other.properties;
+    }
+};
+
+/// A mass at a point, kg.
+struct PointMass {
+    NodeId node;  ///< where
+    double mass;  ///< kg
+};
+
+/// What a model is, whatever its dimension. Model and PlanarModel are what a program makes.
+///
+/// It is built once and then solved or integrated; it knows no solver. Nodes carry the union of the
+/// vectors that their elements need. Equal elements share one prototype. Element types mix freely:
+/// each has a group, in the order in which their first prototypes were added.
+class Scene {
+public:
+    /// Copies nodes, elements, supports, loads, constraints and state.
+    Scene(const Scene& other);
+    /// Takes all of that over.
+    Scene(Scene&&) = default;
+    /// Copies all of that.
+    Scene& operator=(const Scene& other);
+    /// Takes all of that over.
+    Scene& operator=(Scene&&) = default;
+    ~Scene() = default;
+
+    /// Returns the dimension of space, 2 or 3.
+    [[nodiscard]] int dimension() const noexcept { return dimension_; }
+
+    // Elements --------------------------------------------------------------------------------
+
+    /// Adds an element type's constant data for several equal elements to share.
+    /// @return its index for `connect`.
+    /// @throws InvalidArgument for an element of another dimension.
+    template <class Element>
+    int add_prototype(Element element);
+
+    /// Adds an element between two nodes.
+    /// @return its index in its group.
+    /// @throws InvalidArgument for a node or a prototype that does not exist, or equal nodes.
+    template <class Element>
+    int connect(int prototype, NodeId first, NodeId second) {
+        return connect_in(find_group<Element>(), prototype, first, second);
+    }
+
+    /// Returns all elements of one type.
+    /// @throws InvalidArgument where the model has none of that type.
+    template <class Element>
+    [[nodiscard]] const GroupOf<Element>& group() const {
+        return static_cast<const GroupOf<Element>&>(found_group<Element>());
+    }
+
+    /// Returns the groups of all types, in their order.
+    [[nodiscard]] const std::vector<std::unique_ptr<ElementGroup>>& groups() const noexcept {
+        return groups_;
+    }
+
+    /// Returns a prototype for a change of stiffness, density or rest length at any time.
+    ///
+    ///     using Beam = ancf::CrossSectionBeam<3>;
+    ///     model.prototype<Beam>(beam.prototypes[0]) = Beam(material, section, length);  // all
+    ///     model.prototype<Beam>(model.make_own_prototype<Beam>(3)) = ...;  // element 3 alone
+    ///
+    /// The next evaluation takes over the change, mass and gravity included, also of a problem made
+    /// before. What was computed from the elements keeps its values: line loads, all damping,
+    /// points along an element (loads and constraints are not made anew). Call this for every
+    /// change: one through a reference kept from before goes unnoticed.
+    /// @throws InvalidArgument for an index of none.
+    template <class Element>
+    [[nodiscard]] Element& prototype(int index);
+
+    /// Gives an element a copy of its prototype where it shares it, for a change of it alone.
+    ///
+    /// References to prototypes end. Neighbours that differ are evaluated one by one, not several
+    /// at once.
+    /// @param element  index in the group of its type.
+    /// @return the index of the prototype that no other element has.
+    /// @throws InvalidArgument for an index of no element.
+    template <class Element>
+    int make_own_prototype(int element);
+
+    // Supports. A component has one: the last that was given to it replaces those before.
+
+    /// Holds every component of the given vectors where they stand.
+    /// @throws InvalidArgument for a node that does not exist.
+    void fix(NodeId node, Fields fields);
+
+    /// Holds one component of a vector where it stands.
+    /// @throws InvalidArgument for a node or component that does not exist.
+    void fix(NodeId node, Field field, int component);
+
+    /// Drives one component of a vector; rate and acceleration are needed in dynamics only, where
+    /// they are taken as they are: they must be the value's derivatives.
+    /// @throws InvalidArgument for a node or component that does not exist.
+    void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
+                   Amplitude acceleration = {});
+
+    /// Holds position and slopes of a node, or all of them but r_x; never r_xx.
+    /// @throws InvalidArgument for a node that does not exist.
+    void clamp(NodeId node, Clamp clamp = Clamp::full);
+
+    /// Holds the position of a node.
+    /// @throws InvalidArgument for a node that does not exist.
+    void pin(NodeId node) { fix(node, Field::r); }
+
+    /// Frees what was held or driven of a vector.
+    /// @throws InvalidArgument for a node that does not exist.
+    void release(NodeId node, Field field);
+
+    // Loads, constraints, masses --------------------------------------------------------------
+
+    /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
+    /// @throws InvalidArgument for a node that does not exist, a load of another dimension or a
+    ///         force of another size.
+    template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
+    void add(Load load, Amplitude amplitude = {}) {
+        check_dimension("load", detail::dimension_of<Load>::value);
+        add_load(AnyLoad(std::move(load)), std::move(amplitude));
+    }
+
+    /// Adds a constraint.
+    /// @throws InvalidArgument for a node that does not exist, a constraint of another dimension or
+    ///         of no equations.
+    template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
+    void add(Constraint constraint) {
+        check_dimension("constraint", detail::dimension_of<Constraint>::value);
+        add_constraint(AnyConstraint(std::move(constraint)));
+    }
+
+    /// Stops the compilation: what is added is neither a load nor a constraint.
+    template <class Other, std::enable_if_t<!is_load_v<Other> && !is_constraint_v<Other>, int> = 0>
+    void add(const Other&, const Amplitude& = {}) {
+        static_assert(
+            is_load_v<Other>,
+            "Model::add takes a load, which offers `Coupling coupling() const` and `void "
+            "evaluate(const LoadState&, LoadResult&) const`, or a constraint, which offers "
+            "`Coupling coupling() const`, `int equations() const`, `std::string name() const` and "
+            "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
+    }
+
+    /// Adds a mass at a node, kg; gravity acts on it.
+    /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
+    void add_mass(NodeId node, double mass);
+
+    // What a scene holds ----------------------------------------------------------------------
+
+    /// Returns how often the model has changed, its state aside.
+    [[nodiscard]] const Revision& revision() const noexcept { return revision_; }
+    /// Returns the number of nodes.
+    [[nodiscard]] int nodes() const noexcept { return static_cast<int>(initial_.size()); }
+    /// Returns what is held or driven.
+    [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
+    /// Returns the loads.
+    [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
+    /// Returns the constraints.
+    [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
+        return constraints_;
+    }
+    /// Returns the masses at nodes.
+    [[nodiscard]] const std::vector<PointMass>& masses() const noexcept { return masses_; }
+    /// Returns a component of the acceleration of gravity, m/s^2.
+    [[nodiscard]] double gravity_component(int k) const {
+        return gravity_[static_cast<std::size_t>(k)];
+    }
+    /// Returns the factor of gravity at an instant.
+    [[nodiscard]] double gravity_scale(const Instant& instant) const {
+        return gravity_amplitude_ ? gravity_amplitude_(instant.time) : instant.ramp;
+    }
+
+    /// Returns the order of coordinates.
+    [[nodiscard]] const Layout& layout() const {
+        refresh();
+        return layout_;
+    }
+
+    /// Returns the index in `State::q` of the first component of a node's vector.
+    /// @throws InvalidArgument where the node does not carry it.
+    [[nodiscard]] int coordinate(NodeId node, Field field) const;
+
+    // Where a scene is ------------------------------------------------------------------------
+
+    /// Returns coordinates, rates, multipliers and time.
+    [[nodiscard]] const State& state() const {
+        refresh();
+        return state_;
+    }
+    /// Returns coordinates, rates, multipliers and time.
+    [[nodiscard]] State& state() {
+        refresh();
+        return state_;
+    }
+
+    /// Returns the nodal coordinates of an element, taken from `q` of this model's layout.
+    /// @throws InvalidArgument for an element that does not exist or a q of another size.
+    template <class Element>
+    [[nodiscard]] typename Element::Coordinates element_coordinates(int index,
+                                                                    const VectorX& q) const;
+
+    /// Returns the nodal coordinates of an element as they stand now.
+    template <class Element>
+    [[nodiscard]] typename Element::Coordinates element_coordinates(int index) const {
+        return element_coordinates<Element>(index, state().q);
+    }
+
+protected:
+    /// @param dimension  of space, 2 or 3
+    explicit Scene(int dimension) noexcept : dimension_(dimension) {}
+
+    /// Adds a node.
+    /// @param vectors  r, r_x, r_y, r_z and r_xx, each of as many components as space has
+    NodeId add_initial_node(const std::array<double, 3 * field_count>& vectors);
+    /// Sets the acceleration of gravity, m/s^2; what is beyond the dimension is zero.
+    void set_gravity_components(const std::array<double, 3>& gravity, Amplitude amplitude);
+
+private:
+    struct InitialNode {
+        Fields fields;
+        std::array<double, 3 * field_count> vectors;
+    };
+
+    template <class Element>
+    [[nodiscard]] ElementGroup* find_group() const noexcept {
+        for (const auto& group : groups_)
+            if (group->holds<Element>()) return group.get();
+        return nullptr;
+    }
+    template <class Element>
+    [[nodiscard]] ElementGroup& found_group() const {
+        ElementGroup* const group = find_group<Element>();
+        if (group == nullptr) reject_group(detail::type_name<Element>());
+        return *group;
+    }
+    [[noreturn]] void reject_group(std::string_view name) const;
+    int connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second);
+    // Returns whether an element has its prototype for itself.
+    [[nodiscard]] static bool has_own_prototype(const ElementGroup& group, int element);
+    static void check_prototype(const ElementGroup& group, int index);
+    void gather_element(const ElementGroup& group, int index, const VectorX& q, double* e) const;
+
+    void check_dimension(const char* what, int dimension) const;
+    void add_load(AnyLoad load, Amplitude amplitude);
+    void add_constraint(AnyConstraint constraint);
+    void refresh() const;
+    [[nodiscard]] std::vector<double> torsion_shares() const;
+    void check(NodeId node) const;
+    void check_component(int component) const;
+
+    /// Returns a number of its own for every component of every vector that a node may carry.
+    [[nodiscard]] long component_of(NodeId node, Field field, int component) const noexcept {
+        return (static_cast<long>(node.index) * field_count + static_cast<int>(field)) *
+                   dimension_ +
+               component;
+    }
+
+    int dimension_;
+    std::vector<InitialNode> initial_;
+    std::vector<std::unique_ptr<ElementGroup>> groups_;
+    std::vector<Support> supports_;
+    std::unordered_map<long, std::size_t> support_at_;  // place in supports_, by component_of()
+    std::vector<ScaledLoad> loads_;
+    std::vector<AnyConstraint> constraints_;
+    std::vector<PointMass> masses_;
+    std::array<double, 3> gravity_ = {};
+    Amplitude gravity_amplitude_;
+
+    Revision revision_;
+
+    // Derived from the above when first asked for after a change.
+    mutable bool stale_ = true;
+    mutable Layout layout_;
+    mutable State state_;
+};
+
+template <class Element>
+int Scene::add_prototype(Element element) {
+    check_dimension("element", Element::dimension);
+    if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
+    auto& prototypes = static_cast<GroupOf<Element>&>(found_group<Element>()).prototypes;
+    prototypes.push_back(std::move(element));
+    return static_cast<int>(prototypes.size()) - 1;
+}
+
+template <class Element>
+Element& Scene::prototype(int index) {
+    auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
+    check_prototype(group, index);
+    ++revision_.properties;
+    return group.prototypes[static_cast<std::size_t>(index)];
+}
+
+template <class Element>
+int Scene::make_own_prototype(int element) {
+    auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
+    const int shared = group.connection(element).prototype;
+    if (has_own_prototype(group, element)) return shared;
+    const int own = add_prototype(Element(group.element(element)));
+    group.connections[static_cast<std::size_t>(element)].prototype = own;
+    return own;
+}
+
+template <class Element>
+typename Element::Coordinates Scene::element_coordinates(int index, const VectorX& q) const {
+    typename Element::Coordinates e;
+    gather_element(found_group<Element>(), index, q, e.data());
+    return e;
+}
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/scene.ipp>
+#endif

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Scene: definitions.
+
+#pragma once
+
+#include <ancf/model/scene.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace ancf {
+
+ANCF_INLINE Scene::Scene(const Scene& other)
+    : dimension_(other.dimension_),
+      initial_(other.initial_),
+      supports_(other.supports_),
+      support_at_(other.support_at_),
+      loads_(other.loads_),
+      constraints_(other.constraints_),
+      masses_(other.masses_),
+      gravity_(other.gravity_),
+      gravity_amplitude_(other.gravity_amplitude_),
+      revision_(other.revision_),
+      stale_(other.stale_),
+      layout_(other.layout_),
+      state_(other.state_) {
+    for (const auto& group : other.groups_) groups_.push_back(group->clone());
+}
+
+ANCF_INLINE Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
+
+ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_count>& vectors) {
+    initial_.push_back({Fields(), vectors});
+    stale_ = true;
+    ++revision_.scene;
+    return {nodes() - 1};
+}
+
+ANCF_INLINE void Scene::set_gravity_components(const std::array<double, 3>& gravity,
+                                               Amplitude amplitude) {
+    gravity_ = gravity;
+    gravity_amplitude_ = std::move(amplitude);
+    ++revision_.properties;
+}
+
+ANCF_INLINE void Scene::reject_group(std::string_view name) const {
+    std::string known;
+    for (const auto& group : groups_)
+        known += (known.empty() ? "" : ", ") + std::string(group->name());
+    detail::reject("the model has no element of the type ", name, ", it has ",
+                   known.empty() ? std::string("none") : known);
+}
+
+ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second) {
+    check(first);
+    check(second);
+    detail::require(first != second, "Model::connect: an element joins two nodes, got node ",
+                    first.index, " twice");
+    const int prototypes = group == nullptr ? 0 : group->prototype_count();
+    detail::require(prototype >= 0 && prototype < prototypes, "Model::connect: there are ",
+                    prototypes, " prototypes, got index ", prototype);
+    group->connections.push_back({prototype, first, second});
+    for (const NodeId node : {first, second}) {
+        Fields& fields = initial_[static_cast<std::size_t>(node.index)].fields;
+        fields = fields | group->fields();
+    }
+    stale_ = true;
+    ++revision_.scene;
+    return group->size() - 1;
+}
+
+ANCF_INLINE bool Scene::has_own_prototype(const ElementGroup& group, int element) {
+    const int shared = group.prototype_of(element);
+    return std::count_if(group.connections.begin(), group.connections.end(),
+                         [=](const Connection& other) { return other.prototype == shared; }) == 1;
+}
+
+ANCF_INLINE void Scene::check_prototype(const ElementGroup& group, int index) {
+    detail::require(index >= 0 && index < group.prototype_count(), "Model: there are ",
+                    group.prototype_count(), " prototypes, got index ", index);
+}
+
+ANCF_INLINE void Scene::fix(NodeId node, Fields fields) {
+    for (int k = 0; k < field_count; ++k) {
+        const auto field = static_cast<Field>(k);
+        if (!fields.contains(field)) continue;
+        for (int component = 0; component < dimension_; ++component) fix(node, field, component);
+    }
+}
+
+ANCF_INLINE void Scene::fix(NodeId node, Field field, int component) {
+    prescribe(node, field, component, {});
+}
+
+ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Amplitude value,
+                                  Amplitude rate, Amplitude acceleration) {
+    check(node);
+    check_component(component);
+    const auto [at, added] =
+        support_at_.try_emplace(component_of(node, field, component), supports_.size());
+    if (added) supports_.emplace_back();
+    supports_[at->second] = {
+        node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
+    ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
+    check(node);
+    const Fields carried = initial_[static_cast<std::size_t>(node.index)].fields;
+    detail::require(!(carried == Fields()), "Model::clamp: node ", node.index,
+                    " carries no vectors yet; connect its elements first");
+    for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z}) {
+        const bool held = clamp == Clamp::full || field != Field::r_x;
+        if (held && carried.contains(field)) fix(node, field);
+    }
+}
+
+ANCF_INLINE void Scene::release(NodeId node, Field field) {
+    check(node);
+    const auto same = [&](const Support& s) { return s.node == node && s.field == field; };
+    supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
+    support_at_.clear();
+    for (std::size_t k = 0; k < supports_.size(); ++k)
+        support_at_[component_of(supports_[k].node, supports_[k].field, supports_[k].component)] =
+            k;
+    ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::check_dimension(const char* what, int dimension) const {
+    detail::require(dimension == 0 || dimension == dimension_, "Model: a ", what, " of dimension ",
+                    dimension, " in a model of dimension ", dimension_);
+}
+
+ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {
+    const Coupling coupling = load.coupling();
+    for (const NodeField& at : coupling) check(at.node);
+    if (load.settles()) load.settle(layout());
+    if (load.constant()) {  // wrong sizes show wherever it stands
+        const VectorX zero = VectorX::Zero(dimension_ * static_cast<int>(coupling.size()));
+        LoadResult result{zero, {}, {}, 0.0};
+        load.evaluate({zero, zero, 0.0, false}, result);
+    }
+    loads_.push_back({std::move(load), std::move(amplitude)});
+    ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::add_constraint(AnyConstraint constraint) {
+    for (const NodeField& at : constraint.coupling()) check(at.node);
+    detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
+                    " has ", constraint.equations(), " equations, expected at least 1");
+    constraints_.push_back(std::move(constraint));
+    stale_ = true;
+    ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::add_mass(NodeId node, double mass) {
+    check(node);
+    detail::require_positive("Model::add_mass: mass", mass);
+    masses_.push_back({node, mass});
+    ++revision_.properties;
+}
+
+ANCF_INLINE void Scene::gather_element(const ElementGroup& group, int index, const VectorX& q,
+                                       double* e) const {
+    const Connection& connection = group.connection(index);
+    detail::require(q.size() == layout().size(), "Model::element_coordinates: expected ",
+                    layout().size(), " coordinates, got ", q.size());
+    for (const NodeId node : {connection.first, connection.second})
+        for (int k = 0; k < field_count; ++k) {
+            const auto field = static_cast<Field>(k);
+            if (!group.fields().contains(field)) continue;
+            const int first = layout().index({node, field});
+            for (int i = 0; i < dimension_; ++i) *e++ = q[first + i];
+        }
+}
+
+ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
+    check(node);
+    const int first = layout().index({node, field});
+    detail::require(first >= 0, "Model: node ", node.index, " carries no ", to_string(field),
+                    ", as no element there needs it");
+    return first;
+}
+
+ANCF_INLINE void Scene::refresh() const {
+    if (!stale_) return;
+    std::vector<Fields> fields;
+    fields.reserve(initial_.size());
+    for (const InitialNode& node : initial_) fields.push_back(node.fields);
+    const Layout before =
+        std::exchange(layout_, Layout(dimension_, std::move(fields), torsion_shares()));
+    const State old = std::exchange(state_, State{});
+    state_.time = old.time;
+    state_.q.setZero(layout_.size());
+    state_.v.setZero(layout_.size());
+    for (int node = 0; node < nodes(); ++node)
+        for (int k = 0; k < field_count; ++k) {
+            const NodeField at{{node}, static_cast<Field>(k)};
+            const int to = layout_.index(at);
+            if (to < 0) continue;
+            const int from = node < before.nodes() ? before.index(at) : -1;
+            const double* const vector =
+                initial_[static_cast<std::size_t>(node)].vectors.data() + 3 * k;
+            for (int i = 0; i < dimension_; ++i) {
+                state_.q[to + i] = from >= 0 ? old.q[from + i] : vector[i];
+                if (from >= 0) state_.v[to + i] = old.v[from + i];
+            }
+        }
+    int equations = 0;
+    for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
+    state_.multipliers.setZero(equations);
+    const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
+    state_.multipliers.head(kept) = old.multipliers.head(kept);
+    stale_ = false;
+}
+
+ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
+    std::vector<std::array<double, 2>> stiffness(initial_.size(), {0.0, 0.0});
+    for (const auto& group : groups_)
+        for (const Connection& connection : group->connections) {
+            double own[2];
+            group->torsion_stiffness(connection.prototype, own);
+            for (const NodeId node : {connection.first, connection.second})
+                for (std::size_t k = 0; k < 2; ++k)
+                    stiffness[static_cast<std::size_t>(node.index)][k] += own[k];
+        }
+    std::vector<double> shares;
+    shares.reserve(stiffness.size());
+    for (const auto& of : stiffness) {
+        const double sum = of[0] + of[1];
+        shares.push_back(sum > 0.0 ? of[0] / sum : 0.5);
+    }
+    return shares;
+}
+
+ANCF_INLINE void Scene::check(NodeId node) const {
+    detail::require(node.index >= 0 && node.index < nodes(), "Model: there are ", nodes(),
+                    " nodes, got node ", node.index);
+}
+
+ANCF_INLINE void Scene::check_component(int component) const {
+    detail::require(component >= 0 && component < dimension_, "Model: a vector has ", dimension_,
+                    " components, got component ", component);
+}
+
+}  // namespace ancf

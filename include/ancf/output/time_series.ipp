@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Results over time: definitions.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/assembly/resultant.hpp>
+#include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/support.hpp>
+#include <ancf/output/time_series.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+namespace detail {
+
+ANCF_INLINE std::vector<std::string> reaction_parts() {
+    return {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
+}
+
+}  // namespace detail
+
+ANCF_INLINE TimeSeries::TimeSeries(std::ostream& out, const Scene& model)
+    : out_(out), model_(model) {}
+
+ANCF_INLINE void TimeSeries::add(const std::string& name, const std::vector<std::string>& parts,
+                                 Append append) {
+    detail::require(!csv_, "TimeSeries: ", name, " must be added before the first row");
+    Quantity quantity{{}, std::move(append)};
+    for (const std::string& part : parts) quantity.columns.push_back(name + '_' + part);
+    quantities_.push_back(std::move(quantity));
+}
+
+ANCF_INLINE void TimeSeries::check_place(double xi) {
+    detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
+}
+
+ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, int constraint, NodeId node) {
+    const auto& constraints = model_.constraints();
+    detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
+                    "TimeSeries: there are ", constraints.size(), " constraints, got index ",
+                    constraint, "; for a support give the DynamicProblem instead");
+    const AnyConstraint& held = constraints[static_cast<std::size_t>(constraint)];
+    bool found = false;
+    for (const NodeField& at : held.coupling()) found = found || at.node == node;
+    detail::require(found, "TimeSeries: ", held.name(), " does not hold node ", node.index);
+    add(name, detail::reaction_parts(), [this, node, constraint](const State& state, Values& row) {
+        append_force(node, state, constraint_force(constraint, state), row);
+    });
+}
+
+ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, DynamicProblem& problem,
+                                          NodeId node) {
+    detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
+                    " is that of another model");
+    bool found = false;
+    for (const Support& support : model_.supports()) found = found || support.node == node;
+    detail::require(found, "TimeSeries: no support holds node ", node.index);
+    solve_supports_ = [this, &problem](const State& state) {
+        if (problem.reactions(state, support_force_) != Status::converged)
+            support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
+    };
+    add(name, detail::reaction_parts(), [this, node](const State& state, Values& row) {
+        append_force(node, state, support_force_, row);
+    });
+}
+
+/// Returns -G^T lambda of one constraint, of all coordinates.
+ANCF_INLINE VectorX TimeSeries::constraint_force(int constraint, const State& state) const {
+    const int dimension = model_.dimension();
+    const auto& constraints = model_.constraints();
+    int first = 0;
+    for (int k = 0; k < constraint; ++k)
+        first += constraints[static_cast<std::size_t>(k)].equations();
+    const AnyConstraint& held = constraints[static_cast<std::size_t>(constraint)];
+    std::vector<int> coordinates;  // of all its vectors
+    for (const NodeField& at : held.coupling())
+        for (int i = 0; i < dimension; ++i)
+            coordinates.push_back(model_.coordinate(at.node, at.field) + i);
+    const auto size = static_cast<Eigen::Index>(coordinates.size());
+    ConstraintState at;
+    detail::gather(state.q, coordinates, at.q);
+    at.v.setZero(size);
+    at.time = state.time;
+    at.multipliers = state.multipliers.segment(first, held.equations());
+    ConstraintResult out;
+    out.reset(held.equations(), size);
+    held.evaluate(at, out);
+    const VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
+    VectorX force = VectorX::Zero(state.q.size());
+    for (Eigen::Index k = 0; k < size; ++k)
+        force[coordinates[static_cast<std::size_t>(k)]] += exerted[k];
+    return force;
+}
+
+ANCF_INLINE void TimeSeries::append_force(NodeId node, const State& state, const VectorX& force,
+                                          Values& row) const {
+    const Resultant at = nodal_resultant(model_, state.q, force, node);
+    row.insert(row.end(), at.force.data(), at.force.data() + 3);
+    row.insert(row.end(), at.moment.data(), at.moment.data() + 3);
+}
+
+ANCF_INLINE void TimeSeries::write(const Snapshot& seen) {
+    if (!csv_) {
+        std::vector<std::string> columns = {"t",         "kinetic",    "strain",
+                                            "potential", "load_power", "constraint_power"};
+        for (const Quantity& quantity : quantities_)
+            columns.insert(columns.end(), quantity.columns.begin(), quantity.columns.end());
+        csv_.emplace(out_, std::move(columns));
+    }
+    const Energies& energies = seen.energies;
+    Values row = {seen.state.time,    energies.kinetic,    energies.strain,
+                  energies.potential, energies.load_power, energies.constraint_power};
+    if (solve_supports_) solve_supports_(seen.state);
+    for (const Quantity& quantity : quantities_) quantity.append(seen.state, row);
+    csv_->row(row);
+}
+
+}  // namespace ancf

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of automatic.hpp.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/solver/automatic.hpp>
+#include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
+
+namespace ancf {
+
+ANCF_INLINE Automatic::Automatic() : general_(std::make_unique<EigenLdlt>()) {}
+
+ANCF_INLINE Automatic::Automatic(std::unique_ptr<LinearSolver> general, BlockTridiagonal chain)
+    : chain_(std::move(chain)), general_(std::move(general)) {
+    detail::require(general_ != nullptr, "Automatic needs a general solver, got none");
+    detail::require(general_->storage() == Storage::lower,
+                    "Automatic needs a solver of symmetric matrices, of lower storage, got ",
+                    general_->name());
+}
+
+ANCF_INLINE Automatic::Automatic(Automatic&& other) noexcept
+    : chain_(std::move(other.chain_)),
+      general_(std::move(other.general_)),
+      is_chain_(std::exchange(other.is_chain_, true)),
+      explanation_(std::move(other.explanation_)) {}
+
+ANCF_INLINE Automatic& Automatic::operator=(Automatic&& other) noexcept {
+    chain_ = std::move(other.chain_);
+    general_ = std::move(other.general_);
+    is_chain_ = std::exchange(other.is_chain_, true);
+    explanation_ = std::move(other.explanation_);
+    return *this;
+}
+
+ANCF_INLINE void Automatic::analyze(const SparseMatrix& lower) {
+    detail::require_storage("automatic", lower, storage());
+    is_chain_ = BlockTridiagonal::accepts(lower) || !general_;
+    if (is_chain_) {
+        chain_.analyze(lower);
+    } else {
+        general_->analyze(lower);
+    }
+    explain(lower);
+}
+
+ANCF_INLINE FactorReport Automatic::factorize(const SparseMatrix& lower) {
+    return is_chain_ ? chain_.factorize(lower) : general_->factorize(lower);
+}
+
+ANCF_INLINE void Automatic::solve(const VectorX& b, VectorX& x) const { chosen().solve(b, x); }
+
+ANCF_INLINE void Automatic::explain(const SparseMatrix& lower) {
+    const int widest = detail::widest_block(detail::chain_starts(lower));
+    explanation_ =
+        is_chain_
+            ? detail::joined({name(), ": a chain of ", chain_.blocks(), " blocks of up to ", widest,
+                              " unknowns"})
+            : detail::joined({name(), ": no chain, it would take a block of ", widest,
+                              " unknowns, and ", BlockTridiagonal::max_block, " are the most"});
+}
+
+}  // namespace ancf

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of block_tridiagonal.hpp.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/block_tridiagonal_kernel.hpp>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+namespace detail {
+
+/// The widths of blocks that are compiled.
+using BlockWidths = std::integer_sequence<int, 6, 12, BlockTridiagonal::max_block>;
+
+/// Returns the smallest compiled width that holds `widest`, which is at most max_block.
+template <int... Width>
+int fitting_width(int widest, std::integer_sequence<int, Width...>) {
+    int fitting = BlockTridiagonal::max_block;
+    ((fitting = widest <= Width ? std::min(fitting, Width) : fitting), ...);
+    return fitting;
+}
+
+/// Calls action(std::integral_constant<int, N>()) with the N that `width` is.
+template <class Action, int... Width>
+void with_block_width(int width, Action&& action, std::integer_sequence<int, Width...>) {
+    ((width == Width ? action(std::integral_constant<int, Width>()) : void()), ...);
+}
+
+}  // namespace detail
+
+ANCF_INLINE void BlockTridiagonal::analyze(const SparseMatrix& lower) {
+    detail::require_storage(name(), lower, storage());
+    const std::vector<int> starts = detail::chain_starts(lower);
+    const int widest = detail::widest_block(starts);
+    detail::require(widest <= max_block, name(), " needs a chain of blocks of at most ", max_block,
+                    " unknowns, got a block of ", widest);
+    stage_.reset();
+    layout_ =
+        detail::block_layout(lower, starts, detail::fitting_width(widest, detail::BlockWidths()));
+    const Eigen::Index width = layout_.width;
+    panels_.resize(2 * width * width * layout_.blocks());
+    stage_.analysed(lower);
+}
+
+ANCF_INLINE FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) {
+    stage_.begin_factorisation(name(), lower);
+    detail::require(detail::stays_within(lower, layout_), name(), " analysed another pattern");
+    roots_.resize(lower.cols());
+    probe_.resize(lower.cols());
+    detail::PivotSummary summary;
+    detail::with_block_width(
+        layout_.width,
+        [&](auto width) {
+            using Kernel = detail::BlockKernel<width()>;
+            summary =
+                Kernel::factorize(layout_, lower, panels_.data(), roots_.data(), probe_.data());
+            if (summary.complete || summary.failed_column >= 0) return;
+            detail::symmetric_roots(lower, roots_);
+            summary.weights = detail::probe_load(roots_, probe_);
+            summary.energy = Kernel::probe_energy(layout_, panels_.data(), probe_.data());
+        },
+        detail::BlockWidths());
+    FactorReport report;
+    if (summary.failed_column >= 0) {
+        detail::report_failure(lower, summary.failed_column, report);
+    } else {
+        report.negative_pivots = summary.negative;
+        report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
+        if (!(report.rcond > singular_rcond_)) {
+            detail::probe_load(roots_, probe_);
+            solve_in_place(probe_);
+            detail::report_failure(lower, detail::softest_unknown(roots_, probe_), report);
+        }
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE void BlockTridiagonal::solve_in_place(VectorX& x) const {
+    detail::with_block_width(
+        layout_.width,
+        [&](auto width) { detail::BlockKernel<width()>::solve(layout_, panels_.data(), x.data()); },
+        detail::BlockWidths());
+}
+
+ANCF_INLINE void BlockTridiagonal::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (&x != &b) x = b;
+    solve_in_place(x);
+}
+
+}  // namespace ancf

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// ConvergenceMonitor: definitions.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/layout.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/solver/convergence.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ancf {
+
+namespace detail {
+
+/// Returns the diagonal of the box around all positions.
+template <int Dimension>
+[[nodiscard]] double diagonal_of(const Layout& layout, const VectorX& q) {
+    Vector<double, Dimension> low, high;
+    for (int k = 0; k < Dimension; ++k) {
+        low[k] = std::numeric_limits<double>::infinity();
+        high[k] = -low[k];
+    }
+    for (int node = 0; node < layout.nodes(); ++node) {
+        if (!layout.fields(node).contains(Field::r)) continue;
+        for (int k = 0; k < Dimension; ++k) {
+            low[k] = std::min(low[k], q[layout.first(node) + k]);
+            high[k] = std::max(high[k], q[layout.first(node) + k]);
+        }
+    }
+    for (int k = 0; k < Dimension; ++k) high[k] -= low[k];
+    return high.norm();
+}
+
+}  // namespace detail
+
+ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numbering)
+    : numbering_(numbering) {
+    const Layout& layout = model.layout();
+    power_.assign(static_cast<std::size_t>(layout.size()), 0);
+    for (int node = 0; node < layout.nodes(); ++node)
+        for (const Field field : {Field::r, Field::r_xx})
+            if (const int first = layout.index({{node}, field}); first >= 0)
+                std::fill_n(power_.begin() + first, model.dimension(),
+                            static_cast<signed char>(length_power(field)));
+    double length = 0.0;
+    int count = 0;
+    for (const auto& group : model.groups())
+        for (const Connection& connection : group->connections) {
+            length += group->length(connection.prototype);
+            ++count;
+        }
+    if (count == 0) return;
+    element_size_ = length / count;
+    const VectorX& q = model.state().q;
+    detail::require(q.size() == layout.size(), "the state has ", q.size(),
+                    " coordinates, the model has ", layout.size());
+    const double diagonal = model.dimension() == 2 ? detail::diagonal_of<2>(layout, q)
+                                                   : detail::diagonal_of<3>(layout, q);
+    size_ = std::max(diagonal, element_size_);
+}
+
+template <class Entry>
+ConvergenceMonitor::Norms ConvergenceMonitor::norms(const Entry& entry) const {
+    Norms sums;
+    for (std::size_t k = 0; k < power_.size(); ++k) {
+        double value = entry(static_cast<int>(k));
+        if (power_[k] < 0) value /= element_size_;
+        (power_[k] > 0 ? sums.force : sums.moment) += value * value;
+    }
+    return {std::sqrt(sums.force), std::sqrt(sums.moment)};
+}
+
+ANCF_INLINE double ConvergenceMonitor::violation(const Assembly& assembly) const {
+    const VectorX scale = assembly.violation_scale(size_);
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < scale.size(); ++k) {
+        const double value = assembly.violation()[k];
+        if (value == 0.0) continue;
+        // what no coordinate changes is violated as a whole
+        const double share = scale[k] > 0.0 || std::isnan(value) ? value / scale[k] : 1.0;
+        sum += share * share;
+    }
+    return std::sqrt(sum);
+}
+
+ANCF_INLINE double ConvergenceMonitor::residual(const Assembly& assembly) const {
+    const VectorX& internal = assembly.internal_force();
+    const VectorX& external = assembly.external_force();
+    const VectorX& constraint = assembly.constraint_force();
+    const auto unbalanced = [&](int k) { return internal[k] + constraint[k] - external[k]; };
+    const Norms loads = norms([&](int k) { return external[k]; });
+    const Norms joints = norms([&](int k) { return constraint[k]; });
+    const Norms reactions =
+        norms([&](int k) { return numbering_.equation(k) < 0 ? unbalanced(k) : 0.0; });
+    const Norms rest =
+        norms([&](int k) { return numbering_.equation(k) < 0 ? 0.0 : unbalanced(k); });
+
+    const double moment = loads.moment + joints.moment + reactions.moment;
+    const double force = loads.force + joints.force + reactions.force;
+    const double smallest = std::numeric_limits<double>::min();
+    const double of_force = rest.force / std::max(force + moment / size_, smallest);
+    const double of_moment = rest.moment / std::max(moment + force * element_size_, smallest);
+    const double violation = this->violation(assembly);
+    // std::max would drop a NaN, and infinite loads hide any residual
+    if (std::isnan(of_force + of_moment + violation) || !std::isfinite(force + moment) ||
+        !std::isfinite(rest.force + rest.moment + violation))
+        return std::numeric_limits<double>::quiet_NaN();
+    // stressed inside, without loads and, as yet, without reactions: far from equilibrium
+    return std::min(std::max({of_force, of_moment, violation}), std::numeric_limits<double>::max());
+}
+
+ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
+                                                  const VectorX& q) const {
+    const SparseMatrix& tangent = assembly.tangent();
+    const int unknowns = numbering_.free_coordinates();
+    VectorX at;
+    numbering_.gather_free(q, at);
+    VectorX floor = VectorX::Zero(numbering_.unknowns());
+    const bool lower = assembly.pattern().storage() == Storage::lower;
+    for (int j = 0; j < unknowns; ++j)
+        for (int k = tangent.outerIndexPtr()[j]; k < tangent.outerIndexPtr()[j + 1]; ++k) {
+            const int i = tangent.innerIndexPtr()[k];
+            if (i >= unknowns) continue;
+            const double value = std::abs(tangent.valuePtr()[k]);
+            floor[i] += value * std::abs(at[j]);
+            if (lower && i != j) floor[j] += value * std::abs(at[i]);
+        }
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const Norms rest = norms([&](int k) {
+        return numbering_.equation(k) < 0
+                   ? 0.0
+                   : assembly.internal_force()[k] + assembly.constraint_force()[k] -
+                         assembly.external_force()[k];
+    });
+    const Norms limit = norms([&](int k) {
+        const int equation = numbering_.equation(k);
+        return equation < 0 ? 0.0 : epsilon * floor[equation];
+    });
+    return std::isfinite(rest.force + rest.moment) && rest.force <= limit.force &&
+           rest.moment <= limit.moment && violation(assembly) <= 16.0 * epsilon;
+}
+
+ANCF_INLINE double ConvergenceMonitor::correction(const VectorX& unknowns) const {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < power_.size(); ++k) {
+        const int equation = numbering_.equation(static_cast<int>(k));
+        if (equation < 0) continue;
+        const double value = std::abs(unknowns[equation]);
+        largest = std::max(largest, power_[k] > 0   ? value / size_
+                                    : power_[k] < 0 ? value * element_size_
+                                                    : value);
+    }
+    return largest;
+}
+
+}  // namespace ancf

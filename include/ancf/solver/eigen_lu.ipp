@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of eigen_lu.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ancf {
+
+struct EigenLu::Factors : Eigen::SparseLU<SparseMatrix, Eigen::COLAMDOrdering<int>> {};
+
+ANCF_INLINE void EigenLu::Free::operator()(Factors* factors) const noexcept { delete factors; }
+
+ANCF_INLINE void EigenLu::analyze(const SparseMatrix& matrix) {
+    detail::require_storage(name(), matrix, storage());
+    stage_.reset();
+    lu_.reset(new Factors);
+    scaled_ = matrix;
+    if (matrix.cols() > 0) lu_->analyzePattern(scaled_);
+    stage_.analysed(matrix);
+}
+
+ANCF_INLINE FactorReport EigenLu::factorize(const SparseMatrix& matrix) {
+    stage_.begin_factorisation(name(), matrix);
+    FactorReport report;
+    if (!detail::all_finite(matrix)) {
+        report.status = Status::not_finite;
+    } else if (matrix.cols() > 0) {
+        scale_rows(matrix);
+        lu_->factorize(scaled_);
+        const auto substitute = [&](const VectorX& right, VectorX& x) {
+            this->substitute(right, x);
+        };
+        if (lu_->info() == Eigen::Success) {
+            detail::report_condition(matrix, singular_rcond_, substitute, report);
+        } else {
+            detail::report_failure(matrix, -1, report);
+        }
+    } else {
+        report.rcond = 1.0;
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE void EigenLu::scale_rows(const SparseMatrix& matrix) {
+    // entries of a row compare where each unknown is measured by its own scale
+    const VectorX scales = detail::unit_scales(matrix);
+    row_scale_ = VectorX::Zero(matrix.rows());
+    for (int column = 0; column < matrix.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+            row_scale_[entry.row()] =
+                std::max(row_scale_[entry.row()], std::abs(entry.value()) * scales[column]);
+    row_scale_ = (row_scale_.array() > 0.0).select(row_scale_.cwiseInverse(), 1.0);
+    scaled_ = row_scale_.asDiagonal() * matrix;
+}
+
+ANCF_INLINE void EigenLu::substitute(const VectorX& b, VectorX& x) const {
+    const VectorX scaled = row_scale_.cwiseProduct(b);
+    x = lu_->solve(scaled);
+}
+
+ANCF_INLINE void EigenLu::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (b.size() > 0) {
+        substitute(b, x);
+    } else {
+        x = b;
+    }
+}
+
+}  // namespace ancf

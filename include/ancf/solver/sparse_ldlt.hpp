@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// L D L^T of a sparse symmetric matrix in plain loops, for signs of pivots and systems beside the
+/// tangent: it costs a program little to compile.
+///
+/// Row by row along the elimination tree [Davis, ACM Trans. Math. Softw. 31 (2005), Algorithm 849],
+/// after minimum degree on blocks of rows; without pivoting.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/types.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace ancf::detail {
+
+/// One value of a matrix.
+struct MatrixEntry {
+    int row;
+    int column;
+    double value;
+};
+
+/// Returns the compressed matrix of entries, those of one place added in their order.
+[[nodiscard]] SparseMatrix compressed(int size, const std::vector<MatrixEntry>& entries);
+
+/// Factorises a symmetric matrix, definite or not.
+class SparseLdlt {
+public:
+    /// @param lower   compressed, with the lower half or more: what is above the diagonal is left
+    ///                aside.
+    /// @param blocks  of each row its block, from 0: a node. Rows of one block stay together.
+    /// @return        false where a pivot is zero or not finite; no solution may then be asked for.
+    [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks);
+
+    /// Returns the number of rows.
+    [[nodiscard]] int size() const noexcept { return static_cast<int>(order_.size()); }
+
+    /// Returns the number of entries below the diagonal of L.
+    [[nodiscard]] int fill() const noexcept { return static_cast<int>(row_.size()); }
+
+    /// Returns the pivot of a row of the matrix.
+    [[nodiscard]] double pivot(int row) const {
+        return pivots_[static_cast<std::size_t>(place_[static_cast<std::size_t>(row)])];
+    }
+
+    /// Solves A x = b in place.
+    void solve(VectorX& x) const;
+
+private:
+    void permute(const SparseMatrix& lower);
+    void analyze();
+    [[nodiscard]] bool eliminate();
+
+    std::vector<int> order_, place_;  // row at a place, place of a row
+    // of the permuted matrix the upper half, by columns
+    std::vector<std::size_t> upper_first_;
+    std::vector<int> upper_row_;
+    std::vector<double> upper_value_;
+    std::vector<int> parent_;  // in the elimination tree, -1 for a root
+    // L below its diagonal, by columns
+    std::vector<std::size_t> first_;
+    std::vector<int> row_;
+    std::vector<double> value_;
+    std::vector<double> pivots_;
+};
+
+}  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/sparse_ldlt.ipp>
+#endif

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// SparseLdlt: definitions.
+
+#pragma once
+
+#include <ancf/solver/sparse_ldlt.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ancf::detail {
+
+ANCF_INLINE SparseMatrix compressed(int size, const std::vector<MatrixEntry>& entries) {
+    // sorted by row, then by column: two passes that keep the order of equals
+    const auto sorted = [size](const std::vector<MatrixEntry>& from, int MatrixEntry::*key) {
+        std::vector<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
+        for (const MatrixEntry& entry : from) ++next[static_cast<std::size_t>(entry.*key) + 1];
+        for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+        std::vector<MatrixEntry> to(from.size());
+        for (const MatrixEntry& entry : from)
+            to[next[static_cast<std::size_t>(entry.*key)]++] = entry;
+        return to;
+    };
+    std::vector<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
+    std::size_t kept = 0;
+    for (const MatrixEntry& entry : all) {
+        MatrixEntry* const last = kept > 0 ? &all[kept - 1] : nullptr;
+        if (last != nullptr && last->row == entry.row && last->column == entry.column)
+            last->value += entry.value;
+        else
+            all[kept++] = entry;
+    }
+    SparseMatrix matrix(size, size);
+    matrix.resizeNonZeros(static_cast<int>(kept));
+    int* outer = matrix.outerIndexPtr();
+    std::fill_n(outer, size + 1, 0);
+    for (std::size_t k = 0; k < kept; ++k) {
+        ++outer[all[k].column + 1];
+        matrix.innerIndexPtr()[k] = all[k].row;
+        matrix.valuePtr()[k] = all[k].value;
+    }
+    for (int j = 0; j < size; ++j) outer[j + 1] += outer[j];
+    return matrix;
+}
+
+/// Returns the blocks in an order of elimination that keeps fill small: always one of those with
+/// the fewest neighbours, the last one that came to have so few.
+[[nodiscard]] ANCF_INLINE std::vector<int> minimum_degree(
+    std::vector<std::vector<int>> neighbours) {
+    const auto count = static_cast<int>(neighbours.size());
+    const auto at = [](int k) { return static_cast<std::size_t>(k); };
+    std::vector<std::vector<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
+    for (int k = count - 1; k >= 0; --k) waiting[neighbours[at(k)].size()].push_back(k);
+    std::vector<int> seen(neighbours.size(), -1);
+    std::vector<bool> gone(neighbours.size(), false);
+    std::vector<int> order;
+    order.reserve(neighbours.size());
+    int stamp = 0;
+    for (std::size_t degree = 0; degree < waiting.size();) {
+        if (waiting[degree].empty()) {
+            ++degree;
+            continue;
+        }
+        const int block = waiting[degree].back();
+        waiting[degree].pop_back();
+        if (gone[at(block)] || neighbours[at(block)].size() != degree) continue;
+        gone[at(block)] = true;
+        order.push_back(block);
+        const std::vector<int> clique = std::exchange(neighbours[at(block)], {});
+        for (const int one : clique) {
+            std::vector<int>& own = neighbours[at(one)];
+            seen[at(one)] = seen[at(block)] = ++stamp;
+            std::size_t kept = 0;
+            for (const int other : own) {
+                if (other == block) continue;
+                seen[at(other)] = stamp;
+                own[kept++] = other;
+            }
+            own.resize(kept);
+            for (const int other : clique)
+                if (seen[at(other)] != stamp) own.push_back(other);
+            waiting[own.size()].push_back(one);
+            degree = std::min(degree, own.size());
+        }
+    }
+    return order;
+}
+
+/// Returns the blocks that each block shares an entry with.
+[[nodiscard]] ANCF_INLINE std::vector<std::vector<int>> coupled_blocks(
+    const SparseMatrix& matrix, const std::vector<int>& blocks) {
+    const int count = blocks.empty() ? 0 : *std::max_element(blocks.begin(), blocks.end()) + 1;
+    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(count));
+    const auto size = static_cast<int>(matrix.cols());
+    for (int j = 0; j < size; ++j)
+        for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
+            const int a = blocks[static_cast<std::size_t>(matrix.innerIndexPtr()[k])];
+            const int b = blocks[static_cast<std::size_t>(j)];
+            if (a == b) continue;
+            std::vector<int>& of_a = neighbours[static_cast<std::size_t>(a)];
+            if (std::find(of_a.rbegin(), of_a.rend(), b) != of_a.rend()) continue;
+            of_a.push_back(b);
+            neighbours[static_cast<std::size_t>(b)].push_back(a);
+        }
+    return neighbours;
+}
+
+ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks) {
+    const std::vector<int> sequence = minimum_degree(coupled_blocks(lower, blocks));
+    std::vector<std::vector<int>> rows(sequence.size());
+    for (std::size_t row = 0; row < blocks.size(); ++row)
+        rows[static_cast<std::size_t>(blocks[row])].push_back(static_cast<int>(row));
+    order_.clear();
+    place_.assign(blocks.size(), -1);
+    for (const int block : sequence)
+        for (const int row : rows[static_cast<std::size_t>(block)]) {
+            place_[static_cast<std::size_t>(row)] = static_cast<int>(order_.size());
+            order_.push_back(row);
+        }
+    permute(lower);
+    analyze();
+    return eliminate();
+}
+
+/// Copies the lower half into the upper half of the permuted matrix.
+ANCF_INLINE void SparseLdlt::permute(const SparseMatrix& lower) {
+    const auto visit = [&](const auto& entry) {
+        for (int j = 0; j < size(); ++j)
+            for (int k = lower.outerIndexPtr()[j]; k < lower.outerIndexPtr()[j + 1]; ++k) {
+                const int i = lower.innerIndexPtr()[k];
+                if (i < j) continue;
+                const int a = place_[static_cast<std::size_t>(i)];
+                const int b = place_[static_cast<std::size_t>(j)];
+                entry(std::min(a, b), static_cast<std::size_t>(std::max(a, b)),
+                      lower.valuePtr()[k]);
+            }
+    };
+    upper_first_.assign(order_.size() + 1, 0);
+    visit([&](int, std::size_t column, double) { ++upper_first_[column + 1]; });
+    for (std::size_t k = 0; k < order_.size(); ++k) upper_first_[k + 1] += upper_first_[k];
+    upper_row_.resize(upper_first_.back());
+    upper_value_.resize(upper_first_.back());
+    std::vector<std::size_t> next = upper_first_;
+    visit([&](int row, std::size_t column, double value) {
+        upper_row_[next[column]] = row;
+        upper_value_[next[column]++] = value;
+    });
+}
+
+/// Finds the elimination tree and how long each column of L is.
+ANCF_INLINE void SparseLdlt::analyze() {
+    const int rows = size();
+    parent_.assign(order_.size(), -1);
+    std::vector<int> seen(order_.size(), -1);
+    first_.assign(order_.size() + 1, 0);
+    int* const parent = parent_.data();
+    for (int k = 0; k < rows; ++k) {
+        seen[static_cast<std::size_t>(k)] = k;
+        for (std::size_t e = upper_first_.data()[k]; e < upper_first_.data()[k + 1]; ++e)
+            for (int i = upper_row_[e]; seen.data()[i] != k; i = parent[i]) {
+                if (parent[i] < 0) parent[i] = k;
+                ++first_.data()[i + 1];
+                seen.data()[i] = k;
+            }
+    }
+    for (std::size_t k = 0; k < order_.size(); ++k) first_[k + 1] += first_[k];
+    row_.resize(first_.back());
+    value_.resize(first_.back());
+}
+
+/// Computes L and D, a row of L after the other.
+ANCF_INLINE bool SparseLdlt::eliminate() {
+    const int rows = size();
+    pivots_.assign(order_.size(), 0.0);
+    std::vector<double> work(order_.size(), 0.0);
+    std::vector<int> seen(order_.size(), -1), pattern(order_.size()), path(order_.size());
+    std::vector<std::size_t> end(first_.begin(), first_.end() - 1);
+    double* const y = work.data();
+    int* const row = row_.data();
+    double* const value = value_.data();
+    for (int k = 0; k < rows; ++k) {
+        int top = rows;
+        seen.data()[k] = k;
+        for (std::size_t e = upper_first_.data()[k]; e < upper_first_.data()[k + 1]; ++e) {
+            int i = upper_row_[e];
+            y[i] += upper_value_[e];
+            int length = 0;
+            for (; seen.data()[i] != k; i = parent_.data()[i]) {
+                path.data()[length++] = i;
+                seen.data()[i] = k;
+            }
+            while (length > 0) pattern.data()[--top] = path.data()[--length];
+        }
+        double pivot = std::exchange(y[k], 0.0);
+        for (; top < rows; ++top) {
+            const int i = pattern.data()[top];
+            const double yi = std::exchange(y[i], 0.0);
+            std::size_t& last = end.data()[i];
+            for (std::size_t e = first_.data()[i]; e < last; ++e) y[row[e]] -= value[e] * yi;
+            const double entry = yi / pivots_.data()[i];
+            pivot -= entry * yi;
+            row[last] = k;
+            value[last++] = entry;
+        }
+        if (pivot == 0.0 || !std::isfinite(pivot)) return false;
+        pivots_.data()[k] = pivot;
+    }
+    return true;
+}
+
+ANCF_INLINE void SparseLdlt::solve(VectorX& x) const {
+    const int rows = size();
+    std::vector<double> permuted(order_.size());
+    double* const y = permuted.data();
+    for (int k = 0; k < rows; ++k) y[k] = x[order_.data()[k]];
+    for (int k = 0; k < rows; ++k)
+        for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
+            y[row_[e]] -= value_[e] * y[k];
+    for (int k = rows - 1; k >= 0; --k) {
+        y[k] /= pivots_.data()[k];
+        for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
+            y[k] -= value_[e] * y[row_[e]];
+    }
+    for (int k = 0; k < rows; ++k) x[order_.data()[k]] = y[k];
+}
+
+}  // namespace ancf::detail

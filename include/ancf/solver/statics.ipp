@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Newton's method in load steps: definitions of statics.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/assembly/resultant.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/model/scene.hpp>
+#include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/mechanism.hpp>
+#include <ancf/solver/stability.hpp>
+#include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace ancf {
+
+namespace detail {
+
+/// Whether every entry is zero.
+[[nodiscard]] ANCF_INLINE bool vanishes(const VectorX& x) {
+    return std::all_of(x.data(), x.data() + x.size(), [](double entry) { return entry == 0.0; });
+}
+
+/// Whether no entry is a NaN or an infinity.
+[[nodiscard]] ANCF_INLINE bool all_finite(const VectorX& x) {
+    return std::all_of(x.data(), x.data() + x.size(),
+                       [](double entry) { return std::isfinite(entry); });
+}
+
+/// Newton's method on one scene; keeps the assembly and the factorisation between steps.
+class StaticsRun {
+public:
+    StaticsRun(Scene& model, LinearSolver& solver, const StaticsOptions& options)
+        : model_(model),
+          solver_(solver),
+          options_(options),
+          assembly_(model, solver.storage()),
+          monitor_(model, assembly_.numbering()),
+          turning_(model, assembly_.numbering()),
+          newton_(possible(options.newton)) {
+        solver_.analyze(assembly_.tangent());
+    }
+
+    [[nodiscard]] StaticsReport run() {
+        const double whole = options_.last_factor - options_.first_factor;
+        const double equal = whole / options_.steps;
+        double step = equal;
+        double done = options_.first_factor;
+        report_.factor = done;
+        for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
+            double wanted = options_.adaptive ? done + step
+                                              : options_.first_factor + whole * k / options_.steps;
+            if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
+                wanted = options_.last_factor;
+            const double next = within_turn(done, wanted);
+            const DrivenTurn turn = driven_turn(model_.constraints(), done, next);
+            if (!turn.fits()) {
+                report_.status = Status::diverged;
+                report_.message = driven_turn_text(model_.constraints(), turn, done, next);
+                break;
+            }
+            const LoadStep& result = advance(next);
+            report_.status = result.status;
+            if (result.status == Status::converged) {
+                done = report_.factor = next;
+                if (next != wanted) continue;  // a part of a step
+                part_ = 1.0;
+                ++k;
+                if (options_.progress && !options_.progress(done, model_.state())) {
+                    report_.status = Status::stopped;
+                    report_.message = "the progress callback asked to stop";
+                    break;
+                }
+                if (result.iterations <= 6)
+                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
+                           (whole < 0.0 ? -1.0 : 1.0);
+            } else if (turn.angle > smallest_turn) {
+                part_ = 0.5 * turn.angle / largest_driven_turn;
+            } else {
+                step *= 0.5;
+                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
+                    break;
+            }
+        }
+        finish();
+        return std::move(report_);
+    }
+
+private:
+    static constexpr double smallest_turn = 0.05;  // rad: a shorter part is not tried
+
+    /// Returns the load factor wanted, or an earlier one up to which driven joints turn by what a
+    /// step, or the part of one that converges, may take.
+    [[nodiscard]] double within_turn(double done, double wanted) const {
+        const double most = part_ * largest_driven_turn * (1.0 + 1e-10);
+        double next = wanted;
+        for (int halving = 0; halving < 30; ++halving) {
+            const double turn = driven_turn(model_.constraints(), done, next).angle;
+            if (!(turn > most)) break;
+            // equal parts of an even drive at first
+            const double parts = halving == 0 ? std::ceil(turn / most) : 2.0;
+            next = done + (next - done) / parts;
+        }
+        return next;
+    }
+
+    /// Solves at a load factor from the model's state; keeps the state where that fails.
+    const LoadStep& advance(double factor) {
+        const LoadStep& step = attempt(factor, newton_);
+        if (step.status == Status::converged || newton_ == NewtonKind::plain) return step;
+        return attempt(factor, NewtonKind::plain);
+    }
+
+    /// The iteration asked for, or the plain one where no element has another.
+    [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
+        const auto& groups = model_.groups();
+        const bool evaluates_mixed = std::any_of(
+            groups.begin(), groups.end(),
+            [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; });
+        return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
+    }
+
+    const LoadStep& attempt(double factor, NewtonKind newton) {
+        // whatever ends the iteration, an exception of a user's function too
+        struct Keep {
+            State& state;
+            State before;
+            bool reached = false;
+            ~Keep() {
+                if (!reached) state = std::move(before);
+            }
+        } keep{model_.state(), model_.state()};
+        report_.fault.reset();
+        report_.message.clear();
+        LoadStep& step = report_.steps.emplace_back();
+        step.factor = factor;
+        step.newton = newton;
+        instant_ = {factor, factor};
+        step.status = iterate(step);
+        keep.reached = step.status == Status::converged;
+        if (!keep.reached) report_.message = cause(step);
+        return step;
+    }
+
+    /// Says why a step failed, from its last evaluation.
+    [[nodiscard]] std::string cause(const LoadStep& step) const {
+        if (report_.fault) return assembly_.describe(*report_.fault);
+        std::string text = joined({"the step to load factor ", step.factor, " failed after ",
+                                   step.iterations, " iterations"},
+                                  6);
+        if (step.status == Status::singular) return text + ": its tangent is singular";
+        if (!step.residuals.empty())
+            text += joined({", the last relative residual was ", step.residuals.back()}, 6);
+        if (!step.corrections.empty())
+            text += joined({", the last relative correction ", step.corrections.back()}, 6);
+        return text;
+    }
+
+    Status iterate(LoadStep& step) {
+        State& state = model_.state();
+        state.time = instant_.time;
+        VectorX driven = state.q;
+        assembly_.apply_supports(instant_, driven);
+        const VectorX increment = difference(driven, state.q);
+        const bool moved = !vanishes(increment);
+
+        if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
+        last_.before = state.q;
+        state.q = driven;
+        double correction = std::numeric_limits<double>::infinity();
+        while (true) {
+            const double residual = monitor_.residual(assembly_);
+            step.residuals.push_back(residual);
+            if (!std::isfinite(residual)) return Status::not_finite;
+            const bool at_rest = correction <= options_.correction_tolerance;
+            if (at_rest && residual <= options_.residual_tolerance) return accept(state);
+            // a scene without loads that is at rest needs no correction to know it
+            const bool idle =
+                step.iterations == 0 && !moved && vanishes(assembly_.external_force());
+            if (idle || settled(step) || stagnates(step)) {
+                step.at_round_off = monitor_.at_round_off(assembly_, state.q);
+                if (step.at_round_off) return accept(state);
+            }
+            if (step.iterations >= most_iterations(step.newton)) return Status::max_iterations;
+
+            report_.factorisation = solver_.factorize(assembly_.tangent());
+            if (report_.factorisation.status != Status::converged)
+                return report_.factorisation.status;
+            assembly_.residual(residual_);
+            solver_.solve(residual_, correction_);
+            for (double& entry : correction_) entry = -entry;
+            ++step.iterations;
+            if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
+                ++step.indefinite;
+            if (!all_finite(correction_)) return Status::not_finite;
+            if (!move(state, residual, step.newton)) return report_.fault->status;
+            correction = monitor_.correction(correction_);
+            step.corrections.push_back(correction);
+        }
+    }
+
+    /// Applies the correction, shortened on request, and evaluates there.
+    bool move(State& state, double before, NewtonKind newton) {
+        const State start = state;
+        const auto& numbering = assembly_.numbering();
+        const bool mixed = newton != NewtonKind::plain;
+        double length = 1.0;
+        for (int halving = 0;; ++halving) {
+            state = start;
+            numbering.add_free(correction_, length, state.q);
+            for (int k = 0; k < numbering.multipliers(); ++k)
+                state.multipliers[k] += length * correction_[numbering.free_coordinates() + k];
+            if (mixed) bend(newton, state.q);
+            const bool evaluated = evaluate(state, nullptr, mixed ? &last_ : nullptr);
+            if (!options_.line_search || halving == 8 ||
+                (evaluated && monitor_.residual(assembly_) < 2.0 * before)) {
+                last_.before = state.q;
+                return evaluated;
+            }
+            length *= 0.5;
+        }
+    }
+
+    /// Lets what the correction turns keep its length.
+    void bend(NewtonKind newton, VectorX& q) {
+        constexpr double small = 0.05;  // rad: below, the linear sum is better
+        last_.change = difference(q, last_.before);
+        if (newton == NewtonKind::turned &&
+            turning_.largest_angle(last_.before, last_.change) > small)
+            turning_.turn(last_.before, last_.change, q);
+        else
+            turning_.twist(last_.before, last_.change, q);
+    }
+
+    bool evaluate(const State& state, const VectorX* increment, const Correction* last = nullptr) {
+        const VectorX rest = VectorX::Zero(state.q.size());
+        report_.fault = assembly_.evaluate({state.q, rest, state.multipliers, instant_},
+                                           Request::tangent, increment, last);
+        return !report_.fault.has_value();
+    }
+
+    /// A root of the equations counts only where every element is in order.
+    Status accept(const State& state) {
+        report_.fault = assembly_.inspect(state.q);
+        return report_.fault ? report_.fault->status : Status::converged;
+    }
+
+    [[nodiscard]] int most_iterations(NewtonKind newton) const {
+        return newton == NewtonKind::plain
+                   ? options_.max_iterations
+                   : std::min(options_.mixed_iterations, options_.max_iterations);
+    }
+
+    /// Whether the last correction is far below its tolerance and beside what the step has moved.
+    [[nodiscard]] bool settled(const LoadStep& step) const {
+        if (step.corrections.empty()) return false;
+        const double last = step.corrections.back();
+        return last <= 1e-2 * options_.correction_tolerance &&
+               last <= 1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
+    }
+
+    static bool stagnates(const LoadStep& step) {
+        const std::size_t count = step.residuals.size();
+        return count >= 3 && step.corrections.back() < 1e-3 &&
+               step.residuals[count - 1] > 0.25 * step.residuals[count - 2];
+    }
+
+    void finish() {
+        const State& state = model_.state();
+        const auto& numbering = assembly_.numbering();
+        instant_ = {report_.factor, report_.factor};
+        report_.reactions.setZero(numbering.coordinates());
+        const auto fault = report_.fault;
+        if (!evaluate(state, nullptr)) return;
+        report_.fault = fault;
+        report_.softened = assembly_.softened(state.q);
+        report_.largest_turn = assembly_.largest_turn(state.q);
+        report_.strain_energy = assembly_.strain_energy();
+        // the last tangent of a run that failed is not of the state that it keeps
+        const bool counted = report_.status == Status::converged && !report_.steps.empty() &&
+                             report_.steps.back().iterations > 0;
+        report_.stability = stability(assembly_, counted ? report_.factorisation : FactorReport{});
+        for (const int k : numbering.held())
+            report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
+                                   assembly_.external_force()[k];
+        if (report_.status == Status::singular) {
+            std::string found =
+                singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
+            if (!found.empty()) report_.message = std::move(found);
+        }
+        report_.imbalance = resultant(model_, state.q,
+                                      combination({{1.0, assembly_.external_force()},
+                                                   {-1.0, assembly_.constraint_force()},
+                                                   {1.0, report_.reactions}}));
+    }
+
+    Scene& model_;
+    LinearSolver& solver_;
+    const StaticsOptions& options_;
+    Assembly assembly_;
+    ConvergenceMonitor monitor_;
+    Turning turning_;
+    NewtonKind newton_;
+    double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
+    Instant instant_;
+    StaticsReport report_;
+    VectorX residual_, correction_;
+    Correction last_;  // of the attempt that runs
+};
+
+}  // namespace detail
+
+ANCF_INLINE void StaticsOptions::check() const {
+    detail::require(steps >= 1, "StaticsOptions: steps must be at least 1, got ", steps);
+    detail::require(max_iterations >= 1, "StaticsOptions: max_iterations must be at least 1, got ",
+                    max_iterations);
+    detail::require(mixed_iterations >= 1,
+                    "StaticsOptions: mixed_iterations must be at least 1, got ", mixed_iterations);
+    detail::require_positive("StaticsOptions: residual_tolerance", residual_tolerance);
+    detail::require_positive("StaticsOptions: correction_tolerance", correction_tolerance);
+    detail::require_positive("StaticsOptions: min_step", min_step);
+    detail::require_finite("StaticsOptions: first_factor", first_factor);
+    detail::require_finite("StaticsOptions: last_factor", last_factor);
+    detail::require(first_factor != last_factor,
+                    "StaticsOptions: first_factor and last_factor must differ, both are ",
+                    last_factor);
+}
+
+ANCF_INLINE StaticsReport solve_statics(Scene& model, LinearSolver& solver,
+                                        const StaticsOptions& options) {
+    options.check();
+    return detail::StaticsRun(model, solver, options).run();
+}
+
+}  // namespace ancf

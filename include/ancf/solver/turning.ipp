@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Turning: definitions.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/solver/turning.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace ancf {
+
+namespace detail {
+
+/// A frame of slopes in the plane or in space, by columns, and what acts on it.
+struct Frame {
+    int dimension;
+    double entry[9] = {};
+
+    [[nodiscard]] double& operator()(int i, int j) { return entry[j * dimension + i]; }
+    [[nodiscard]] double operator()(int i, int j) const { return entry[j * dimension + i]; }
+};
+
+/// Returns the inner product of two vectors of 2, 3, 4 or 9 entries.
+[[nodiscard]] ANCF_INLINE double inner(const double* a, const double* b, int size) noexcept {
+    if (size <= 3) {
+        const double sum = a[0] * b[0] + a[1] * b[1];
+        return size == 3 ? sum + a[2] * b[2] : sum;
+    }
+    // pairs side by side, as a register of two takes them
+    double pairs[2] = {a[0] * b[0] + a[2] * b[2], a[1] * b[1] + a[3] * b[3]};
+    if (size == 9)
+        for (int k = 0; k < 2; ++k) pairs[k] += a[4 + k] * b[4 + k] + a[6 + k] * b[6 + k];
+    const double sum = pairs[0] + pairs[1];
+    return size == 9 ? sum + a[8] * b[8] : sum;
+}
+
+/// Writes v + change with the part of the change across v as an angle.
+ANCF_INLINE void turned(const double* v, const double* change, int dimension, double* out) {
+    const double length = std::sqrt(inner(v, v, dimension));
+    double unit[3] = {}, across[3] = {};
+    for (int k = 0; k < dimension; ++k) {
+        unit[k] = v[k] / length;
+        out[k] = v[k] + change[k];
+    }
+    if (length == 0.0) return;
+    const double along = inner(unit, change, dimension);
+    for (int k = 0; k < dimension; ++k) across[k] = change[k] - along * unit[k];
+    const double size = std::sqrt(inner(across, across, dimension));
+    if (size < 1e-12 * length) return;
+    const double angle = size / length;
+    const double cosine = std::cos(angle), sine = std::sin(angle) / size;
+    for (int k = 0; k < dimension; ++k)
+        out[k] = (length + along) * (cosine * unit[k] + sine * across[k]);
+}
+
+[[nodiscard]] ANCF_NOINLINE ANCF_INLINE Frame product(const Frame& a, const Frame& b) {
+    Frame result{a.dimension};
+    for (int j = 0; j < a.dimension; ++j)
+        for (int k = 0; k < a.dimension; ++k)
+            for (int i = 0; i < a.dimension; ++i) result(i, j) += a(i, k) * b(k, j);
+    return result;
+}
+
+/// Returns exp(W), W skew.
+[[nodiscard]] ANCF_INLINE Frame rotation(const Frame& skew) {
+    const int dimension = skew.dimension;
+    const double square = 0.5 * inner(skew.entry, skew.entry, dimension * dimension);
+    const double angle = std::sqrt(square);
+    const bool small = angle < 1e-4;  // where the series is exact to round-off
+    const double first = small ? 1.0 - square / 6.0 : std::sin(angle) / angle;
+    const double second = small ? 0.5 - square / 24.0 : (1.0 - std::cos(angle)) / square;
+    Frame result = product(skew, skew);
+    for (int j = 0; j < dimension; ++j)
+        for (int i = 0; i < dimension; ++i)
+            result(i, j) = (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
+    return result;
+}
+
+/// Writes the inverse of a frame of unit size.
+/// @return false where its determinant is below 1e-12.
+[[nodiscard]] ANCF_INLINE bool invert(const Frame& a, Frame& inverse) {
+    double determinant = 0.0;
+    if (a.dimension == 2) {
+        determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+        inverse(0, 0) = a(1, 1);
+        inverse(0, 1) = -a(0, 1);
+        inverse(1, 0) = -a(1, 0);
+        inverse(1, 1) = a(0, 0);
+    } else {
+        for (int k = 0; k < 3; ++k) {  // row k is the vector product of the other two columns
+            const int p = (k + 1) % 3, q = (k + 2) % 3;
+            for (int j = 0; j < 3; ++j) {
+                const int m = (j + 1) % 3, n = (j + 2) % 3;
+                inverse(k, j) = a(m, p) * a(n, q) - a(n, p) * a(m, q);
+            }
+        }
+        determinant = inverse(0, 0) * a(0, 0) + inverse(0, 1) * a(1, 0) + inverse(0, 2) * a(2, 0);
+    }
+    if (!(std::abs(determinant) > 1e-12)) return false;
+    for (double& entry : inverse.entry) entry /= determinant;
+    return true;
+}
+
+/// Keeps of a spin [w]x the part about the first column of a frame.
+ANCF_INLINE void keep_tangent_part(const Frame& frame, Frame& skew) {
+    const double* const t = frame.entry;
+    const double spin[3] = {skew(2, 1), skew(0, 2), skew(1, 0)};
+    const double part = inner(spin, t, 3) / inner(t, t, 3);
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        skew(k, k) = 0.0;
+        skew(j, i) = part * t[k];
+        skew(i, j) = -skew(j, i);
+    }
+}
+
+/// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
+/// @param tangent_only  W keeps the part about r_x
+ANCF_INLINE void turn_frame(const double* before, const double* change, int dimension,
+                            bool tangent_only, double* after) {
+    Frame G{dimension}, dG{dimension}, inverse{dimension}, skew{dimension};
+    std::copy_n(before, dimension * dimension, G.entry);
+    std::copy_n(change, dimension * dimension, dG.entry);
+    if (!invert(G, inverse)) return;
+    Frame rate = product(dG, inverse);
+    for (int j = 0; j < dimension; ++j)
+        for (int i = 0; i < dimension; ++i) skew(i, j) = 0.5 * (rate(i, j) - rate(j, i));
+    if (tangent_only) keep_tangent_part(G, skew);
+    for (int j = 0; j < dimension; ++j)  // I + D
+        for (int i = 0; i < dimension; ++i) rate(i, j) += (i == j ? 1.0 : 0.0) - skew(i, j);
+    const Frame result = product(rotation(skew), product(rate, G));
+    std::copy_n(result.entry, dimension * dimension, after);
+}
+
+}  // namespace detail
+
+ANCF_INLINE Turning::Turning(const Scene& model, const Numbering& numbering)
+    : layout_(model.layout()), numbering_(numbering), dimension_(model.dimension()) {
+    for (const auto& group : model.groups())
+        for (const Connection& c : group->connections)
+            chords_.push_back({c.first.index, c.second.index});
+}
+
+ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
+    const int first =
+        layout_.first(node) + (layout_.fields(node).contains(Field::r) ? dimension_ : 0);
+    const int last = layout_.index({{node}, Field::r_xx});  // which is no slope
+    const int count = ((last < 0 ? layout_.first(node + 1) : last) - first) / dimension_;
+    bool whole = count == dimension_;
+    for (int k = first; k < first + count * dimension_; ++k)
+        whole = whole && numbering_.equation(k) >= 0;
+    return {first, count, whole};
+}
+
+ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, VectorX& q) const {
+    if (dimension_ < 3) return;
+    for (int node = 0; node < layout_.nodes(); ++node)
+        if (const Slopes at = slopes(node); at.whole)
+            detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_, true,
+                               q.data() + at.first);
+}
+
+ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& change) const {
+    double largest = 0.0;
+    for (int node = 0; node < layout_.nodes(); ++node) {
+        const Slopes at = slopes(node);
+        for (int slope = 0; slope < at.count; ++slope) {
+            const double* const v = before.data() + at.first + slope * dimension_;
+            const double* const d = change.data() + at.first + slope * dimension_;
+            const double square = detail::inner(v, v, dimension_);
+            if (!(square > 0.0)) continue;
+            const double along = detail::inner(v, d, dimension_) / square;
+            double across[3] = {};
+            for (int k = 0; k < dimension_; ++k) across[k] = d[k] - along * v[k];
+            largest = std::max(
+                largest, std::sqrt(detail::inner(across, across, dimension_)) / std::sqrt(square));
+        }
+    }
+    return largest;
+}
+
+/// Factorises the graph of chords: sum over chords of (x_j - x_i - wanted)^2, and a little of the
+/// distance from the linear sum, for parts that nothing holds.
+ANCF_INLINE void Turning::factorize(int component) {
+    constexpr double tether = 1e-9;  // beside chords of weight 1
+    Component& of = components_[static_cast<std::size_t>(component)];
+    of.unknown.assign(static_cast<std::size_t>(layout_.nodes()), -1);
+    std::vector<detail::MatrixEntry> entries;
+    std::vector<int> blocks;
+    for (int node = 0; node < layout_.nodes(); ++node)
+        if (layout_.fields(node).contains(Field::r) &&
+            numbering_.equation(layout_.first(node) + component) >= 0) {
+            entries.push_back({of.count, of.count, tether});
+            blocks.push_back(of.count);
+            of.unknown[static_cast<std::size_t>(node)] = of.count++;
+        }
+    for (const auto& chord : chords_) {
+        const int i = of.unknown[static_cast<std::size_t>(chord[0])];
+        const int j = of.unknown[static_cast<std::size_t>(chord[1])];
+        for (const int k : {i, j})
+            if (k >= 0) entries.push_back({k, k, 1.0});
+        if (i >= 0 && j >= 0) entries.push_back({std::max(i, j), std::min(i, j), -1.0});
+    }
+    // positive definite by its tethers
+    static_cast<void>(of.factors.factorize(detail::compressed(of.count, entries), blocks));
+}
+
+ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, VectorX& q) {
+    for (int node = 0; node < layout_.nodes(); ++node) {
+        const Slopes at = slopes(node);
+        if (at.whole) {
+            detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_,
+                               false, q.data() + at.first);
+            continue;
+        }
+        for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
+            detail::turned(before.data() + k, change.data() + k, dimension_, q.data() + k);
+    }
+    for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
+    factorised_ = true;
+    // wanted: how far each chord ends from where the linear sum ends it
+    std::vector<double> wanted;
+    wanted.reserve(chords_.size() * static_cast<std::size_t>(dimension_));
+    for (const auto& chord : chords_) {
+        const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
+        double old[3] = {}, by[3] = {}, moved[3];
+        for (int k = 0; k < dimension_; ++k) {
+            old[k] = before[j + k] - before[i + k];
+            by[k] = change[j + k] - change[i + k];
+        }
+        detail::turned(old, by, dimension_, moved);
+        for (int k = 0; k < dimension_; ++k) wanted.push_back(moved[k] - q[j + k] + q[i + k]);
+    }
+    for (int k = 0; k < dimension_; ++k) shift(k, wanted, q);
+}
+
+/// Moves a component of the positions towards what the chords want.
+ANCF_INLINE void Turning::shift(int component, const std::vector<double>& wanted, VectorX& q) {
+    const Component& of = components_[static_cast<std::size_t>(component)];
+    if (of.count == 0) return;
+    VectorX pull = VectorX::Zero(of.count);
+    for (std::size_t c = 0; c < chords_.size(); ++c) {
+        const int i = of.unknown[static_cast<std::size_t>(chords_[c][0])];
+        const int j = of.unknown[static_cast<std::size_t>(chords_[c][1])];
+        const double by =
+            wanted[c * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(component)];
+        if (i >= 0) pull[i] -= by;
+        if (j >= 0) pull[j] += by;
+    }
+    of.factors.solve(pull);
+    for (int node = 0; node < layout_.nodes(); ++node)
+        if (const int i = of.unknown[static_cast<std::size_t>(node)]; i >= 0)
+            q[layout_.first(node) + component] += pull[i];
+}
+
+}  // namespace ancf

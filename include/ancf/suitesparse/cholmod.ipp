@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of cholmod.hpp.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/suitesparse/cholmod.hpp>
+
+#include <cholmod.h>
+
+#include <cstddef>
+#include <new>
+
+namespace ancf::suitesparse {
+
+namespace detail {
+
+/// Returns CHOLMOD's view of a matrix, which it does not write to.
+[[nodiscard]] ANCF_INLINE cholmod_sparse view(const SparseMatrix& lower) noexcept {
+    cholmod_sparse view = {};
+    view.nrow = static_cast<std::size_t>(lower.rows());
+    view.ncol = static_cast<std::size_t>(lower.cols());
+    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    view.p = const_cast<int*>(lower.outerIndexPtr());
+    view.i = const_cast<int*>(lower.innerIndexPtr());
+    view.x = const_cast<double*>(lower.valuePtr());
+    view.stype = -1;  // symmetric, lower half stored
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+}
+
+/// Sets what the options say; nothing is printed, no handler called.
+ANCF_INLINE void configure(const CholmodOptions& options, cholmod_common& common) {
+    common.print = 0;
+    common.error_handler = nullptr;
+    switch (options.mode) {
+        case CholmodMode::automatic: common.supernodal = CHOLMOD_AUTO; break;
+        case CholmodMode::simplicial: common.supernodal = CHOLMOD_SIMPLICIAL; break;
+        case CholmodMode::supernodal: common.supernodal = CHOLMOD_SUPERNODAL; break;
+    }
+    if (options.ordering == CholmodOrdering::automatic) return;
+    const bool natural = options.ordering == CholmodOrdering::natural;
+    common.nmethods = 1;
+    common.method[0].ordering = natural ? CHOLMOD_NATURAL : CHOLMOD_AMD;
+    common.postorder = natural ? 0 : 1;
+}
+
+/// Returns the number of negative entries of D; none in L L^T.
+[[nodiscard]] ANCF_INLINE int negative_pivots(const cholmod_factor& factor) noexcept {
+    if (factor.is_ll != 0) return 0;
+    const auto* start = static_cast<const int*>(factor.p);
+    const auto* value = static_cast<const double*>(factor.x);
+    int count = 0;
+    for (std::size_t k = 0; k < factor.n; ++k) count += value[start[k]] < 0.0 ? 1 : 0;
+    return count;
+}
+
+}  // namespace detail
+
+/// The state of CHOLMOD: parameters, factor and the workspace of solve.
+class Cholmod::Session {
+public:
+    Session()
+        : common_(new cholmod_common),
+          factor_(nullptr, Free{common_.get()}),
+          x_(nullptr, Free{common_.get()}),
+          y_(nullptr, Free{common_.get()}),
+          e_(nullptr, Free{common_.get()}) {
+        cholmod_start(common_.get());
+    }
+
+    [[nodiscard]] cholmod_common& common() noexcept { return *common_; }
+    [[nodiscard]] cholmod_factor* factor() noexcept { return factor_.get(); }
+    void reset_factor(cholmod_factor* factor) noexcept { factor_.reset(factor); }
+
+    /// Throws what the last call's status asks for: bad_alloc, or InvalidArgument.
+    void check() const {
+        const int status = common_->status;
+        if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+        ancf::detail::require(status >= CHOLMOD_OK, "cholmod refused the matrix, status ", status,
+                              status == CHOLMOD_TOO_LARGE ? ": too large for 32-bit indices" : "");
+    }
+
+    /// Solves with the factor; returns the solution, owned by the session.
+    const double* solve(cholmod_dense& b) {
+        cholmod_dense* x = x_.release();
+        cholmod_dense* y = y_.release();
+        cholmod_dense* e = e_.release();
+        cholmod_solve2(CHOLMOD_A, factor_.get(), &b, nullptr, &x, nullptr, &y, &e, common_.get());
+        x_.reset(x);
+        y_.reset(y);
+        e_.reset(e);
+        check();
+        return static_cast<const double*>(x_->x);
+    }
+
+private:
+    struct Finish {
+        void operator()(cholmod_common* common) const noexcept {
+            cholmod_finish(common);
+            delete common;
+        }
+    };
+    struct Free {
+        cholmod_common* common;
+        void operator()(cholmod_factor* factor) const noexcept {
+            cholmod_free_factor(&factor, common);
+        }
+        void operator()(cholmod_dense* dense) const noexcept { cholmod_free_dense(&dense, common); }
+    };
+    using Dense = std::unique_ptr<cholmod_dense, Free>;
+
+    std::unique_ptr<cholmod_common, Finish> common_;  // declared first, destroyed last
+    std::unique_ptr<cholmod_factor, Free> factor_;
+    Dense x_, y_, e_;
+};
+
+ANCF_INLINE void Cholmod::Finish::operator()(Session* session) const noexcept { delete session; }
+
+ANCF_INLINE bool Cholmod::supernodal() const noexcept {
+    return session_ && session_->factor() != nullptr && session_->factor()->is_super != 0;
+}
+
+ANCF_INLINE void Cholmod::analyze(const SparseMatrix& lower) {
+    ancf::detail::require_storage(name(), lower, storage());
+    stage_.reset();
+    session_.reset(new Session);
+    detail::configure(options_, session_->common());
+    if (lower.cols() > 0) {
+        cholmod_sparse matrix = detail::view(lower);
+        session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));
+        session_->check();
+    }
+    stage_.analysed(lower);
+}
+
+ANCF_INLINE FactorReport Cholmod::factorize(const SparseMatrix& lower) {
+    stage_.begin_factorisation(name(), lower);
+    if (lower.cols() == 0) return stage_.finished({Status::converged, -1, 1.0, 0});
+    cholmod_sparse matrix = detail::view(lower);
+    cholmod_factorize(&matrix, session_->factor(), &session_->common());
+    session_->check();
+    const cholmod_factor& factor = *session_->factor();
+    FactorReport report;
+    if (factor.minor < factor.n) {
+        const int column = static_cast<const int*>(factor.Perm)[factor.minor];
+        ancf::detail::report_failure(lower, column, report);
+    } else {
+        report.negative_pivots = detail::negative_pivots(factor);
+        ancf::detail::report_condition(
+            lower, options_.singular_rcond,
+            [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE void Cholmod::substitute(const VectorX& b, VectorX& x) const {
+    cholmod_dense right = {};
+    right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
+    right.ncol = 1;
+    right.x = const_cast<double*>(b.data());
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    x = Eigen::Map<const VectorX>(session_->solve(right), b.size());
+}
+
+ANCF_INLINE void Cholmod::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (b.size() > 0) {
+        substitute(b, x);
+    } else {
+        x = b;
+    }
+}
+
+}  // namespace ancf::suitesparse

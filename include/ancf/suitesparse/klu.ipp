@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of klu.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
+#include <ancf/suitesparse/klu.hpp>
+
+#include <klu.h>
+
+#include <new>
+
+namespace ancf::suitesparse {
+
+namespace detail {
+
+/// Frees what KLU allocated, by any common of its own kind.
+struct FreeOfKlu {
+    void operator()(klu_symbolic* symbolic) const noexcept {
+        klu_common common;
+        klu_defaults(&common);
+        klu_free_symbolic(&symbolic, &common);
+    }
+    void operator()(klu_numeric* numeric) const noexcept {
+        klu_common common;
+        klu_defaults(&common);
+        klu_free_numeric(&numeric, &common);
+    }
+};
+
+}  // namespace detail
+
+struct Klu::Session {
+    explicit Session(double pivot_tolerance) {
+        klu_defaults(&common);
+        common.tol = pivot_tolerance;
+    }
+
+    // Throws what KLU's status asks for; a singular matrix is none of it.
+    void check() const {
+        if (common.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+        ancf::detail::require(common.status >= KLU_OK, "klu refused the matrix, status ",
+                              common.status);
+    }
+
+    klu_common common;
+    std::unique_ptr<klu_symbolic, detail::FreeOfKlu> symbolic;
+    std::unique_ptr<klu_numeric, detail::FreeOfKlu> numeric;
+};
+
+ANCF_INLINE void Klu::Finish::operator()(Session* session) const noexcept { delete session; }
+
+ANCF_INLINE Klu::Klu(const KluOptions& options) : options_(options) {
+    ancf::detail::require(options.pivot_tolerance > 0.0 && options.pivot_tolerance <= 1.0,
+                          "pivot_tolerance must be in (0, 1], got ", options.pivot_tolerance);
+    ancf::detail::require_singular_rcond(options.singular_rcond);
+}
+
+ANCF_INLINE void Klu::analyze(const SparseMatrix& matrix) {
+    ancf::detail::require_storage(name(), matrix, storage());
+    stage_.reset();
+    session_.reset(new Session(options_.pivot_tolerance));
+    if (matrix.cols() > 0) {
+        // KLU's interface takes its inputs as not constant; it does not write to them
+        session_->symbolic.reset(
+            klu_analyze(static_cast<int>(matrix.cols()), const_cast<int*>(matrix.outerIndexPtr()),
+                        const_cast<int*>(matrix.innerIndexPtr()), &session_->common));
+        session_->check();
+    }
+    stage_.analysed(matrix);
+}
+
+ANCF_INLINE FactorReport Klu::factorize(const SparseMatrix& matrix) {
+    stage_.begin_factorisation(name(), matrix);
+    FactorReport report;
+    session_->numeric.reset();
+    if (!ancf::detail::all_finite(matrix)) {
+        report.status = Status::not_finite;
+    } else if (matrix.cols() == 0) {
+        report.rcond = 1.0;
+    } else if (!session_->symbolic) {
+        ancf::detail::report_failure(matrix, -1, report);  // no pivots whatever the values
+    } else {
+        session_->numeric.reset(klu_factor(
+            const_cast<int*>(matrix.outerIndexPtr()), const_cast<int*>(matrix.innerIndexPtr()),
+            const_cast<double*>(matrix.valuePtr()), session_->symbolic.get(), &session_->common));
+        session_->check();
+        if (session_->common.status == KLU_SINGULAR) {
+            // which column is left without a pivot depends on KLU's order, not on the scene
+            ancf::detail::report_failure(matrix, -1, report);
+        } else {
+            ancf::detail::report_condition(
+                matrix, options_.singular_rcond,
+                [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
+        }
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE void Klu::substitute(const VectorX& b, VectorX& x) const {
+    x = b;
+    klu_solve(session_->symbolic.get(), session_->numeric.get(), static_cast<int>(x.size()), 1,
+              x.data(), &session_->common);
+    session_->check();
+}
+
+ANCF_INLINE void Klu::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (b.size() > 0) {
+        substitute(b, x);
+    } else {
+        x = b;
+    }
+}
+
+}  // namespace ancf::suitesparse

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of umfpack.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
+#include <ancf/suitesparse/umfpack.hpp>
+
+#include <umfpack.h>
+
+#include <array>
+#include <new>
+
+namespace ancf::suitesparse {
+
+namespace detail {
+
+struct FreeSymbolicOfUmfpack {
+    void operator()(void* symbolic) const noexcept { umfpack_di_free_symbolic(&symbolic); }
+};
+struct FreeNumericOfUmfpack {
+    void operator()(void* numeric) const noexcept { umfpack_di_free_numeric(&numeric); }
+};
+
+}  // namespace detail
+
+struct Umfpack::Session {
+    explicit Session(const UmfpackOptions& options) {
+        umfpack_di_defaults(control.data());
+        control[UMFPACK_PRL] = 0.0;
+        control[UMFPACK_IRSTEP] = options.refinement_steps;
+    }
+
+    // Throws what a status of UMFPACK asks for; the warning of a singular matrix is none.
+    static void check(int status) {
+        if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+        ancf::detail::require(status >= UMFPACK_OK, "umfpack refused the matrix, status ", status);
+    }
+
+    std::array<double, UMFPACK_CONTROL> control;
+    std::unique_ptr<void, detail::FreeSymbolicOfUmfpack> symbolic;
+    std::unique_ptr<void, detail::FreeNumericOfUmfpack> numeric;
+};
+
+ANCF_INLINE void Umfpack::Finish::operator()(Session* session) const noexcept { delete session; }
+
+ANCF_INLINE Umfpack::Umfpack(const UmfpackOptions& options) : options_(options) {
+    ancf::detail::require(options.refinement_steps >= 0,
+                          "refinement_steps must not be negative, got ", options.refinement_steps);
+    ancf::detail::require_singular_rcond(options.singular_rcond);
+}
+
+ANCF_INLINE void Umfpack::analyze(const SparseMatrix& matrix) {
+    ancf::detail::require_storage(name(), matrix, storage());
+    stage_.reset();
+    session_.reset(new Session(options_));
+    if (matrix.cols() > 0) {
+        const int size = static_cast<int>(matrix.cols());
+        void* symbolic = nullptr;  // by the pattern alone: the values may not be known yet
+        const int status =
+            umfpack_di_symbolic(size, size, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
+                                &symbolic, session_->control.data(), nullptr);
+        session_->symbolic.reset(symbolic);
+        Session::check(status);
+    }
+    stage_.analysed(matrix);
+}
+
+ANCF_INLINE FactorReport Umfpack::factorize(const SparseMatrix& matrix) {
+    stage_.begin_factorisation(name(), matrix);
+    FactorReport report;
+    if (!ancf::detail::all_finite(matrix)) {
+        report.status = Status::not_finite;
+    } else if (matrix.cols() > 0) {
+        matrix_ = matrix;
+        report = factorize_numbers();
+    } else {
+        report.rcond = 1.0;
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE FactorReport Umfpack::factorize_numbers() {
+    void* numeric = nullptr;
+    const int status =
+        umfpack_di_numeric(matrix_.outerIndexPtr(), matrix_.innerIndexPtr(), matrix_.valuePtr(),
+                           session_->symbolic.get(), &numeric, session_->control.data(), nullptr);
+    session_->numeric.reset(numeric);
+    Session::check(status);
+    FactorReport report;
+    if (status == UMFPACK_WARNING_singular_matrix) {
+        ancf::detail::report_failure(matrix_, -1, report);
+    } else {
+        ancf::detail::report_condition(
+            matrix_, options_.singular_rcond,
+            [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
+    }
+    return report;
+}
+
+ANCF_INLINE void Umfpack::substitute(const VectorX& b, VectorX& x) const {
+    VectorX solution(b.size());
+    Session::check(umfpack_di_solve(UMFPACK_A, matrix_.outerIndexPtr(), matrix_.innerIndexPtr(),
+                                    matrix_.valuePtr(), solution.data(), b.data(),
+                                    session_->numeric.get(), session_->control.data(), nullptr));
+    x.swap(solution);
+}
+
+ANCF_INLINE void Umfpack::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (b.size() > 0) {
+        substitute(b, x);
+    } else {
+        x = b;
+    }
+}
+
+}  // namespace ancf::suitesparse

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of ida_system.hpp.
+
+#pragma once
+
+#include <ancf/model/constraint.hpp>
+#include <ancf/sundials/ida_system.hpp>
+
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include <exception>
+
+namespace ancf::sundials::detail {
+
+ANCF_INLINE IdaSystem::IdaSystem(DynamicProblem& problem, Form form)
+    : problem_(problem),
+      form_(form),
+      n_(problem.size()),
+      m_(problem.multipliers()),
+      request_(problem.model().loads().empty() ? Request::tangent : Request::tangent_and_damping),
+      map_(problem.mass(), n_, form) {}
+
+template <class Work>
+int IdaSystem::guarded(const Work& work) noexcept {
+    try {
+        return work(*this);
+    } catch (...) {
+        failure_ = std::current_exception();
+        return fatal;
+    }
+}
+
+ANCF_INLINE int IdaSystem::residual(sunrealtype t, N_Vector y, N_Vector dy, N_Vector r,
+                                    void* self) noexcept {
+    return static_cast<IdaSystem*>(self)->guarded(
+        [&](IdaSystem& system) { return system.write_residual(t, view(y), view(dy), view(r)); });
+}
+
+ANCF_INLINE int IdaSystem::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector,
+                                    SUNMatrix matrix, void* self, N_Vector, N_Vector,
+                                    N_Vector) noexcept {
+    return static_cast<IdaSystem*>(self)->guarded(
+        [&](IdaSystem& system) { return system.write_jacobian(t, c, view(y), matrix); });
+}
+
+ANCF_INLINE bool IdaSystem::evaluate(double t, const View& y, Request request) {
+    q_ = q(y);
+    v_ = v(y);
+    lambda_ = lambda(y);
+    mu_ = mu(y);
+    const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
+    if (fault) fault_ = fault;  // kept: the attempts that follow may stay before it
+    return !fault;
+}
+
+ANCF_INLINE bool IdaSystem::turns_fit(double t) {
+    const auto& constraints = problem_.model().constraints();
+    const auto turn = ancf::detail::driven_turn(constraints, begin_, t);
+    turn_ = turn.fits() ? "" : ancf::detail::driven_turn_text(constraints, turn, begin_, t);
+    return turn.fits();
+}
+
+ANCF_INLINE int IdaSystem::write_residual(double t, const View& y, const View& dy, View r) {
+    if (!turns_fit(t) || !evaluate(t, y, Request::force)) return recoverable;
+    const SparseMatrix& mass = problem_.compact_mass();
+    v(r) = problem_.force();
+    v(r).noalias() += mass * v(dy);
+    lambda(r) = problem_.constraint_residual();
+    gap_ = q(dy) - v_;
+    if (form_ == Form::index3) {
+        q(r) = gap_;
+        return good;
+    }
+    kinematic_.noalias() = mass * gap_;
+    problem_.evaluate_constraints(t, q_, v_);
+    problem_.add_constraint_force(mu_, 1.0, kinematic_);
+    q(r) = kinematic_;
+    mu(r) = problem_.constraint_rate();
+    for (const int equation : problem_.left_out()) mu(r)[equation] = mu_[equation];
+    return good;
+}
+
+ANCF_INLINE int IdaSystem::write_jacobian(double t, double c, const View& y, SUNMatrix matrix) {
+    if (!evaluate(t, y, request_)) return recoverable;
+    const bool stabilised = form_ == Form::gear_gupta_leimkuhler;
+    if (stabilised) {
+        problem_.evaluate_constraints(t, q_, v_);
+        problem_.velocity_level(mu_, velocity_level_);
+    }
+    const JacobianParts parts{problem_.tangent(), problem_.mass(),
+                              request_ == Request::tangent ? nullptr : &problem_.damping(),
+                              stabilised ? &velocity_level_ : nullptr};
+    map_.fill(parts, c, SUNSparseMatrix_IndexPointers(matrix), SUNSparseMatrix_IndexValues(matrix),
+              SUNSparseMatrix_Data(matrix));
+    return good;
+}
+
+}  // namespace ancf::sundials::detail

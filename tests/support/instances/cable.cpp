@@ -1,5 +1,0 @@
-// SPDX-FileCopyrightText: 2026 The ancf authors
-// SPDX-License-Identifier: BSD-3-Clause
-
-#define ANCF_TEST_CABLE
-#include <support/instances/cable.hpp>
