@@ -5,9 +5,12 @@
 
     compile_cost.py [--csv] [--compiler g++] [--flags "-O2"] [--eigen /usr/include/eigen3]
                     [--suitesparse /usr/include/suitesparse] [--rounds 3] [--unit dynamics] [--headers]
+    compile_cost.py --check      exits 1 where a unit costs more times element.cpp than its limit, plus a fifth
 
-Columns: unit, flags, seconds of processor time (the least of all rounds), largest memory in MB, bytes of code and data
-in the object file. With --headers, every public header alone instead, once and without code: header, seconds, memory.
+Each unit is compiled header-only and, but for the element alone, as a program of the compiled library. Columns: unit,
+form, flags, seconds of processor time (the least of all rounds, which take turns), seconds divided by those of
+element.cpp, largest memory in MB, bytes of code and data in the object file. With --headers, every public header alone
+instead, once and without code: header, seconds, memory.
 """
 
 import argparse
@@ -20,6 +23,11 @@ import tempfile
 
 UNITS = pathlib.Path(__file__).resolve().parent
 ROOT = UNITS.parent.parent
+FORMS = {"header-only": [], "compiled": ["-DANCF_COMPILED"]}
+# Times the seconds of element.cpp, header-only; by --check.
+LIMITS = {("statics", "header-only"): 7.5, ("statics", "compiled"): 1.5,
+          ("dynamics", "header-only"): 6.0, ("dynamics", "compiled"): 1.5}
+MARGIN = 1.2
 
 
 def compile_unit(command):
@@ -29,6 +37,20 @@ def compile_unit(command):
     if status != 0:
         sys.exit(f"compile_cost: failed: {shlex.join(map(str, command))}")
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def measure(wanted, command, rounds):
+    """Returns (least seconds, MB, bytes of the object) by (unit, form); the units take turns."""
+    best = {}
+    with tempfile.TemporaryDirectory() as folder:
+        target = pathlib.Path(folder) / "unit.o"
+        for _ in range(rounds):
+            for unit, form in wanted:
+                seconds, memory = compile_unit([*command, *FORMS[form], "-c", unit, "-o", target])
+                size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
+                size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
+                best[unit.stem, form] = min(best.get((unit.stem, form), (seconds, memory, size)), (seconds, memory, size))
+    return best
 
 
 def main():
@@ -41,6 +63,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=3, help="how often each unit is compiled")
     parser.add_argument("--unit", choices=sorted(unit.stem for unit in UNITS.glob("*.cpp")), help="this unit alone")
     parser.add_argument("--headers", action="store_true", help="every public header alone")
+    parser.add_argument("--check", action="store_true", help="compare with the limits")
     arguments = parser.parse_args()
     if arguments.rounds < 1:
         parser.error(f"--rounds must be at least 1, got {arguments.rounds}")
@@ -54,19 +77,26 @@ def main():
             line = "{},{:.2f},{:.0f}" if arguments.csv else "{!s:46} {:8.2f} {:11.0f}"
             print(line.format(name, seconds, memory), flush=True)
         return
-    print("unit,flags,seconds,memory_mb,object_bytes" if arguments.csv else
-          f"{'unit':14} {'flags':22} {'seconds':>8} {'memory, MB':>11} {'object, bytes':>14}")
-    for flags in arguments.flags or ["-O2", "-O2 -march=native"]:
-        for unit in sorted(UNITS.glob(f"{arguments.unit or '*'}.cpp")):
-            with tempfile.TemporaryDirectory() as folder:
-                target = pathlib.Path(folder) / "unit.o"
-                command = [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include",
-                           *third_parties, "-w", "-c", unit, "-o", target]
-                seconds, memory = min(compile_unit(command) for _ in range(arguments.rounds))
-                size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
-            size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
-            line = "{},{},{:.2f},{:.0f},{}" if arguments.csv else "{:14} {:22} {:8.2f} {:11.0f} {:14}"
-            print(line.format(unit.stem, flags, seconds, memory, size), flush=True)
+    flags_given = ["-O2"] if arguments.check else arguments.flags or ["-O2", "-O2 -march=native"]
+    print("unit,form,flags,seconds,times_element,memory_mb,object_bytes" if arguments.csv else
+          f"{'unit':14} {'form':12} {'flags':18} {'seconds':>8} {'times element':>14} {'memory, MB':>11} {'object, bytes':>14}")
+    failures = []
+    for flags in flags_given:
+        wanted = [(unit, form) for unit in sorted(UNITS.glob("*.cpp")) for form in FORMS
+                  if unit.stem == "element" and form == "header-only"
+                  or unit.stem != "element" and arguments.unit in (None, unit.stem)
+                  and (not arguments.check or (unit.stem, form) in LIMITS)]
+        best = measure(wanted, [arguments.compiler, "-std=c++17", *shlex.split(flags), "-DNDEBUG", f"-I{ROOT}/include",
+                                *third_parties, "-w"], arguments.rounds)
+        element = best["element", "header-only"][0]
+        for (unit, form), (seconds, memory, size) in best.items():
+            line = "{},{},{},{:.2f},{:.2f},{:.0f},{}" if arguments.csv else "{:14} {:12} {:18} {:8.2f} {:14.2f} {:11.0f} {:14}"
+            print(line.format(unit, form, flags, seconds, seconds / element, memory, size), flush=True)
+            limit = LIMITS.get((unit, form))
+            if arguments.check and limit and seconds > MARGIN * limit * element:
+                failures.append(f"{unit}, {form}: {seconds / element:.2f} times element.cpp, limit {limit} and a fifth")
+    print("\n".join(failures), end="\n" if failures else "")
+    sys.exit(1 if failures else 0)
 
 
 if __name__ == "__main__":
