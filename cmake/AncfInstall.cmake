@@ -62,6 +62,10 @@ if(ANCF_INSTALL_COMPILED)
         ${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfig.cmake
         ${PROJECT_BINARY_DIR}/cmake/ancf_compiledConfigVersion.cmake
         DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR} COMPONENT compiled)
+    set(ANCF_COMPILED_PC_FLAGS)
+    if(ANCF_COMPILED_OPENMP)
+        set(ANCF_COMPILED_PC_FLAGS " ${OpenMP_CXX_FLAGS}")
+    endif()
     file(RELATIVE_PATH ANCF_COMPILED_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
     string(REGEX REPLACE "/$" "" ANCF_COMPILED_PC_TO_PREFIX "${ANCF_COMPILED_PC_TO_PREFIX}")
     configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf-compiled.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf-compiled.pc @ONLY)
