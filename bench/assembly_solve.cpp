@@ -12,7 +12,7 @@
 ///     assembly_solve --elements 100000 --threads 1,2
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>

@@ -13,10 +13,10 @@
 ///     element_cost --csv > element_cost.csv
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>

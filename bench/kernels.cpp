@@ -11,11 +11,11 @@
 ///
 ///     kernels --csv > kernels.csv
 
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <benchmark/benchmark.h>

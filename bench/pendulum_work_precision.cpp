@@ -9,7 +9,7 @@
 /// solution at 24 times in 1.2 s; the reference is a run of the same mesh with a far smaller
 /// tolerance or step.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints/points.hpp>

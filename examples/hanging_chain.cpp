@@ -20,7 +20,7 @@
 /// of the next.
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>

@@ -3,7 +3,7 @@
 
 // A cable inside somebody else's code: force and tangent.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/section/profiles.hpp>
 
 double stiffness(const ancf::Cable<3>& element, const ancf::Cable<3>::Coordinates& e) {

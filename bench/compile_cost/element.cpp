@@ -3,7 +3,7 @@
 
 // One element inside somebody else's code: force and tangent.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/section/profiles.hpp>
 
 double stiffness(const ancf::CrossSectionBeam<3>& element,

@@ -3,7 +3,7 @@
 
 // A cantilever: model, statics and the solver for chains.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

@@ -3,7 +3,7 @@
 
 // Hard cases of the cable, which has neither shear nor torsion: bending, against the elastica.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

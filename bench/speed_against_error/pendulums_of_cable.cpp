@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 
 #include <pendulums.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <statics.hpp>
 

@@ -11,9 +11,9 @@
 #pragma once
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>

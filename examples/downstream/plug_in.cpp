@@ -18,7 +18,7 @@
 /// the track would prevent; the magnet's stiffness is the derivative of its force; the tip is on
 /// the track; and ancf's own solver gives the same equilibrium.
 
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/section.hpp>

@@ -17,7 +17,7 @@
 /// largest stable step. The hub starts with a spin, the boom at rest beside it. Nothing acts from
 /// outside: momentum, angular momentum and energy must stay, and the program checks that they do.
 
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/section/section.hpp>
 
 #include <Eigen/Cholesky>

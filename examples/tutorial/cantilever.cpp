@@ -4,7 +4,7 @@
 /// @file
 /// Step 2 of the tutorial: a cantilever, bent by a force at its tip.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// Step 5 of the tutorial: how far a mesh is from its limit, told by three meshes.
 
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// Step 1 of the tutorial: one element by itself.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/section/section.hpp>
 
 #include <cmath>

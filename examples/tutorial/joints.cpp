@@ -5,7 +5,7 @@
 /// Step 4 of the tutorial: two beams, a hinge to the ground and a hinge between them.
 
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/solver/eigen_lu.hpp>

@@ -5,7 +5,7 @@
 /// Step 3 of the tutorial: a beam that falls about a pin, in the plane.
 
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 

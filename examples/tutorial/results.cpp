@@ -5,7 +5,7 @@
 /// Step 6 of the tutorial: reactions, section forces, stresses and pictures of the cantilever.
 
 #include <ancf/assembly/resultant.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/transmitted_forces.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/output/vtk.hpp>

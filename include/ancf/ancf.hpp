@@ -14,11 +14,11 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// A scene of cables alone; check_symbols.py looks at what the compiler made of it.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>

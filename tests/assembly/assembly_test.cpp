@@ -3,7 +3,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 

@@ -4,11 +4,11 @@
 // Also built for the machine's own registers, where elements are evaluated side by side.
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 

@@ -3,8 +3,8 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/schedule.ipp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/section/profiles.hpp>
 

@@ -5,7 +5,7 @@
 /// A table of calls and files that cannot be meant. Each must throw InvalidArgument with a message
 /// that names what is wrong, the value and what was expected; none may pass, crash or hang.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>

@@ -7,7 +7,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>

@@ -4,7 +4,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/section/profiles.hpp>

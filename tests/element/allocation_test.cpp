@@ -5,7 +5,7 @@
 /// Evaluations of elements take nothing from the heap.
 
 #include <ancf/compiler.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/pack.hpp>
 
 #include <element/cross_section_beam_samples.hpp>

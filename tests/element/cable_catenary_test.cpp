@@ -4,7 +4,7 @@
 /// @file
 /// A chain that hangs between two pins against the catenary.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>

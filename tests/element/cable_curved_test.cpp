@@ -4,7 +4,7 @@
 /// @file
 /// Cables whose stress-free state is a curve.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>

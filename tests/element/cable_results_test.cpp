@@ -4,7 +4,7 @@
 /// @file
 /// What a cable tells of itself: places, tangent, curvature, section forces.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 
 #include <element/cable_samples.hpp>
 #include <support/catch.hpp>

@@ -7,7 +7,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>

@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/section/section.hpp>

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// Chains of cables against closed forms and the elastica.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_lu.hpp>

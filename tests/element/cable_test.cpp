@@ -5,7 +5,7 @@
 /// The straight cable: the property list, its energy by definition, scalars, compression and
 /// refusals.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/pack.hpp>
 
 #include <element/cable_samples.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// The continuum beam under the list of properties that every element has.
 
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 
 #include <support/catch.hpp>
 #include <support/element_properties.hpp>

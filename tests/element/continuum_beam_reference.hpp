@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/types.hpp>

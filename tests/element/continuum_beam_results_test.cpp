@@ -4,7 +4,7 @@
 /// @file
 /// What the continuum beam reports at a point and of a section, against the definitions.
 
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 
 #include <element/continuum_beam_reference.hpp>
 #include <support/catch.hpp>

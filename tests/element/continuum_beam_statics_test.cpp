@@ -4,7 +4,7 @@
 /// @file
 /// Cantilevers of continuum beams: the comparison column of [Dufva2006], and Poisson locking.
 
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 
 #include <support/catch.hpp>
 

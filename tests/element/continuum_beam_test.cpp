@@ -4,7 +4,7 @@
 /// @file
 /// The continuum beam's energy against its definition, in space and in the plane; what it refuses.
 
-#include <ancf/element/continuum_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/pack.hpp>
 
 #include <element/continuum_beam_reference.hpp>

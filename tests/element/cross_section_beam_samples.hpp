@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/section/polygon.hpp>
 #include <ancf/section/profiles.hpp>
 

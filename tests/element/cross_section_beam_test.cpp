@@ -5,7 +5,7 @@
 /// The cross-section beam: properties of every element, derivatives, invariance, inertia.
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>

@@ -5,7 +5,7 @@
 /// The cross-section beam against its definition at volume points and against the tables of
 /// [Dufva2006].
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <element/cross_section_reference.hpp>

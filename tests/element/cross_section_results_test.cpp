@@ -5,7 +5,7 @@
 /// Results of the cross-section beam at a place: positions, directors, strains, stresses, section
 /// forces.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>

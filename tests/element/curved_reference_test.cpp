@@ -4,10 +4,10 @@
 /// @file
 /// Beams whose stress-free state is curved, twisted or both.
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/pack.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>

@@ -5,8 +5,8 @@
 /// The cross-section beam with engineering strains: derivatives, invariance, equality of plane and
 /// space, results.
 
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>

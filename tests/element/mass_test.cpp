@@ -3,11 +3,11 @@
 
 // The mass of every element, where the section's mass is spread otherwise than its stiffness.
 
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/polygon.hpp>
 #include <ancf/section/section.hpp>

@@ -4,11 +4,11 @@
 /// @file
 /// Packs of doubles, and elements evaluated side by side.
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/pack.hpp>
-#include <ancf/element/planar_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
 #include <support/catch.hpp>

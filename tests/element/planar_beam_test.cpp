@@ -5,8 +5,8 @@
 /// The cross-section beam in the plane: the properties of every element, and equality with the
 /// spatial element whose z slopes stand on the plane's normal.
 
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>

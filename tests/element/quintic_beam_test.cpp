@@ -5,7 +5,7 @@
 /// The beam with a quintic centre line: interpolation, properties of every element, derivatives,
 /// results.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/hermite.hpp>
 
 #include <element/cross_section_beam_samples.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// The torsion beam: the properties of every element, closed forms, and its limits.
 
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>

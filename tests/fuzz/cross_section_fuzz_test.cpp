@@ -4,8 +4,8 @@
 /// @file
 /// Random coordinates for the beams with a cross-section frame.
 
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <fuzz/try_out.hpp>
 

@@ -4,9 +4,9 @@
 /// @file
 /// Random coordinates for the cables, the continuum beams and the beam with torsion.
 
-#include <ancf/element/cable.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 
 #include <fuzz/try_out.hpp>
 

@@ -5,8 +5,8 @@
 /// Builders of curved beams and frames: their geometry, mass and stiffness.
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/polyline.hpp>
 #include <ancf/model/constraints.hpp>

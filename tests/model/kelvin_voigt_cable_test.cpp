@@ -4,7 +4,7 @@
 /// @file
 /// Kelvin and Voigt's damping of cables: axial strain and curvature, in the plane and in space.
 
-#include <ancf/element/cable.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/model/loads/damping.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// Kelvin and Voigt's damping of the beam with cross sections in space: measures, shear rules.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>

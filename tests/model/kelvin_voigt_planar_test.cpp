@@ -4,8 +4,8 @@
 /// @file
 /// Kelvin and Voigt's damping of beams in the plane.
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>

@@ -4,8 +4,8 @@
 /// @file
 /// Kelvin and Voigt's damping of the continuum and the torsion beam in space.
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/torsion_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>

@@ -6,9 +6,9 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>

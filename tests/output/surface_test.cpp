@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>

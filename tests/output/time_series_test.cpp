@@ -9,8 +9,8 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cable.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>

@@ -7,7 +7,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>

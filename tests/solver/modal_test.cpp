@@ -7,9 +7,9 @@
 #include <ancf/constants.hpp>
 #include <ancf/solver/modal.hpp>
 
-#include <ancf/element/cable.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>

@@ -5,9 +5,9 @@
 /// Newton's method of mixed integration points: same solutions, fewer iterations.
 
 #include <ancf/constants.hpp>
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>

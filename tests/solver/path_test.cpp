@@ -4,8 +4,8 @@
 #include <ancf/solver/path.hpp>
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/constraints/planar.hpp>

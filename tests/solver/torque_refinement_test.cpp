@@ -5,8 +5,8 @@
 /// Torques on sections that are not square: slopes that turn alike, and meshes that converge.
 /// docs/theory-statics.md, "How a torque divides", has the figures of an even division.
 
-#include <ancf/element/continuum_beam.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>

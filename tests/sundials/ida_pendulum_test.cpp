@@ -5,7 +5,7 @@
 
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>

@@ -5,7 +5,7 @@
 
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/ida.hpp>
 

@@ -4,7 +4,7 @@
 // The Jacobian that IDA gets against central differences of the residual that it gets.
 
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida_system.hpp>

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>

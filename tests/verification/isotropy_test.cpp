@@ -5,7 +5,7 @@
 /// A section with equal principal moments bends alike in every plane: order and error of the
 /// paper's slender cantilever, its load turned against the axes of the section.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>

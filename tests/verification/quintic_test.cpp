@@ -6,7 +6,7 @@
 /// section, and a strip bent to a semicircle.
 
 #include <ancf/constants.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>

@@ -6,7 +6,7 @@
 /// by independent solvers of Reissner's theory (shooting and spectral elements).
 
 #include <ancf/constants.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>

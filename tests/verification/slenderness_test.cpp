@@ -5,7 +5,7 @@
 /// A cantilever under a large dead force, whatever its slenderness and its units: the elastica of
 /// P L^2/E I = 10.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>

@@ -8,7 +8,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>

@@ -5,8 +5,8 @@
 /// A cantilever of an element that the compiled library holds, and of a combination that it does
 /// not.
 
-#include <ancf/element/cross_section_beam.hpp>
-#include <ancf/element/planar_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
@@ -39,8 +39,8 @@ int main() {
     // F l^3/(3 E I), within 1 %
     const double expected = 10.0 * 8.0 / (3.0 * 2.07e11 * 1e-8 / 12.0);
     using Usual = ancf::CrossSectionBeam<3>;
-    using Own = ancf::CrossSectionBeam<3, ancf::Transported, ancf::LinearShear,
-                                       ancf::EngineeringMeasure>;
+    using Own =
+        ancf::CrossSectionBeam<3, ancf::Transported, ancf::LinearShear, ancf::EngineeringMeasure>;
     for (const double found : {deflection<Usual>(), deflection<Own>()})
         if (!(std::abs(found - expected) <= 0.01 * expected)) return 1;
     return 0;

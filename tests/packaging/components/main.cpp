@@ -4,7 +4,7 @@
 /// @file
 /// Solves a cantilever with CHOLMOD; small load, so that the tip follows P L^3/(3 E I).
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

@@ -4,7 +4,7 @@
 /// @file
 /// Uses one element from two translation units: whatever is defined twice would not link.
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/section.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/element/cross_section_beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 
 /// Returns the energy of an element of length 1 stretched by 0.1 % along X.
 double stretched_energy(const ancf::CrossSectionBeam<3>& element) {

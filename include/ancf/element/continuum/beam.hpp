@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The beam element of solid mechanics: position r0 + y r_y + z r_z, Green strain at every point.
+///
+/// Source: Yakoub, Shabana, J. Mech. Des. 123 (2001) 606-621; here integrated over the section in
+/// closed form (docs/theory-continuum.md). It locks in bending: compare CrossSectionBeam.
+
+#pragma once
+
+#include <ancf/element/compiled_element.hpp>
+#include <ancf/element/continuum/kernel.hpp>
+#include <ancf/element/continuum/law.hpp>
+#include <ancf/element/continuum/nodes.hpp>
+#include <ancf/element/continuum/tangent.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/fields.hpp>
+#include <ancf/element/hermite.hpp>
+#include <ancf/element/mass.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/element/reference_line.hpp>
+#include <ancf/element/section_forces.hpp>
+#include <ancf/element/station_data.hpp>
+#include <ancf/error.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// What may be chosen for a ContinuumBeam.
+struct ContinuumOptions {
+    Rule rule = Rule::paper();                                 ///< stations along the element
+    ContinuumMaterial material = ContinuumMaterial::diagonal;  ///< how stress follows from strain
+};
+
+/// The continuum beam: two nodes with position and all slopes; 24 coordinates, in the plane 12.
+///
+/// F = [r0' + y r_y' + z r_z', r_y, r_z], Green strain (F^T F - F0^T F0)/2, F0 of the undeformed
+/// beam.
+/// In the plane (r, r_x, r_y) the diagonal material means a rigid width: the spatial element held
+/// at r_z = e_z. Hooke's law means plane stress there: e_zz follows from S_zz = 0.
+/// The torsional stiffness is G int (k_y z^2 + k_z y^2) dA, of a section that does not warp; the
+/// torsion constant is not used.
+///
+///     const ancf::ContinuumBeam<3> element(steel, section, length,
+///                                          {ancf::Rule::paper(), ancf::ContinuumMaterial::hooke});
+///     const auto [energy, force, tangent] = element.evaluate(e);
+template <int Dimension = 3>
+class ContinuumBeam {
+    static_assert(Dimension == 2 || Dimension == 3, "a beam lives in the plane or in space");
+
+public:
+    static constexpr int dimension = Dimension;                 ///< of space
+    static constexpr int slopes = Dimension - 1;                ///< slopes across
+    static constexpr int node_dofs = Dimension * (2 + slopes);  ///< number of coordinates of a node
+    static constexpr int dofs = 2 * node_dofs;  ///< number of nodal coordinates of an element
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
+    static constexpr int strains = Dimension == 3 ? 6 : 3;  ///< components of strain and stress
+    /// Vectors that each node carries.
+    static constexpr Fields fields = Dimension == 3
+                                         ? Field::r | Field::r_x | Field::r_y | Field::r_z
+                                         : Field::r | Field::r_x | Field::r_y;
+    using Options = ContinuumOptions;  ///< choices that are values
+    /// Nodal coordinates e, those of the first node first.
+    using Coordinates = Vector<double, dofs>;
+    using Point = Vector<double, Dimension>;           ///< a vector of space
+    using Jacobian = Matrix<double, Dimension, dofs>;  ///< derivative of a vector of space by e
+
+    /// Makes the element of a straight, prismatic beam.
+    /// @param length  l, m, > 0
+    /// @throws InvalidArgument for bad values, a section without fourth moments or shear correction
+    ///         factors, a rule of fewer than 3 points for axial strain and shear or 2 for the rest
+    ///         (modes without energy) or, with Hooke's law, Poisson's ratio outside (-1, 1/2).
+    ContinuumBeam(const Material& material, const Section& section, double length,
+                  const Options& options = {});
+
+    /// Makes the element of a beam whose stress-free state is given: curved, twisted, or both.
+    ///
+    /// The strains of that state are subtracted; integrals run over the arc length of its axis.
+    /// @param reference  nodal coordinates, 24 x 1, in the plane 12 x 1
+    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
+    ///                   arc length
+    /// @throws InvalidArgument as above, and for a reference that is not admissible.
+    ContinuumBeam(const Material& material, const Section& section, const Coordinates& reference,
+                  double length, const Options& options = {});
+
+    /// Returns the strain energy U, J.
+    /// @param e  nodal coordinates, [r r_x r_y r_z] per node; m and 1
+    /// @note     noexcept, no heap allocation; so are all functions of e.
+    template <class Scalar>
+    [[nodiscard]] Scalar energy(const Vector<Scalar, dofs>& e) const noexcept;
+
+    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e) const noexcept;
+
+    /// Returns energy, force and tangent K = dQ/de = sum_g B^T C B + S (x) I, in one pass.
+    template <class Scalar>
+    [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
+
+    /// Returns the constant mass matrix, kg, kg m and kg m^2 by block.
+    [[nodiscard]] Matrix<double, dofs> mass() const {
+        return mass_matrix<Dimension, 2 * (2 + slopes)>(mass_weights_);
+    }
+
+    /// Returns the nodal force of gravity.
+    /// @param g  acceleration, m/s^2
+    [[nodiscard]] Vector<double, dofs> gravity(const Point& g) const {
+        return gravity_force<Dimension, 2 * (2 + slopes)>(mass_weights_, g);
+    }
+
+    /// Returns the nodal force of a dead force per length of the stress-free axis.
+    /// @param force  N/m
+    [[nodiscard]] Vector<double, dofs> line_load(const Point& force) const {
+        return line_.template line_load<2 + slopes>(force);
+    }
+
+    /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
+    /// N m^2: a torque divides between the slopes in this proportion.
+    ///
+    /// G (k_z int y^2 dA, k_y int z^2 dA) about the centroid; in the plane zero.
+    [[nodiscard]] Vector<double, 2> torsion_stiffness() const noexcept;
+
+    /// Tells whether e is a beam: finite and, all along, neither flattened nor turned inside out:
+    /// det [r0', r_y, r_z] > 1e-6 of the product of the three lengths, the slopes turning by less
+    /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
+    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+
+    /// Returns the length of the stress-free element, m.
+    [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
+    /// Returns the options it was made with.
+    [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+    /// Returns the position r0 + y r_y + z r_z of a point of the body, m.
+    /// @param xi    place along the element, 0 to 1
+    /// @param y, z  place in the section, m; in the plane z has no effect
+    [[nodiscard]] Point position(const Coordinates& e, double xi, double y = 0.0,
+                                 double z = 0.0) const noexcept;
+
+    /// Returns the derivative of position() by e: the constant matrix of shape functions.
+    [[nodiscard]] Jacobian position_jacobian(const Coordinates& e, double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept;
+
+    /// Returns the velocity of a point of the body, m/s.
+    /// @param rate  time derivative of e
+    [[nodiscard]] Point velocity(const Coordinates& e, const Coordinates& rate, double xi,
+                                 double y = 0.0, double z = 0.0) const noexcept;
+
+    /// Returns the directors r_y, r_z (columns), 1.
+    [[nodiscard]] Matrix<double, Dimension, slopes> directors(const Coordinates& e,
+                                                              double xi) const noexcept;
+
+    /// Returns the derivative of the directors, one below the other, by e.
+    [[nodiscard]] Matrix<double, Dimension * slopes, dofs> directors_jacobian(
+        const Coordinates& e, double xi) const noexcept;
+
+    /// Returns the Green strain [e_xx, e_yy, e_zz, 2e_yz, 2e_xz, 2e_xy] at a point of the body; in
+    /// the plane [e_xx, e_yy, 2e_xy].
+    [[nodiscard]] Vector<double, strains> green_strain(const Coordinates& e, double xi,
+                                                       double y = 0.0,
+                                                       double z = 0.0) const noexcept;
+
+    /// Returns the second Piola-Kirchhoff stress, Pa, in the order of green_strain(), as the energy
+    /// has it: shear stresses with their correction factor, and in the enhanced form the diagonal
+    /// law's stress plus what Hooke's law adds to it on the line of centroids.
+    [[nodiscard]] Vector<double, strains> stress(const Coordinates& e, double xi, double y = 0.0,
+                                                 double z = 0.0) const noexcept;
+
+    /// Returns what the section transmits: resultants of the traction F S e_x (first
+    /// Piola-Kirchhoff).
+    [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
+
+private:
+    using Law = detail::ContinuumLaw<Dimension>;
+    using Station = detail::continuum::Station<Dimension>;
+    using AxialStation = detail::continuum::AxialStation;
+    using Vectors = detail::continuum::Vectors<double, Dimension>;
+    using Strain = detail::continuum::Strain<double, Dimension>;
+
+    ContinuumBeam(const Material& material, const Section& section, ReferenceLine<Dimension> line,
+                  const Coordinates& reference, const Options& options);
+
+    /// Returns the weights of (r_j - r_i, r_x at i, r_x at j) in r0', by the arc length.
+    [[nodiscard]] Vector<double, 3> tangent_weights(double xi) const noexcept;
+    /// Returns ds/dxi, m: the unit in which the stations measure y and z.
+    [[nodiscard]] double unit(double xi) const noexcept {
+        return line_.parameter_length() * line_.metric(xi);
+    }
+    [[nodiscard]] Station station(const RuleStation& place, double axial_stiffness) const;
+    [[nodiscard]] Vectors vectors_at(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] Strain strain_at(const Coordinates& e, double xi) const noexcept;
+
+    ReferenceLine<Dimension> line_;
+    Coordinates reference_;  ///< nodal coordinates of the stress-free state, where it is curved
+    Options options_;
+    Law law_;                       ///< of the section, per length
+    detail::PointStiffness point_;  ///< on the strain of a point
+    detail::PointStiffness axis_;   ///< on the strain of the centroid, added to it
+    double centroid_y_, centroid_z_;
+    std::vector<Station> stations_;
+    std::vector<AxialStation> axial_stations_;  ///< of a rule that treats E A eps^2/2 apart
+    Matrix<double, 2 * (2 + slopes)> mass_weights_;
+};
+
+template <int Dimension>
+ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
+                                        double length, const Options& options)
+    : ContinuumBeam(material, section,
+                    ReferenceLine<Dimension>((detail::require_positive("length", length), length)),
+                    Coordinates::Zero(), options) {}
+
+template <int Dimension>
+ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
+                                        const Coordinates& reference, double length,
+                                        const Options& options)
+    : ContinuumBeam(
+          material, section,
+          ReferenceLine<Dimension>((detail::require_positive("length", length), length), reference),
+          reference, options) {
+    detail::require(admissible(reference),
+                    "the reference coordinates of an element need slopes of some length, "
+                    "right-handed and turning by less than 120 degrees from node to node, got ",
+                    detail::components(reference));
+}
+
+template <int Dimension>
+ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
+                                        ReferenceLine<Dimension> line, const Coordinates& reference,
+                                        const Options& options)
+    : line_(std::move(line)),
+      reference_(reference),
+      options_(options),
+      law_(detail::continuum_law<Dimension>(material, section, options.material)),
+      point_(options.material == ContinuumMaterial::hooke
+                 ? detail::hooke_stiffness<Dimension>(material, section)
+                 : detail::diagonal_stiffness(material, section)),
+      axis_{0.0, 0.0, {0.0, 0.0}, 0.0},
+      centroid_y_(section.moments().y / section.moments().area),
+      centroid_z_(section.moments().z / section.moments().area),
+      mass_weights_(line_.template mass<2 + slopes>(material.density, section.mass_moments())) {
+    if (options.material == ContinuumMaterial::enhanced) {
+        const detail::PointStiffness hooke = detail::hooke_stiffness<Dimension>(material, section);
+        axis_ = {hooke.normal - point_.normal,
+                 hooke.coupling,
+                 {0.0, 0.0},
+                 hooke.transverse_shear - point_.transverse_shear};
+    }
+    detail::require_points(options.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options.rule, StrainGroup::shear, "shear", 3);
+    detail::require_points(options.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options.rule, StrainGroup::torsion, "torsion", 2);
+    const double axial_stiffness = material.young * section.moments().area;
+    for (const RuleStation& place : options.rule.stations()) {
+        const double weight = place.weight(StrainGroup::axial) * unit(place.xi);
+        if (place.axial_only())
+            axial_stations_.push_back({tangent_weights(place.xi), weight * axial_stiffness, 0.5});
+        else
+            stations_.push_back(station(place, axial_stiffness));
+    }
+}
+
+template <int Dimension>
+Vector<double, 3> ContinuumBeam<Dimension>::tangent_weights(double xi) const noexcept {
+    const StationShape<double> shape = line_.shape(xi);
+    return {shape.p[0], shape.p[1], shape.p[2]};
+}
+
+template <int Dimension>
+typename ContinuumBeam<Dimension>::Station ContinuumBeam<Dimension>::station(
+    const RuleStation& place, double axial_stiffness) const {
+    Station result;
+    result.xi = place.xi;
+    result.tangent = tangent_weights(place.xi);
+    // E A eps^2/2 is the group `axial`; what Hooke's law adds to it goes with the transverse
+    // strains.
+    const double length = unit(place.xi);
+    Law law = law_.scaled(place.weight(StrainGroup::bending) * length, length);
+    law.axial(0, 0) += (place.weight(StrainGroup::axial) - place.weight(StrainGroup::bending)) *
+                       length * axial_stiffness;
+    law.shear = law_.scaled(place.weight(StrainGroup::torsion) * length, length).shear;
+    law.shear.row(0) = place.weight(StrainGroup::shear) * length * law_.shear.row(0);
+    result.law = law;
+    Vectors reference;
+    if (line_.curved()) {
+        reference =
+            detail::continuum::Nodes<double, Dimension>(reference_).at(place.xi, result.tangent);
+    } else {
+        reference.columns.setZero();
+        reference.columns(0, 0) = 1.0;
+        for (int c = 0; c < slopes; ++c) reference.columns(1 + c, Dimension + c) = 1.0;
+    }
+    result.reference = detail::continuum::strain_coefficients(reference);
+    return result;
+}
+
+template <int Dimension>
+Vector<double, 2> ContinuumBeam<Dimension>::torsion_stiffness() const noexcept {
+    Vector<double, 2> stiffness(0.0, 0.0);
+    if constexpr (Dimension == 3)
+        for (int k = 0; k < 2; ++k) {  // of r_y by 2 e_xz, of r_z by 2 e_xy
+            const auto of = law_.shear.col(1 - k);
+            const double coupled = of[Law::pair(0, 1 + k)];
+            stiffness[k] = of[Law::pair(1 + k, 1 + k)] - coupled * coupled / of[0];
+        }
+    return stiffness;
+}
+
+template <int Dimension>
+template <class Scalar>
+Scalar ContinuumBeam<Dimension>::energy(const Vector<Scalar, dofs>& e) const noexcept {
+    namespace kernel = detail::continuum;
+    const kernel::Nodes<Scalar, Dimension> nodes(e);
+    kernel::Force<Scalar, Dimension> sum;
+    for (const AxialStation& station : axial_stations_)
+        kernel::add_axial_force(station, nodes.tangent_at(station.tangent), sum);
+    for (const Station& station : stations_)
+        sum.energy += kernel::station_energy(station, nodes.at(station.xi, station.tangent));
+    return sum.energy;
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::force(
+    const Vector<Scalar, dofs>& e) const noexcept {
+    namespace kernel = detail::continuum;
+    const kernel::Nodes<Scalar, Dimension> nodes(e);
+    kernel::Force<Scalar, Dimension> sum;
+    for (const AxialStation& station : axial_stations_)
+        kernel::add_axial_force(station, nodes.tangent_at(station.tangent), sum);
+    for (const Station& station : stations_)
+        kernel::add_force(station, nodes.at(station.xi, station.tangent), sum);
+    return kernel::nodal_force(sum);
+}
+
+template <int Dimension>
+template <class Scalar>
+Evaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::evaluate(
+    const Vector<Scalar, dofs>& e) const noexcept {
+    namespace kernel = detail::continuum;
+    const kernel::Nodes<Scalar, Dimension> nodes(e);
+    kernel::Force<Scalar, Dimension> sum;
+    kernel::Tangent<Scalar, Dimension> tangent;
+    for (const AxialStation& station : axial_stations_) {
+        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
+        kernel::add_axial_tangent(station, p, kernel::add_axial_force(station, p, sum), tangent);
+    }
+    for (const Station& station : stations_) {
+        const kernel::Vectors<Scalar, Dimension> v = nodes.at(station.xi, station.tangent);
+        kernel::add_tangent(station, v, kernel::add_force(station, v, sum), tangent);
+    }
+    Evaluation<Scalar, dofs> result;
+    result.energy = sum.energy;
+    result.force = kernel::nodal_force(sum);
+    kernel::write_tangent(tangent, result.tangent);
+    return result;
+}
+
+}  // namespace ancf
+
+#include <ancf/element/continuum/results.hpp>  // IWYU pragma: export
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class ContinuumBeam<2>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<2>>();
+extern template class ContinuumBeam<3>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<3>>();
+
+}  // namespace ancf
+#endif

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The continuum beam at one station: strains, resultants, energy and force.
+///
+/// The strains are dot products of the local vectors V, so the energy's gradient is V S with S the
+/// symmetric matrix of the resultants: docs/theory-continuum.md, "Force".
+/// Nothing here compares, divides or takes a root: any Scalar with +, -, * will do. Few types of
+/// expression and vectors of six keep the compiler fast and its vector instructions in use.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/element/continuum/law.hpp>
+#include <ancf/element/rate.hpp>
+#include <ancf/types.hpp>
+
+namespace ancf::detail::continuum {
+
+/// The local vectors of a station as columns: v_0 = r0', v_1 and v_2 (r_y' and r_z' times the law's
+/// unit), a_0 = r_y, a_1 = r_z.
+template <class Scalar, int Dimension>
+struct Vectors {
+    Matrix<Scalar, Dimension, 2 * Dimension - 1> columns;
+
+    [[nodiscard]] auto col(int i) const noexcept { return columns.col(i); }
+};
+
+/// The strain coefficients of ContinuumLaw, or the resultants conjugate to them.
+template <class Scalar, int Dimension>
+struct Strain {
+    static constexpr int slopes = Dimension - 1;
+    static constexpr int pairs = Dimension * (Dimension + 1) / 2;
+
+    Vector<Scalar, pairs> axial;
+    Matrix<Scalar, Dimension, slopes> shear;
+    Vector<Scalar, slopes> normal;
+    Scalar transverse{0.0};  ///< three dimensions only
+};
+
+/// A station and all that is known about it beforehand.
+template <int Dimension>
+struct Station {
+    double xi = 0.0;            ///< place on the axis, 0 to 1
+    Vector<double, 3> tangent;  ///< r0' = tangent . (r_j - r_i, r_x at i, r_x at j)
+    ContinuumLaw<Dimension>
+        law;  ///< times the quadrature weight in m; y and z in units of the element's length
+    Strain<double, Dimension> reference;  ///< the strain coefficients of the undeformed beam
+};
+
+/// A station that integrates E A eps^2/2 alone.
+struct AxialStation {
+    Vector<double, 3> tangent;  ///< as Station's
+    double stiffness;           ///< E A times the quadrature weight, N m
+    double reference;           ///< r0' . r0'/2 of the undeformed beam
+};
+
+/// Sums over the stations in the vectors (r_j - r_i, r_x i, r_x j; a at node i; difference of a).
+template <class Scalar, int Dimension>
+struct Force {
+    static constexpr int slopes = Dimension - 1;
+
+    Scalar energy{0.0};
+    Matrix<Scalar, Dimension, 3> tangent = Matrix<Scalar, Dimension, 3>::Zero();
+    Matrix<Scalar, Dimension, slopes> slope = Matrix<Scalar, Dimension, slopes>::Zero();
+    Matrix<Scalar, Dimension, slopes> difference = Matrix<Scalar, Dimension, slopes>::Zero();
+};
+
+/// Returns the strain coefficients of local vectors, before the reference is subtracted.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Strain<Scalar, Dimension> strain_coefficients(
+    const Vectors<Scalar, Dimension>& v) noexcept {
+    const auto dot = [&](int i, int j) noexcept {
+        const Scalar* x = v.columns.data() + Dimension * i;
+        const Scalar* y = v.columns.data() + Dimension * j;
+        if constexpr (Dimension == 3)
+            return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+        else
+            return x[0] * y[0] + x[1] * y[1];
+    };
+    const Scalar half(0.5);
+    Strain<Scalar, Dimension> s;
+    s.axial(0) = half * dot(0, 0);
+    s.axial(1) = dot(0, 1);
+    s.axial(Dimension) = half * dot(1, 1);
+    constexpr int a = Dimension;
+    s.shear(0, 0) = dot(0, a);
+    s.shear(1, 0) = dot(1, a);
+    s.normal(0) = half * dot(a, a);
+    if constexpr (Dimension == 3) {
+        constexpr int b = a + 1;
+        s.axial(2) = dot(0, 2);
+        s.axial(4) = dot(1, 2);
+        s.axial(5) = half * dot(2, 2);
+        s.shear(2, 0) = dot(2, a);
+        s.shear(0, 1) = dot(0, b);
+        s.shear(1, 1) = dot(1, b);
+        s.shear(2, 1) = dot(2, b);
+        s.normal(1) = half * dot(b, b);
+        s.transverse = dot(a, b);
+    }
+    return s;
+}
+
+/// Returns M x of a packed symmetric matrix.
+template <int Dimension, class Packed, class Scalar>
+[[nodiscard]] inline Vector<Scalar, Dimension> packed_times(const Packed& m,
+                                                            const Scalar* x) noexcept {
+    const auto at = [&](int p) noexcept { return Scalar(m(p)); };
+    Vector<Scalar, Dimension> result;
+    if constexpr (Dimension == 3) {
+        result(0) = at(0) * x[0] + at(1) * x[1] + at(2) * x[2];
+        result(1) = at(1) * x[0] + at(3) * x[1] + at(4) * x[2];
+        result(2) = at(2) * x[0] + at(4) * x[1] + at(5) * x[2];
+    } else {
+        result(0) = at(0) * x[0] + at(1) * x[1];
+        result(1) = at(1) * x[0] + at(2) * x[1];
+    }
+    return result;
+}
+
+/// Returns the resultants C s, per length or times the weight, as the law is.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Strain<Scalar, Dimension> resultants(
+    const ContinuumLaw<Dimension>& law, const Strain<Scalar, Dimension>& strain) noexcept {
+    constexpr int slopes = Dimension - 1;
+    Scalar across = strain.normal(0);
+    if constexpr (Dimension == 3) across += strain.normal(1);
+    Strain<Scalar, Dimension> stress;
+    stress.axial = law.axial.template cast<Scalar>().lazyProduct(strain.axial) +
+                   across * law.coupling.template cast<Scalar>();
+    Scalar axial(0.0);
+    for (int p = 0; p < ContinuumLaw<Dimension>::pairs; ++p)
+        axial += Scalar(law.coupling(p)) * strain.axial(p);
+    for (int c = 0; c < slopes; ++c) {
+        stress.shear.col(c) =
+            packed_times<Dimension>(law.shear.col(c), strain.shear.data() + Dimension * c);
+        stress.normal(c) = axial + Scalar(law.normal_coupling) * across +
+                           Scalar(law.normal - law.normal_coupling) * strain.normal(c);
+    }
+    if constexpr (Dimension == 3)
+        stress.transverse = Scalar(law.transverse_shear) * strain.transverse;
+    return stress;
+}
+
+/// Returns S: the resultants as the symmetric matrix of the local vectors.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Matrix<Scalar, 2 * Dimension - 1> resultant_matrix(
+    const Strain<Scalar, Dimension>& stress) noexcept {
+    Matrix<Scalar, 2 * Dimension - 1> s;
+    for (int i = 0, p = 0; i < Dimension; ++i)
+        for (int j = i; j < Dimension; ++j, ++p) s(i, j) = s(j, i) = stress.axial(p);
+    for (int c = 0; c < Dimension - 1; ++c) {
+        for (int i = 0; i < Dimension; ++i)
+            s(i, Dimension + c) = s(Dimension + c, i) = stress.shear(i, c);
+        s(Dimension + c, Dimension + c) = stress.normal(c);
+    }
+    if constexpr (Dimension == 3) s(3, 4) = s(4, 3) = stress.transverse;
+    return s;
+}
+
+/// Returns the gradient V S of the energy by the local vectors.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Vectors<Scalar, Dimension> local_force(
+    const Strain<Scalar, Dimension>& stress, const Vectors<Scalar, Dimension>& v) noexcept {
+    const Matrix<Scalar, 2 * Dimension - 1> s = resultant_matrix(stress);
+    Vectors<Scalar, Dimension> force;
+    for (int i = 0; i < 2 * Dimension - 1; ++i)
+        force.columns.col(i) = v.columns.lazyProduct(s.col(i));
+    return force;
+}
+
+/// Returns the strain coefficients less those of the reference.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Strain<Scalar, Dimension> station_strain(
+    const Station<Dimension>& station, const Vectors<Scalar, Dimension>& v) noexcept {
+    Strain<Scalar, Dimension> strain = strain_coefficients(v);
+    const Strain<double, Dimension>& reference = station.reference;
+    for (int p = 0; p < strain.axial.size(); ++p)
+        strain.axial(p) = deformation(strain.axial(p), reference.axial(p));
+    for (int p = 0; p < strain.shear.size(); ++p)
+        strain.shear(p) = deformation(strain.shear(p), reference.shear(p));
+    for (int c = 0; c < Dimension - 1; ++c)
+        strain.normal(c) = deformation(strain.normal(c), reference.normal(c));
+    if constexpr (Dimension == 3)
+        strain.transverse = deformation(strain.transverse, reference.transverse);
+    return strain;
+}
+
+/// Returns half the product of stress and strain.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Scalar half_product(const Strain<Scalar, Dimension>& stress,
+                                         const Strain<Scalar, Dimension>& strain) noexcept {
+    Scalar sum = stress.transverse * strain.transverse;
+    for (int p = 0; p < ContinuumLaw<Dimension>::pairs; ++p)
+        sum += stress.axial(p) * strain.axial(p);
+    for (int c = 0; c < Dimension - 1; ++c) {
+        sum += stress.normal(c) * strain.normal(c);
+        for (int i = 0; i < Dimension; ++i) sum += stress.shear(i, c) * strain.shear(i, c);
+    }
+    return Scalar(0.5) * sum;
+}
+
+/// Returns a station's energy, J.
+template <class Scalar, int Dimension>
+[[nodiscard]] ANCF_NOINLINE Scalar station_energy(const Station<Dimension>& station,
+                                                  const Vectors<Scalar, Dimension>& v) noexcept {
+    const Strain<Scalar, Dimension> strain = station_strain(station, v);
+    return half_product(resultants(station.law, strain), strain);
+}
+
+/// Adds a station's energy and force; returns its resultants.
+template <class Scalar, int Dimension>
+ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& station,
+                                                  const Vectors<Scalar, Dimension>& v,
+                                                  Force<Scalar, Dimension>& sum) noexcept {
+    const Strain<Scalar, Dimension> strain = station_strain(station, v);
+    const Strain<Scalar, Dimension> stress = resultants(station.law, strain);
+    const Vectors<Scalar, Dimension> force = local_force(stress, v);
+    const Scalar xi(station.xi);
+    sum.energy += half_product(stress, strain);
+    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += Scalar(station.tangent(m)) * force.col(0);
+    for (int c = 0; c < Dimension - 1; ++c) {
+        sum.slope.col(c) += force.col(Dimension + c);
+        sum.difference.col(c) += xi * force.col(Dimension + c) + force.col(1 + c);
+    }
+    return stress;
+}
+
+/// Adds an axial station's energy and force; p is r0'. Returns its normal force times the weight.
+template <class Scalar, int Dimension>
+inline Scalar add_axial_force(const AxialStation& station, const Vector<Scalar, Dimension>& p,
+                              Force<Scalar, Dimension>& sum) noexcept {
+    Scalar square = p(0) * p(0) + p(1) * p(1);
+    if constexpr (Dimension == 3) square += p(2) * p(2);
+    const Scalar strain = deformation(Scalar(Scalar(0.5) * square), station.reference);
+    const Scalar normal = Scalar(station.stiffness) * strain;
+    sum.energy += Scalar(0.5) * normal * strain;
+    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += (Scalar(station.tangent(m)) * normal) * p;
+    return normal;
+}
+
+}  // namespace ancf::detail::continuum

@@ -1,0 +1,454 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The beam element in a cross-sectional coordinate system: [Dufva2006, section 3].
+///
+/// Two nodes of position and three slopes; directors that stay perpendicular to the tangent but for
+/// a shear that is interpolated linearly; strains of a rigid section plus linear transverse
+/// strains. The section is integrated in closed form, see docs/theory.md.
+
+#pragma once
+
+#include <ancf/element/compiled_element.hpp>
+#include <ancf/element/cross_section/carried_formulation.hpp>
+#include <ancf/element/cross_section/engineering_measure.hpp>
+#include <ancf/element/cross_section/green_measure.hpp>
+#include <ancf/element/cross_section/kernel.hpp>
+#include <ancf/element/cross_section/projected.hpp>
+#include <ancf/element/cross_section/shear.hpp>
+#include <ancf/element/cross_section_options.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/fields.hpp>
+#include <ancf/element/mass.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/element/reference_line.hpp>
+#include <ancf/element/section_forces.hpp>
+#include <ancf/element/station_data.hpp>
+#include <ancf/element/upright.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/section/stiffness.hpp>
+#include <ancf/types.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace ancf {
+
+namespace detail {
+
+template <class Directors, class Shear, class Measure, class Line>
+struct FormulationOf {
+    using type = LocalFormulation<Directors, Shear, Measure>;
+};
+template <class Measure, class Line>
+struct FormulationOf<Geodesic, LinearShear, Measure, Line> {
+    using type = CarriedFormulation<Measure, LinearAngle, Line::vectors>;
+};
+template <class Measure, class Line>
+struct FormulationOf<Transported, LinearShear, Measure, Line> {
+    using type = CarriedFormulation<Measure, ChordAngle, Line::vectors>;
+};
+
+/// Whether directors are carried from the nodes.
+template <class Directors>
+inline constexpr bool carries_directors =
+    std::is_same_v<Directors, Geodesic> || std::is_same_v<Directors, Transported>;
+
+}  // namespace detail
+
+/// The beam element of Dufva, Sopanen and Mikkola.
+///
+/// @tparam Dimension  3; in two dimensions it is the specialisation of planar/beam.hpp
+/// @tparam Directors  how the directors follow from the slopes: Projected (the paper),
+///                    Transported or Geodesic; the last two with LinearShear alone
+/// @tparam Shear      LinearShear (the paper's element) or PointwiseShear (Table 1, footnote a)
+/// @tparam Measure    strains of the section as functions of its invariants: GreenMeasure (the
+///                    paper) or EngineeringMeasure (Reissner's beam)
+/// @tparam Line       CubicLine (the paper) or QuinticLine, which goes with carried directors; its
+///                    nodes have r_xx besides, as QuinticBeam
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+class CrossSectionBeam {
+    static_assert(Dimension == 3, "for two dimensions include <ancf/element/planar/beam.hpp>");
+    static_assert(!detail::carries_directors<Directors> || Shear::nodal,
+                  "Geodesic and Transported directors go with LinearShear");
+    static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;
+    static_assert(!quintic || detail::carries_directors<Directors>,
+                  "QuinticLine goes with Geodesic or Transported directors");
+
+public:
+    static constexpr int dimension = Dimension;  ///< of space
+    /// Number of nodal coordinates of an element: 24, or 30 with a quintic centre line.
+    static constexpr int dofs = detail::dofs_with<Line::vectors>;
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
+    /// Vectors that each node carries.
+    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z |
+                                     (quintic ? Fields(Field::r_xx) : Fields());
+
+    /// Nodal coordinates e, those of the first node first.
+    using Coordinates = Vector<double, dofs>;
+    /// Choices that are values.
+    using Options = std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>;
+
+    /// Makes a straight element.
+    /// @param length  l, m, > 0
+    /// @throws InvalidArgument if a value is out of range, or the rule leaves the element a
+    ///         mechanism.
+    CrossSectionBeam(const Material& material, const Section& section, double length,
+                     const Options& options = {});
+
+    /// Makes an element whose stress-free state is given: curved, twisted, or both.
+    ///
+    /// The strains of that state are subtracted; integrals run over the arc length of its centre
+    /// line.
+    /// @param reference  nodal coordinates, 24 x 1 or 30 x 1
+    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
+    ///           arc length
+    /// @throws InvalidArgument as above, and for a reference that is not admissible.
+    CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
+                     double length, const Options& options = {});
+
+    /// Returns the strain energy U, J. [Dufva2006, Eq. 29]
+    template <class S>
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
+
+    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes. [Dufva2006, Eq. 30]
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
+
+    /// Returns energy, elastic force and tangent in one pass.
+    ///
+    /// K = sum_g w_g (B^T C B + sum_i sigma_i d2 s_i/de2) in the generalised strains s of
+    /// docs/theory.md.
+    /// @param e  nodal coordinates, 24 x 1, [r r_x r_y r_z] per node; m and 1. A quintic line: 30 x
+    ///           1, r_xx last, 1/m
+    /// @note     noexcept, no heap allocation
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
+
+    /// Returns the same with the tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state.
+    ///
+    /// Energy and force are those of e. Source: Magisano, Leonetti, Garcea 2017;
+    /// docs/theory-statics.md, "Stresses as unknowns".
+    /// @param before  where the last tangent was taken, dofs x 1
+    /// @param change  the correction that it gave, dofs x 1
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
+
+    /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
+    /// Vector<Pack<Lanes>, dofs>.
+    template <int Lanes>
+    using Together = detail::CrossSectionKernel<
+        Pack<Lanes>, typename detail::FormulationOf<Directors, Shear, Measure, Line>::type>;
+
+    /// Puts elements side by side; each keeps its own length, section and material. Equal elements
+    /// need not be put together: evaluate() of any of them takes packs as well.
+    /// @throws InvalidArgument if rules or transverse strain measures differ.
+    template <int Lanes>
+    [[nodiscard]] static Together<Lanes> together(
+        const std::array<const CrossSectionBeam*, Lanes>& elements);
+
+    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
+    /// r_xx. [Dufva2006, Eq. 34]; RotaryInertia::lumped keeps its sums over the nodes.
+    [[nodiscard]] Matrix<double, dofs> mass() const {
+        return mass_matrix<Dimension>(mass_weights_);
+    }
+
+    /// Returns the nodal force of gravity.
+    /// @param g  acceleration, m/s^2
+    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, Dimension>& g) const {
+        return gravity_force<Dimension>(mass_weights_, g);
+    }
+
+    /// Returns the nodal force of a dead force per length of the stress-free centre line.
+    /// @param force  N/m
+    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, Dimension>& force) const {
+        return line_.template line_load<4>(force);
+    }
+
+    /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
+    /// N m^2: a torque divides between the slopes in this proportion.
+    ///
+    /// G (k_z int y^2 dA, k_y int z^2 dA) about the centroid; with SectionModel::saint_venant the
+    /// parts Iyy and Izz of G J. docs/theory-statics.md, "How a torque divides".
+    [[nodiscard]] Vector<double, 2> torsion_stiffness() const noexcept {
+        const auto without_shear = [](const Matrix<double, 3>& block, int twist) {
+            return block(twist, twist) - block(0, twist) * block(0, twist) / block(0, 0);
+        };
+        return {without_shear(section_.shear_z, 1), without_shear(section_.shear_y, 2)};
+    }
+
+    /// Tells whether e is a beam whose strains are defined: finite; all along, tangent and slopes
+    /// right-handed and turning by less than 120 degrees from node to node; at every station longer
+    /// than 1e-6, the sine of the angle between them larger than 1e-6.
+    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+
+    /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or
+    /// at one of six places between them: its stress falls as it shortens further, and equilibria
+    /// are no longer unique. Never so with engineering strains.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
+        return !Measure::engineering && line_.least_stretch(e) < softening_stretch;
+    }
+
+    /// Returns the length of the stress-free element, m.
+    [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
+    /// Returns the options it was made with.
+    [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+    // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
+
+    /// Returns the twelve generalised strains (eps, b_y, b_z, a_yy/2, a_yz, a_zz/2, g_y, h_yy,
+    /// h_zy, g_z, h_yz, h_zz).
+    ///
+    /// e_xx = eps + y b_y + z b_z + (y^2 a_yy + 2 y z a_yz + z^2 a_zz)/2, 2e_xy = g_y + y h_yy + z
+    /// h_zy, 2e_xz = g_z + y h_yz + z h_zz; 1, 1/m or 1/m^2.
+    template <class S>
+    [[nodiscard]] Vector<S, 12> strains(const Vector<S, dofs>& e, double xi) const noexcept;
+
+    /// Returns (e_yy, e_zz, 2e_yz), 1. [Dufva2006, Eqs. 24 to 28]
+    template <class S>
+    [[nodiscard]] Vector<S, 3> transverse_strains(const Vector<S, dofs>& e,
+                                                  double xi) const noexcept;
+
+    /// Returns the strains of a point [e_xx, e_yy, e_zz, 2e_yz, 2e_xz, 2e_xy], 1.
+    [[nodiscard]] Vector<double, 6> green_strain(const Coordinates& e, double xi, double y = 0.0,
+                                                 double z = 0.0) const noexcept;
+
+    /// Returns the second Piola-Kirchhoff stress of a point in the order of green_strain(), Pa, by
+    /// the diagonal material of [Dufva2006, Eq. 29]: shear stresses contain their correction
+    /// factors.
+    [[nodiscard]] Vector<double, 6> stress(const Coordinates& e, double xi, double y = 0.0,
+                                           double z = 0.0) const noexcept;
+
+    /// Returns what the section transmits: resultants of the first Piola-Kirchhoff traction F S
+    /// e_x.
+    ///
+    /// The force is sigma_1 r0' + sigma_2 d_y' + sigma_3 d_z' + sigma_7 d_y + sigma_10 d_z; the
+    /// moment follows likewise, see docs/theory.md. sigma = C s comes from the element's section
+    /// matrix, torsion constant included.
+    [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
+
+    /// Returns the directors d_y, d_z (columns), 1: the slopes' unit projections plus the shear
+    /// along the tangent.
+    template <class S>
+    [[nodiscard]] Matrix<S, 3, 2> directors(const Vector<S, dofs>& e, double xi) const noexcept;
+
+    /// Returns the derivative of the directors, d_y above d_z, by e.
+    [[nodiscard]] Matrix<double, 6, dofs> directors_jacobian(const Coordinates& e,
+                                                             double xi) const noexcept;
+
+    /// Returns the position r0 + y d_y + z d_z of a point of the body, m.
+    template <class S>
+    [[nodiscard]] Vector<S, 3> position(const Vector<S, dofs>& e, double xi, double y = 0.0,
+                                        double z = 0.0) const noexcept;
+
+    /// Returns the derivative of position() by e.
+    [[nodiscard]] Matrix<double, 3, dofs> position_jacobian(const Coordinates& e, double xi,
+                                                            double y = 0.0,
+                                                            double z = 0.0) const noexcept;
+
+    /// Returns the velocity of a point of the body, m/s.
+    /// @param rate  time derivative of e
+    [[nodiscard]] Vector<double, 3> velocity(const Coordinates& e, const Coordinates& rate,
+                                             double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept;
+
+private:
+    using Formulation = typename detail::FormulationOf<Directors, Shear, Measure, Line>::type;
+
+    /// The state of the section at a place.
+    template <class S>
+    struct Place;
+    template <class S>
+    [[nodiscard]] Place<S> place(const Vector<S, dofs>& e, double xi) const noexcept;
+
+    using Row = Eigen::Matrix<double, 1, dofs>;
+    /// Returns the derivative by e of a director (0: y, 1: z), of its spin about the tangent, and
+    /// of its shear.
+    [[nodiscard]] Matrix<double, 3, dofs> director_jacobian(const Place<double>& at,
+                                                            int director) const noexcept;
+    [[nodiscard]] Row spin_row(const Place<double>& at, int director) const noexcept;
+    [[nodiscard]] Row shear_row(const Place<double>& at, int director) const noexcept;
+
+    void set_up(const Material& material, const Section& section);
+    /// Returns the generalised strains of a state, those of the stress-free state not subtracted.
+    template <class S>
+    [[nodiscard]] Vector<S, 12> raw_strains(const Vector<S, dofs>& e, double xi) const noexcept;
+    template <class S>
+    [[nodiscard]] Vector<S, 3> raw_transverse_strains(const Vector<S, dofs>& e,
+                                                      double xi) const noexcept;
+
+    ReferenceLine<Dimension, Line> line_;
+    Coordinates reference_;  ///< of the stress-free state; used where the line is curved
+    Options options_;
+    SectionStiffness section_;
+    Vector<double, 6> moduli_;  ///< of green_strain(), Pa
+    detail::CrossSectionKernel<double, Formulation> kernel_;
+    Matrix<double, dofs / 3> mass_weights_;
+};
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
+    const Material& material, const Section& section, double length, const Options& options)
+    : line_((detail::require_positive("length", length), length)), options_(options) {
+    set_up(material, section);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
+    const Material& material, const Section& section, const Coordinates& reference, double length,
+    const Options& options)
+    : line_((detail::require_positive("length", length), length), reference),
+      reference_(reference),
+      options_(options) {
+    detail::require(reference.allFinite(),
+                    "the reference coordinates of an element must be finite, got ",
+                    detail::components(reference));
+    set_up(material, section);
+    detail::require(admissible(reference),
+                    "the reference coordinates of an element need slopes of some length, "
+                    "right-handed and turning by less than 120 degrees from node to node, got ",
+                    detail::components(reference));
+    kernel_.set_reference(reference);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const Material& material,
+                                                                          const Section& section) {
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", quintic ? 5 : 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", quintic ? 4 : 2);
+    detail::require_points(options_.rule, StrainGroup::shear, "shear", Shear::nodal ? 2 : 3);
+    detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
+    section_ = section_stiffness(material, section, options_.section_model);
+    const double shear_y = section.shear_correction_y() * material.shear;
+    const double shear_z = section.shear_correction_z() * material.shear;
+    moduli_ << material.young, material.young, material.young, 0.5 * (shear_y + shear_z), shear_z,
+        shear_y;
+    kernel_.stations = line_.stations(options_.rule, section_, !Measure::engineering);
+    kernel_.packs = packed<native_lanes>(kernel_.stations);
+    const double length = line_.length();
+    kernel_.transverse = {{section_.transverse_yy * length, section_.transverse_zz * length,
+                           section_.transverse_yz * length},
+                          {}};
+    kernel_.transverse_measure = options_.transverse;
+    mass_weights_ = line_.template mass<4>(material.density, section.mass_moments());
+    if (options_.rotary_inertia == RotaryInertia::lumped) lump_rotary_inertia<4>(mass_weights_);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+template <int Lanes>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
+    const std::array<const CrossSectionBeam*, Lanes>& elements) -> Together<Lanes> {
+    const CrossSectionBeam& first = *elements[0];
+    Together<Lanes> result;
+    result.transverse_measure = first.options_.transverse;
+    result.stations.full.resize(first.kernel_.stations.full.size());
+    result.stations.axial.resize(first.kernel_.stations.axial.size());
+    for (int lane = 0; lane < Lanes; ++lane) {
+        const CrossSectionBeam& element = *elements[static_cast<std::size_t>(lane)];
+        detail::require(
+            element.options_.rule.name() == first.options_.rule.name() &&
+                element.kernel_.stations.full.size() == first.kernel_.stations.full.size() &&
+                element.kernel_.stations.axial.size() == first.kernel_.stations.axial.size(),
+            "elements put together must have one rule, got \"", first.options_.rule.name(),
+            "\" and \"", element.options_.rule.name(), "\"");
+        detail::require(element.options_.transverse == first.options_.transverse,
+                        "elements put together must have one transverse strain measure");
+        detail::put_lane(result.stations, lane, element.kernel_.stations);
+        detail::put_lane(result.transverse, lane, element.kernel_.transverse);
+    }
+    return result;
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+template <class S>
+S CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::energy(
+    const Vector<S, dofs>& e) const noexcept {
+    return kernel_.energy(e);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+template <class S>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::force(
+    const Vector<S, dofs>& e) const noexcept -> Vector<S, dofs> {
+    return kernel_.force(e);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+template <class S>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::evaluate(
+    const Vector<S, dofs>& e) const noexcept -> Evaluation<S, dofs> {
+    return kernel_.evaluate(e);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
+    const Coordinates& e) const noexcept {
+    using namespace detail;
+    if (!e.allFinite() || !upright<3, Line>(e, line_.parameter_length())) return false;
+    NodalVectors<double, Line::vectors> nodes;
+    nodal_vectors(e, nodes);
+    constexpr double smallest = 1e-6;  // length, and sine of the angle between slope and tangent
+    [[maybe_unused]] const auto distinct = [](const Vec3<double>& tangent,
+                                              const Vec3<double>& slope) {
+        const double tt = dot(tangent, tangent), ss = dot(slope, slope);
+        const Vec3<double> normal = cross(tangent, slope);
+        return tt > smallest * smallest && ss > smallest * smallest &&
+               dot(normal, normal) > smallest * smallest * tt * ss;
+    };
+    for (const auto& station : kernel_.stations.full) {
+        if constexpr (carries_directors<Directors>) {
+            // carried from the nodes: undefined where the tangent turns back on a node's, or
+            // directors meet from behind
+            if (!carriable(nodes, line_derivative(station.shape.p, nodes), smallest)) return false;
+        } else {
+            LocalVectors<double> local;
+            interpolate(station.shape, nodes, local);
+            if (!distinct(local[l_p], local[l_a]) || !distinct(local[l_p], local[l_b]))
+                return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace ancf
+
+#include <ancf/element/cross_section/results.hpp>  // IWYU pragma: export
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class CrossSectionBeam<3>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3>>();
+extern template class CrossSectionBeam<3, Geodesic>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3, Geodesic>>();
+extern template class CrossSectionBeam<3, Transported>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Transported>>();
+extern template class CrossSectionBeam<3, Projected, PointwiseShear>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Projected, PointwiseShear>>();
+extern template class CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>>();
+extern template class CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>>();
+extern template class CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>>();
+
+}  // namespace ancf
+#endif

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The evaluation of a cross-section beam: constant data and the walk over stations.
+///
+/// Double precision walks over packs of stations, as many side by side as the target's registers
+/// hold; any other scalar walks over single stations. T is double, or a pack that holds the data of
+/// several elements.
+
+#pragma once
+
+#include <ancf/element/cross_section/nodal.hpp>
+#include <ancf/element/cross_section/nodal_tangent.hpp>
+#include <ancf/element/cross_section/shear.hpp>
+#include <ancf/element/cross_section/station.hpp>
+#include <ancf/element/cross_section/transverse.hpp>
+#include <ancf/element/dual.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/station_data.hpp>
+#include <ancf/types.hpp>
+
+#include <type_traits>
+#include <vector>
+
+namespace ancf::detail {
+
+/// Constant data of an element, and what follows from nodal coordinates.
+template <class T, class Formulation>
+struct CrossSectionKernel {
+    static constexpr int line = Formulation::line;  ///< nodal vectors in the centre line
+    static constexpr int dofs = dofs_with<line>;
+
+    StationTable<T, line> stations;
+    StationTable<Pack<native_lanes>, line> packs;  ///< again, side by side; used where T is double
+    TransverseData<T> transverse;
+    TransverseStrain transverse_measure = TransverseStrain::green;
+
+    /// Makes e the stress-free state: its strains are the ones subtracted from now on.
+    void set_reference(const Vector<double, dofs>& e);
+
+    template <class S>
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        return pass<S, false>(e, nullptr, nullptr);
+    }
+
+    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
+    /// state before.
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return pass<S, true>(e, &before, &change);
+    }
+
+private:
+    /// The scalar that stations are evaluated with.
+    template <class S>
+    using Lane =
+        std::conditional_t<std::is_same_v<S, double> && (native_lanes > 1), Pack<native_lanes>, S>;
+
+    template <class P>
+    using At = typename Formulation::template State<P>;
+
+    /// Nodal vectors and what is evaluated at the nodes.
+    template <class S>
+    struct Nodes {
+        NodalVectors<S, line> vectors;
+        typename Formulation::template Nodes<S> scalars;
+        TransverseState<S> transverse;
+    };
+
+    /// The same in every lane, as far as stations need it.
+    template <class P>
+    struct Lanes {
+        NodalVectors<P, line> vectors;
+        typename Formulation::template Lanes<P> scalars;
+    };
+
+    /// Returns the stations that the scalar P walks over.
+    template <class P, class S>
+    [[nodiscard]] const auto& table() const noexcept {
+        if constexpr (std::is_same_v<P, S>) {
+            return stations;
+        } else {
+            return packs;
+        }
+    }
+
+    /// Writes what is evaluated at the nodes, from their vectors, and what stations need of it.
+    template <class P, class S>
+    void prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept;
+
+    template <class P, class S>
+    void prepare(const Vector<S, dofs>& e, Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
+        nodal_vectors(e, nodes.vectors);
+        prepare(nodes, lanes);
+    }
+
+    /// The state before a change of coordinates, linearised along it.
+    template <class S, class P>
+    struct Linearised {
+        Nodes<Dual<S>> nodes;
+        Lanes<Dual<P>> lanes;
+    };
+
+    template <class S, class P>
+    void linearise(const Vector<S, dofs>& e, const Vector<S, dofs>& change,
+                   Linearised<S, P>& at) const noexcept;
+
+    /// Writes the linearised stresses of a station.
+    template <class Station, class S, class P>
+    ANCF_NOINLINE static void predict(const Station& station, const Linearised<S, P>& before,
+                                      P (&stresses)[strain_count]) noexcept;
+    template <class Station, class S, class P>
+    static void predict(const Station& station, const Linearised<S, P>& before, P& stress) noexcept;
+
+    template <class S, bool Mixed>
+    [[nodiscard]] Evaluation<S, dofs> pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
+                                           const Vector<S, dofs>* change) const noexcept;
+};
+
+template <class T, class Formulation>
+template <class P, class S>
+void CrossSectionKernel<T, Formulation>::prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
+    for (int x = 0; x < vectors_with<line>; ++x) {
+        for (int k = 0; k < 3; ++k) lanes.vectors[x][k] = P(nodes.vectors[x][k]);
+    }
+    Formulation::prepare(nodes.vectors, nodes.scalars, lanes.scalars);
+    transverse_state(transverse, transverse_measure, nodes.vectors, nodes.transverse);
+}
+
+template <class T, class Formulation>
+void CrossSectionKernel<T, Formulation>::set_reference(const Vector<double, dofs>& e) {
+    Nodes<double> nodes;
+    Lanes<double> lanes;
+    prepare(e, nodes, lanes);
+    for (StationData<T, line>& station : stations.full) {
+        At<double> at;
+        (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
+        for (int k = 0; k < strain_count; ++k) station.reference[k] += at.strain[k];
+    }
+    for (AxialStationData<T, line>& station : stations.axial) {
+        AxialState<double> at;
+        (void)axial_state(station, lanes.vectors, at);
+        station.reference += at.stress / station.stiffness;
+    }
+    for (int node = 0; node < 2; ++node) {
+        const Vec3<double>&a = nodes.vectors[n_a1 + node], &b = nodes.vectors[n_b1 + node];
+        transverse.reference[0][node] = stretch_strain(transverse_measure, a).value;
+        transverse.reference[1][node] = stretch_strain(transverse_measure, b).value;
+        transverse.reference[2][node] = dot(a, b);
+    }
+    packs = packed<native_lanes>(stations);
+}
+
+template <class T, class Formulation>
+template <class S>
+S CrossSectionKernel<T, Formulation>::energy(const Vector<S, dofs>& e) const noexcept {
+    using P = Lane<S>;
+    Nodes<S> nodes;
+    Lanes<P> lanes;
+    prepare(e, nodes, lanes);
+    P sum(0.0);
+    for (const auto& station : table<P, S>().full) {
+        At<P> at;
+        sum += Formulation::state(station, lanes.vectors, lanes.scalars, at);
+    }
+    for (const auto& station : table<P, S>().axial) {
+        AxialState<P> at;
+        sum += axial_state(station, lanes.vectors, at);
+    }
+    return nodes.transverse.energy + collapsed<S>(sum);
+}
+
+template <class T, class Formulation>
+template <class S>
+auto CrossSectionKernel<T, Formulation>::force(const Vector<S, dofs>& e) const noexcept
+    -> Vector<S, dofs> {
+    using P = Lane<S>;
+    Nodes<S> nodes;
+    Lanes<P> lanes;
+    prepare(e, nodes, lanes);
+    typename Formulation::template Gradient<P> sums{};
+    for (const auto& station : table<P, S>().full) {
+        At<P> at;
+        (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
+        Formulation::gradient(station, at, sums);
+    }
+    for (const auto& station : table<P, S>().axial) {
+        AxialState<P> at;
+        (void)axial_state(station, lanes.vectors, at);
+        axial_gradient(station, at, sums);
+    }
+    typename Formulation::template Gradient<S> gradient;
+    sum_lanes(sums, gradient);
+    add_transverse(nodes.transverse, nodes.vectors, gradient);
+    Formulation::finish(nodes.scalars, gradient);
+    Vector<S, dofs> force;
+    expand(gradient, force);
+    return force;
+}
+
+template <class T, class Formulation>
+template <class S, class P>
+void CrossSectionKernel<T, Formulation>::linearise(const Vector<S, dofs>& e,
+                                                   const Vector<S, dofs>& change,
+                                                   Linearised<S, P>& at) const noexcept {
+    NodalVectors<S, line> values, rates;
+    nodal_vectors(e, values);
+    nodal_vectors(change, rates);
+    for (int x = 0; x < vectors_with<line>; ++x) {
+        for (int k = 0; k < 3; ++k) at.nodes.vectors[x][k] = Dual<S>(values[x][k], rates[x][k]);
+    }
+    prepare(at.nodes, at.lanes);
+}
+
+template <class T, class Formulation>
+template <class Station, class S, class P>
+void CrossSectionKernel<T, Formulation>::predict(const Station& station,
+                                                 const Linearised<S, P>& before,
+                                                 P (&stresses)[strain_count]) noexcept {
+    At<Dual<P>> at;
+    (void)Formulation::state(station, before.lanes.vectors, before.lanes.scalars, at);
+    for (int k = 0; k < strain_count; ++k) stresses[k] = at.stress[k].value + at.stress[k].rate;
+}
+
+template <class T, class Formulation>
+template <class Station, class S, class P>
+void CrossSectionKernel<T, Formulation>::predict(const Station& station,
+                                                 const Linearised<S, P>& before,
+                                                 P& stress) noexcept {
+    AxialState<Dual<P>> at;
+    (void)axial_state(station, before.lanes.vectors, at);
+    stress = at.stress.value + at.stress.rate;
+}
+
+template <class T, class Formulation>
+template <class S, bool Mixed>
+auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
+                                              const Vector<S, dofs>* change) const noexcept
+    -> Evaluation<S, dofs> {
+    using P = Lane<S>;
+    Nodes<S> nodes;
+    Lanes<P> lanes;
+    prepare(e, nodes, lanes);
+    [[maybe_unused]] std::conditional_t<Mixed, Linearised<S, P>, char> before;
+    if constexpr (Mixed) linearise(*from, *change, before);
+    typename Formulation::template Gradient<P> sums{};
+    [[maybe_unused]] typename Formulation::template Gradient<P> predicted{};
+    typename Formulation::template Hessian<P> blocks{};
+    P sum(0.0);
+    for (const auto& station : table<P, S>().full) {
+        At<P> at;
+        sum += Formulation::state(station, lanes.vectors, lanes.scalars, at);
+        Formulation::gradient(station, at, sums);
+        if constexpr (Mixed) {
+            predict(station, before, at.stress);
+            Formulation::gradient(station, at, predicted);
+        }
+        Formulation::hessian(station, at, blocks);
+    }
+    for (const auto& station : table<P, S>().axial) {
+        AxialState<P> at;
+        sum += axial_state(station, lanes.vectors, at);
+        axial_gradient(station, at, sums);
+        if constexpr (Mixed) predict(station, before, at.stress);
+        axial_hessian(station, at, blocks);
+    }
+    typename Formulation::template Gradient<S> gradient;
+    [[maybe_unused]] typename Formulation::template Gradient<S> weights;
+    sum_lanes(sums, gradient);
+    if constexpr (Mixed) sum_lanes(predicted, weights);
+    Evaluation<S, dofs> result;
+    result.energy = nodes.transverse.energy + collapsed<S>(sum);
+    const HalfTangent<S, dofs> half(result.tangent);
+    Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
+    Formulation::finish(nodes.scalars, gradient);
+    add_transverse(nodes.transverse, nodes.vectors, gradient);
+    if constexpr (Mixed) detail::predict(before.nodes.transverse, nodes.transverse);
+    add_transverse(transverse, transverse_measure, nodes.transverse, nodes.vectors, half);
+    half.finish(blocks);
+    expand(gradient, result.force);
+    return result;
+}
+
+}  // namespace ancf::detail

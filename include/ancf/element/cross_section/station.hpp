@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// One station of a beam: directors, then measure, then section; and the way back to the nodes.
+///
+///     state:    nodal vectors -> local vectors -> invariants w -> strains e(w)
+///               -> stresses sigma = C (e - e0)
+///     gradient: sigma -> U = e_w^T sigma -> local vectors -> nodal vectors
+///     Hessian:  D = e_w^T C e_w + sum sigma_i e_i,ww -> local blocks -> nodal blocks
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/element/cross_section/local.hpp>
+#include <ancf/element/cross_section/nodal.hpp>
+#include <ancf/element/cross_section/shear.hpp>
+#include <ancf/element/cross_section/sparse_jacobian.hpp>
+#include <ancf/element/invariants.hpp>
+#include <ancf/element/rate.hpp>
+#include <ancf/element/station_data.hpp>
+
+namespace ancf::detail {
+
+/// Everything that a station's derivatives are made of.
+template <class S, class Directors, class Shear, class Measure>
+struct StationState {
+    typename Directors::template Frames<S> frames;
+    typename Shear::template Station<S> shear;
+    Invariants<S> w;
+    S strain[strain_count];  ///< less the reference
+    S stress[strain_count];  ///< times weight and length
+    S U[invariant_count];    ///< written by station_gradient
+    StrainJacobian<S> J;     ///< written by station_gradient
+};
+
+/// Writes strains and stresses of the section; returns the energy.
+template <class Measure, class Data, class S>
+inline S section_energy(const Data& data, const Invariants<S>& w, S (&strain)[strain_count],
+                        S (&stresses)[strain_count]) noexcept {
+    Measure::strains(w, typename Measure::template Rates<S>(w), strain);
+    for (int k = 0; k < strain_count; ++k) strain[k] = deformation(strain[k], data.reference[k]);
+    stress<(1U << strain_count) - 1U>(data.stiffness, strain, stresses);
+    S twice = strain[0] * stresses[0];
+    for (int k = 1; k < strain_count; ++k) twice += strain[k] * stresses[k];
+    return 0.5 * twice;
+}
+
+/// Writes invariants, strains and stresses; returns the energy.
+template <class T, class S, class Directors, class Shear, class Measure>
+ANCF_NOINLINE S station_state(const StationData<T>& data, const NodalVectors<S>& nodes,
+                              const S (&shears)[shear_count],
+                              StationState<S, Directors, Shear, Measure>& at) noexcept {
+    LocalVectors<S> local;
+    interpolate(data.shape, nodes, local);
+    Directors::frames(local, at.frames);
+    Directors::invariants(at.frames, at.w);
+    Shear::shears(data.shape, shears, local, at.shear, at.w);
+    return section_energy<Measure>(data, at.w, at.strain, at.stress);
+}
+
+/// Adds the gradient of the energy to the nodes.
+template <class T, class S, class Directors, class Shear, class Measure>
+ANCF_NOINLINE void station_gradient(const StationData<T>& data,
+                                    StationState<S, Directors, Shear, Measure>& at,
+                                    NodalGradient<S>& nodal) noexcept {
+    Measure::jacobian(at.w, typename Measure::template Rates<S>(at.w), at.J);
+    energy_gradient<Measure>(at.J, at.stress, at.U);
+    LocalGradient<S> local;
+    Directors::gradient(at.frames, at.U, local.vector);
+    Shear::gradient(data.shape, at.shear, at.U, local);
+    add_to_nodes(data.shape, local, nodal);
+}
+
+/// Writes the Hessian with respect to the invariants: symmetric, filled.
+template <class Measure, class Data, class S>
+ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
+                                     const StrainJacobian<S>& J, const S (&stresses)[strain_count],
+                                     S (&D)[invariant_count][invariant_count]) noexcept {
+    material_hessian<Measure>(J, data.stiffness, D);
+    Measure::add_curvature(w, typename Measure::template Rates<S>(w), stresses, D);
+    for (int i = 1; i < invariant_count; ++i) {
+        for (int j = 0; j < i; ++j) D[i][j] = D[j][i];
+    }
+}
+
+/// Adds the Hessian of the energy to the nodes, after station_gradient.
+template <class T, class S, class Directors, class Shear, class Measure>
+void station_hessian(const StationData<T>& data,
+                     const StationState<S, Directors, Shear, Measure>& at,
+                     NodalHessian<S>& nodal) noexcept {
+    S D[invariant_count][invariant_count];
+    invariant_hessian<Measure>(data, at.w, at.J, at.stress, D);
+    LocalHessian<S> local;
+    Directors::hessian(at.frames, at.w, at.U, D, local);
+    Shear::hessian(data.shape, at.shear, at.U, local);
+    add_to_nodes<Shear::nodal>(data.shape, local, nodal);
+}
+
+/// What a walk over the stations of an element does, for directors that are functions of six local
+/// vectors.
+template <class Directors, class Shear, class Measure>
+struct LocalFormulation {
+    static constexpr int line = 3;  ///< nodal vectors in the centre line
+
+    template <class S>
+    using Gradient = NodalGradient<S>;
+    template <class S>
+    using Hessian = NodalHessian<S>;
+    template <class S>
+    using State = StationState<S, Directors, Shear, Measure>;
+
+    /// What is evaluated at the nodes.
+    template <class S>
+    struct Nodes {
+        NodalSines<S> sines;
+    };
+
+    /// What stations need of it.
+    template <class P>
+    struct Lanes {
+        P shears[shear_count];
+    };
+
+    template <class S, class P>
+    static void prepare(const NodalVectors<S>& vectors, Nodes<S>& nodes, Lanes<P>& lanes) noexcept {
+        if constexpr (Shear::nodal) {
+            nodal_sines(vectors, nodes.sines);
+            for (int m = 0; m < shear_count; ++m) lanes.shears[m] = P(nodes.sines[m].value);
+        }
+    }
+
+    template <class T, class P>
+    static P state(const StationData<T>& data, const NodalVectors<P>& vectors,
+                   const Lanes<P>& lanes, State<P>& at) noexcept {
+        return station_state(data, vectors, lanes.shears, at);
+    }
+
+    template <class T, class P>
+    static void gradient(const StationData<T>& data, State<P>& at, Gradient<P>& sums) noexcept {
+        station_gradient(data, at, sums);
+    }
+
+    template <class T, class P>
+    static void hessian(const StationData<T>& data, const State<P>& at,
+                        Hessian<P>& blocks) noexcept {
+        station_hessian(data, at, blocks);
+    }
+
+    /// Adds what the nodal scalars mean for the gradient.
+    template <class S>
+    static void finish(const Nodes<S>& nodes, Gradient<S>& gradient) noexcept {
+        if constexpr (Shear::nodal) add_sines(nodes.sines, gradient);
+    }
+
+    /// Sets F to what the nodal scalars mean for the tangent, before the gradient is finished.
+    template <class P, class S>
+    static void assign(const Nodes<S>& nodes, const Gradient<S>& gradient, const Hessian<P>& blocks,
+                       const HalfTangent<S>& half) noexcept {
+        if constexpr (Shear::nodal) {
+            assign_sines(nodes.sines, gradient, blocks, half);
+        } else {
+            half.clear(n_D, nodal_count);
+        }
+    }
+};
+
+/// A station of the axial term alone.
+template <class S>
+struct AxialState {
+    Vec3<S> p;
+    S stress;  ///< times weight and length
+};
+
+template <class T, int Line, class S>
+inline S axial_state(const AxialStationData<T, Line>& data, const NodalVectors<S, Line>& nodes,
+                     AxialState<S>& at) noexcept {
+    at.p = line_derivative(data.p, nodes);
+    const S strain = deformation(S(0.5 * (dot(at.p, at.p) - 1.0)), data.reference);
+    at.stress = data.stiffness * strain;
+    return 0.5 * at.stress * strain;
+}
+
+template <class T, int Line, class S, int Scalars>
+inline void axial_gradient(const AxialStationData<T, Line>& data, const AxialState<S>& at,
+                           NodalGradient<S, Scalars, Line>& nodal) noexcept {
+    for (int i = 0; i < Line; ++i)
+        add(nodal.vector[line_vector(i)], S(data.p[i] * at.stress), at.p);
+}
+
+template <class T, int Line, class S, int Vectors, int Scalars>
+inline void axial_hessian(const AxialStationData<T, Line>& data, const AxialState<S>& at,
+                          NodalHessian<S, Vectors, Scalars>& nodal) noexcept {
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) {
+            S entry = data.stiffness * at.p[i] * at.p[j];
+            if (i == j) entry += at.stress;
+            for (int b = 0; b < Line; ++b) {
+                const S weighted = data.p[b] * entry;
+                for (int a = 0; a <= b; ++a) nodal(a, b)(i, j) += data.p[a] * weighted;
+            }
+        }
+    }
+}
+
+}  // namespace ancf::detail

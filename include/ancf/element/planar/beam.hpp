@@ -1,0 +1,436 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The cross-section beam in the plane: the two-dimensional element that [Dufva2006] extends (its
+/// Ref. 10).
+///
+/// Nodal coordinates are r, r_x, r_y of both nodes, 12 in all. It is the spatial element with every
+/// z slope held at the plane's normal: no e_zz, no 2e_yz, no torsion; the section stays as wide as
+/// it is.
+
+#pragma once
+
+#include <ancf/element/compiled_element.hpp>
+#include <ancf/element/cross_section_options.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/fields.hpp>
+#include <ancf/element/mass.hpp>
+#include <ancf/element/planar/kernel.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/element/reference_line.hpp>
+#include <ancf/element/section_forces.hpp>
+#include <ancf/element/upright.hpp>
+#include <ancf/error.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/section/stiffness.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace ancf {
+
+/// The cross-section beam in the plane. Directors of every kind coincide there.
+///
+/// Section moments about y alone count: area, y, yy, yyy, yyyy.
+template <class Directors, class Measure>
+class CrossSectionBeam<2, Directors, LinearShear, Measure> {
+public:
+    static constexpr int dimension = 2;  ///< of space
+    static constexpr int dofs = 12;      ///< number of nodal coordinates of an element
+    /// The assembler may hand it several sets of coordinates at once.
+    static constexpr bool evaluates_packs = true;
+    /// Vectors that each node carries.
+    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
+
+    /// Nodal coordinates e, those of the first node first.
+    using Coordinates = Vector<double, dofs>;
+    using Options = CrossSectionOptions;  ///< choices that are values
+
+    /// Makes a straight element.
+    /// @param length  l, m, > 0
+    /// @throws InvalidArgument if a value is out of range, or the rule leaves the element a
+    ///         mechanism.
+    CrossSectionBeam(const Material& material, const Section& section, double length,
+                     const Options& options = {});
+
+    /// Makes an element whose stress-free state is given: its strains are subtracted, integrals run
+    /// over its arc length.
+    /// @param reference  nodal coordinates, 12 x 1
+    /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
+    ///                   arc length
+    /// @throws InvalidArgument as above, and for a reference that is not admissible.
+    CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
+                     double length, const Options& options = {});
+
+    /// Returns the strain energy U, J.
+    template <class S>
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.energy(e);
+    }
+
+    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.force(e);
+    }
+
+    /// Returns energy, elastic force and tangent in one pass; noexcept, no heap allocation.
+    /// @param e  nodal coordinates, 12 x 1, [r r_x r_y] per node; m and 1
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.evaluate(e);
+    }
+
+    /// Returns the same with the tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
+    /// unknowns".
+    /// @param before  where the last tangent was taken, 12 x 1
+    /// @param change  the correction that it gave, 12 x 1
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                               const Vector<S, dofs>& before,
+                                               const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
+
+    /// Returns the constant mass matrix, 12 x 12; kg, kg m and kg m^2 by block.
+    [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<2>(mass_weights_); }
+
+    /// Returns the nodal force of gravity.
+    /// @param g  acceleration, m/s^2
+    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, 2>& g) const {
+        return gravity_force<2>(mass_weights_, g);
+    }
+
+    /// Returns the nodal force of a dead force per length of the stress-free centre line.
+    /// @param force  N/m
+    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 2>& force) const {
+        return line_.template line_load<3>(force);
+    }
+
+    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6 at
+    /// every station, and all along r_y to its left by more than an angle of 1e-6, turning by less
+    /// than 120 degrees from node to node.
+    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+
+    /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or
+    /// at one of six places between them: its stress falls as it shortens further, and equilibria
+    /// are no longer unique. Never so with engineering strains.
+    [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
+        return !PlanarMeasure::engineering && line_.least_stretch(e) < softening_stretch;
+    }
+
+    /// Returns the length of the stress-free element, m.
+    [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
+    /// Returns the options it was made with.
+    [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+    // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect. ---
+
+    /// Returns the generalised strains (eps, b_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
+    /// and 2e_xy = e4 + y e5.
+    [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept;
+
+    /// Returns the strains of a point [e_xx, e_yy, 2e_xy], 1.
+    [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi, double y = 0.0,
+                                                 double z = 0.0) const noexcept;
+
+    /// Returns the second Piola-Kirchhoff stress of a point in the order of green_strain(), Pa.
+    [[nodiscard]] Vector<double, 3> stress(const Coordinates& e, double xi, double y = 0.0,
+                                           double z = 0.0) const noexcept {
+        return moduli_.cwiseProduct(green_strain(e, xi, y, z));
+    }
+
+    /// Returns what the section transmits along the tangent and its normal: axial, shear_y and
+    /// moment_z.
+    [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
+
+    /// Returns the director d_y, 1: the normal of the centre line plus the shear along the tangent.
+    [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept;
+
+    /// Returns the position r0 + y d_y of a point of the body, m.
+    [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept;
+
+    /// Returns the derivative of position() by e.
+    [[nodiscard]] Matrix<double, 2, dofs> position_jacobian(const Coordinates& e, double xi,
+                                                            double y = 0.0,
+                                                            double z = 0.0) const noexcept;
+
+    /// Returns the velocity of a point of the body, m/s.
+    /// @param rate  time derivative of e
+    [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate,
+                                             double xi, double y = 0.0,
+                                             double z = 0.0) const noexcept {
+        return position_jacobian(e, xi, y, z) * rate;
+    }
+
+private:
+    using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
+
+    struct Place {
+        StationShape<double> shape;
+        detail::PlanarSine<double> sine[2];
+        detail::PlanarFrame<double> frame;
+    };
+    [[nodiscard]] Place place(const Coordinates& e, double xi) const noexcept;
+    /// Returns the factor of the normal in the director: 1, or what makes it a unit vector.
+    [[nodiscard]] static double director_cosine(const detail::PlanarFrame<double>& f) noexcept {
+        return PlanarMeasure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
+    }
+    void set_up(const Material& material, const Section& section);
+    [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
+
+    ReferenceLine<2> line_;
+    Coordinates
+        reference_;  // nodal coordinates of the stress-free state; used where the line is curved
+    Options options_;
+    SectionStiffness section_;
+    Vector<double, 3> moduli_;  // of green_strain(), Pa
+    detail::PlanarKernel<double, PlanarMeasure> kernel_;
+    Matrix<double, 6> mass_weights_;
+};
+
+namespace detail {
+
+/// Returns the part of a section matrix that the plane sees.
+[[nodiscard]] inline PlanarStiffness<double> planar_stiffness(
+    const SectionMatrix<double>& C) noexcept {
+    constexpr int axial[3] = {0, 1, 3}, shear[2] = {0, 1};
+    PlanarStiffness<double> result;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) result.axial[i][j] = C.axial[axial[i]][axial[j]];
+    }
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) result.shear[i][j] = C.shear_y[shear[i]][shear[j]];
+    }
+    return result;
+}
+
+}  // namespace detail
+
+template <class Directors, class Measure>
+CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
+                                                                       const Section& section,
+                                                                       double length,
+                                                                       const Options& options)
+    : line_((detail::require_positive("length", length), length)), options_(options) {
+    set_up(material, section);
+}
+
+template <class Directors, class Measure>
+CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
+                                                                       const Section& section,
+                                                                       const Coordinates& reference,
+                                                                       double length,
+                                                                       const Options& options)
+    : line_((detail::require_positive("length", length), length), reference),
+      reference_(reference),
+      options_(options) {
+    detail::require(reference.allFinite(),
+                    "the reference coordinates of an element must be finite, got ",
+                    detail::components(reference));
+    set_up(material, section);
+    detail::require(admissible(reference),
+                    "the reference coordinates of an element need slopes of some length, r_y to "
+                    "the left of r_x, turning by less than 120 degrees from node to node, got ",
+                    detail::components(reference));
+    kernel_.set_reference(reference);
+}
+
+template <class Directors, class Measure>
+void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material& material,
+                                                                  const Section& section) {
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options_.rule, StrainGroup::shear, "shear", 2);
+    section_ = section_stiffness(material, section, options_.section_model);
+    moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
+    const StationTable<double> table =
+        line_.stations(options_.rule, section_, !PlanarMeasure::engineering);
+    for (const StationData<double>& station : table.full)
+        kernel_.stations.push_back(
+            {station.shape, {}, detail::planar_stiffness(station.stiffness)});
+    kernel_.axial = table.axial;
+    kernel_.transverse_stiffness = section_.transverse_yy * line_.length();
+    kernel_.transverse_reference[0] = kernel_.transverse_reference[1] = 0.0;
+    kernel_.transverse_measure = options_.transverse;
+    mass_weights_ = line_.template mass<3>(material.density, section.mass_moments());
+    if (options_.rotary_inertia == RotaryInertia::lumped) lump_rotary_inertia<3>(mass_weights_);
+}
+
+template <class Directors, class Measure>
+auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinates& e,
+                                                                 double xi) const noexcept
+    -> Place {
+    using namespace detail;
+    Place at;
+    at.shape = line_.shape(xi);
+    double v[planar_nodal_count][2];
+    for (int k = 0; k < 2; ++k) {
+        v[pn_D][k] = e[6 + k] - e[k];
+        for (int x = pn_g1; x < planar_nodal_count; ++x) v[x][k] = e[planar_start[x] + k];
+    }
+    double values[2];
+    for (int node = 0; node < 2; ++node) {
+        at.sine[node] = planar_sine(v[pn_a1 + node], v[pn_g1 + node]);
+        values[node] = at.sine[node].value;
+    }
+    planar_frame(at.shape, v, values, at.frame);
+    return at;
+}
+
+template <class Directors, class Measure>
+bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
+    const Coordinates& e) const noexcept {
+    if (!e.allFinite() || !detail::upright<2>(e, line_.parameter_length())) return false;
+    constexpr double smallest = 1e-6;
+    for (const detail::PlanarStation<double>& station : kernel_.stations) {
+        const auto& weight = station.shape.p;
+        Vector<double, 2> p;
+        for (int k = 0; k < 2; ++k)
+            p[k] = weight[0] * (e[6 + k] - e[k]) + weight[1] * e[2 + k] + weight[2] * e[8 + k];
+        if (!(detail::span(p) > smallest)) return false;
+    }
+    return true;
+}
+
+template <class Directors, class Measure>
+Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::strains(
+    const Coordinates& e, double xi) const noexcept {
+    Vector<double, 5> result = raw_strains(e, xi);
+    if (line_.curved()) result -= raw_strains(reference_, xi);
+    return result;
+}
+
+template <class Directors, class Measure>
+Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_strains(
+    const Coordinates& e, double xi) const noexcept {
+    double strains[detail::planar_strain_count];
+    PlanarMeasure::strains(place(e, xi).frame.w, strains);
+    return Eigen::Map<const Vector<double, 5>>(strains);
+}
+
+template <class Directors, class Measure>
+double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_strain(
+    const Coordinates& e, double xi) const noexcept {
+    double strain = 0.0;
+    for (int node = 0; node < 2; ++node) {
+        const double y = e[6 * node + 4], z = e[6 * node + 5];
+        const double square = y * y + z * z;
+        const bool green = options_.transverse == TransverseStrain::green;
+        strain +=
+            (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (square - 1.0) : std::sqrt(square) - 1.0);
+    }
+    return strain;
+}
+
+template <class Directors, class Measure>
+Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_strain(
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
+    const Vector<double, 5> s = strains(e, xi);
+    double transverse = raw_transverse_strain(e, xi);
+    if (line_.curved()) transverse -= raw_transverse_strain(reference_, xi);
+    return {s[0] + y * s[1] + y * y * s[2], transverse, s[3] + y * s[4]};
+}
+
+template <class Directors, class Measure>
+SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forces(
+    const Coordinates& e, double xi) const noexcept {
+    const detail::PlanarFrame<double> f = place(e, xi).frame;
+    const Vector<double, 5> s = strains(e, xi);
+    const SectionMatrix<double> C = station_stiffness(section_, {xi, {1.0, 1.0, 1.0, 1.0}}, 1.0);
+    double stress[detail::planar_strain_count];
+    detail::planar_stress(detail::planar_stiffness(C), s.data(), stress);
+    // r0' = (lam, 0), d = (s, 1), d' = (s' - kap, s kap) in (t, n)
+    const double rate_t = f.w.s1 - f.w.kap, rate_n = f.w.s * f.w.kap;
+    SectionForces forces{};
+    if constexpr (PlanarMeasure::engineering) {
+        // along the unit director (s, cosine) and the section's normal (cosine, -s)
+        const double cosine = director_cosine(f);
+        forces.axial = stress[0] * cosine + stress[3] * f.w.s;
+        forces.shear_y = stress[3] * cosine - stress[0] * f.w.s;
+        forces.moment_z = -stress[1];
+        return forces;
+    }
+    forces.axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
+    forces.shear_y = stress[1] * rate_n + stress[3];
+    const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
+    forces.moment_z = f.w.s * moment_n - moment_t;
+    return forces;
+}
+
+template <class Directors, class Measure>
+Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::directors(
+    const Coordinates& e, double xi) const noexcept {
+    const detail::PlanarFrame<double> f = place(e, xi).frame;
+    const double cosine = director_cosine(f);
+    return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
+}
+
+template <class Directors, class Measure>
+Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
+    const auto weights = hermite(xi, line_.parameter_length());
+    Vector<double, 2> r, director{0.0, 0.0};
+    if (y != 0.0) director = directors(e, xi);
+    for (int k = 0; k < 2; ++k)
+        r[k] = weights[0] * e[k] + weights[1] * e[2 + k] + weights[2] * e[6 + k] +
+               weights[3] * e[8 + k] + y * director[k];
+    return r;
+}
+
+template <class Directors, class Measure>
+auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
+    const Coordinates& e, double xi, double y, double /*z*/) const noexcept
+    -> Matrix<double, 2, dofs> {
+    Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
+    const auto weights = hermite(xi, line_.parameter_length());
+    for (int k = 0; k < 2; ++k) {
+        jacobian(k, k) = weights[0], jacobian(k, 2 + k) = weights[1];
+        jacobian(k, 6 + k) = weights[2], jacobian(k, 8 + k) = weights[3];
+    }
+    if (y == 0.0) return jacobian;
+    const Place at = place(e, xi);
+    const detail::PlanarFrame<double>& f = at.frame;
+    // d n = -u_n t, d t = u_n n with u_n = n.dp/lam
+    const double cosine = director_cosine(f);
+    const double normal_part = PlanarMeasure::engineering ? f.w.s / cosine : 0.0;
+    for (int i = 0; i < 2; ++i) {
+        const double by_turn = y * f.inv_lam * (f.w.s * f.n[i] - cosine * f.t[i]);
+        const double by_shear = y * (f.t[i] - normal_part * f.n[i]);
+        for (int k = 0; k < 2; ++k) {
+            const double by_p = by_turn * f.n[k];
+            jacobian(i, k) -= at.shape.p[0] * by_p;
+            jacobian(i, 6 + k) += at.shape.p[0] * by_p;
+            jacobian(i, 2 + k) += at.shape.p[1] * by_p;
+            jacobian(i, 8 + k) += at.shape.p[2] * by_p;
+            for (int node = 0; node < 2; ++node) {
+                const double weight = node == 0 ? 1.0 - at.shape.n2 : at.shape.n2;
+                jacobian(i, 6 * node + 2 + k) += weight * by_shear * at.sine[node].g[k];
+                jacobian(i, 6 * node + 4 + k) += weight * by_shear * at.sine[node].a[k];
+            }
+        }
+    }
+    return jacobian;
+}
+
+}  // namespace ancf
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+extern template class CrossSectionBeam<2>;
+extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2>>();
+extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
+
+}  // namespace ancf
+#endif
