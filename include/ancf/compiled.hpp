@@ -21,15 +21,15 @@
 
 #if defined(ANCF_COMPILED)
 /// Helpers of ANCF_LAYOUT.
-#define ANCF_PASTE_LAYOUT(alignment, lanes, world, major) \
-    compiled_for_alignment_##alignment##_lanes_##lanes##_eigen_##world##_##major
+#define ANCF_PASTE_LAYOUT(heap, fixed, lanes, world, major) \
+    compiled_for_alignment_##heap##_##fixed##_lanes_##lanes##_eigen_##world##_##major
 /// Helpers of ANCF_LAYOUT.
-#define ANCF_LAYOUT_OF(alignment, lanes, world, major) \
-    ANCF_PASTE_LAYOUT(alignment, lanes, world, major)
+#define ANCF_LAYOUT_OF(heap, fixed, lanes, world, major) \
+    ANCF_PASTE_LAYOUT(heap, fixed, lanes, world, major)
 /// The name of the layout that the flags of this unit lead to.
-#define ANCF_LAYOUT                                                                 \
-    ANCF_LAYOUT_OF(EIGEN_MAX_ALIGN_BYTES, ANCF_REGISTER_LANES, EIGEN_WORLD_VERSION, \
-                   EIGEN_MAJOR_VERSION)
+#define ANCF_LAYOUT                                                                          \
+    ANCF_LAYOUT_OF(EIGEN_MAX_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES, ANCF_REGISTER_LANES, \
+                   EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION)
 
 namespace ancf::detail {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/assembly/schedule.ipp>
+#include <ancf/assembly/schedule.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>

@@ -212,4 +212,41 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);
 }
 
+TEST_CASE("Model: one that is assigned counts as changed, one that was moved from is empty",
+          "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 2);
+    const Scene saved = scene;
+    const ancf::Revision before = scene.revision();
+    scene = saved;
+    CHECK(scene.revision().scene > before.scene);
+    CHECK(scene.revision().properties > before.properties);
+    CHECK(scene.state().q == saved.state().q);
+    CHECK(&scene.group<Beam>() != &saved.group<Beam>());
+
+    const Scene moved = std::move(scene);
+    CHECK(moved.position(beam.last()) == Vector3(1, 0, 0));
+    CHECK(scene.nodes() == 0);
+    CHECK(scene.layout().size() == 0);
+    CHECK(scene.groups().empty());
+    scene = moved;
+    CHECK(scene.position(beam.last()) == Vector3(1, 0, 0));
+
+    ancf::PlanarModel plane;
+    ancf::Scene& any = plane;
+    CHECK_THROWS_AS(any = moved, InvalidArgument);
+    CHECK(any.dimension() == 2);
+}
+
+TEST_CASE("Model: elements, loads and constraints of another dimension are refused", "[model]") {
+    Scene scene;
+    ancf::Scene& any = scene;
+    const ancf::NodeId node = scene.add_node({0, 0, 0});
+    CHECK_THROWS_WITH(any.add(ancf::Force<2>(node, {0, 1})),
+                      ContainsSubstring("a load of dimension 2 in a model of dimension 3"));
+    CHECK_THROWS_WITH(any.add_prototype(ancf::ContinuumBeam<2>(material, section, 1.0)),
+                      ContainsSubstring("an element of dimension 2 in a model of dimension 3"));
+    CHECK_THROWS_WITH(scene.group<Beam>(), ContainsSubstring("ContinuumBeam<3"));
+}
+
 }  // namespace model_test

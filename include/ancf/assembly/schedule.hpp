@@ -14,6 +14,7 @@
 #include <ancf/model/element_group.hpp>
 
 #include <cstddef>
+#include <exception>
 #include <vector>
 
 namespace ancf {
@@ -55,6 +56,33 @@ private:
     std::vector<std::vector<ElementRun>> colours_;
     bool sequential_ = false;
 };
+
+template <class Visitor>
+double ElementSchedule::sum(const Visitor& visit) const {
+    double total = 0.0;
+    std::size_t done = 0;
+    for (const std::vector<ElementRun>& runs : colours_) {
+        std::vector<double> parts(runs.size(), 0.0);
+        std::vector<std::exception_ptr> thrown(runs.size());  // none may leave a thread
+        const auto size = static_cast<std::ptrdiff_t>(runs.size());
+#if defined(_OPENMP)
+#pragma omp parallel for schedule(static) if (!sequential_ && size > 1)
+#endif
+        for (std::ptrdiff_t run = 0; run < size; ++run) {
+            const auto k = static_cast<std::size_t>(run);
+            try {
+                parts[k] = visit(runs[k], done + k);
+            } catch (...) {
+                thrown[k] = std::current_exception();
+            }
+        }
+        for (const std::exception_ptr& exception : thrown)
+            if (exception) std::rethrow_exception(exception);
+        for (const double part : parts) total += part;
+        done += runs.size();
+    }
+    return total;
+}
 
 }  // namespace ancf
 

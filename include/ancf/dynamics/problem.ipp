@@ -356,6 +356,8 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
                                                           const VectorX& v, const VectorX& lambda,
                                                           Request request) {
     expand(t, q, v);
+    detail::require(lambda.size() == multipliers(), "DynamicProblem: expected ", multipliers(),
+                    " multipliers, got ", lambda.size());
     lambda_ = lambda;
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/group_target.hpp>
@@ -122,8 +123,8 @@ protected:
 
     /// Returns what tells a type from others, without run-time type information.
     template <class Element>
-    [[nodiscard]] static const void* type_id() noexcept {
-        static const char id = 0;
+    [[nodiscard]] ANCF_VISIBLE static const void* type_id() noexcept {
+        static char id = 0;  // not constant: linkers may fold constants that are alike
         return &id;
     }
 

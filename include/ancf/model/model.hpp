@@ -48,6 +48,13 @@ public:
         if constexpr (fits<Load>) Scene::add(std::move(load), std::move(amplitude));
     }
 
+    /// Stops the compilation: what is added with an amplitude is no load.
+    template <class Other, std::enable_if_t<!is_load_v<Other>, int> = 0>
+    void add(const Other& other, const Amplitude& amplitude) {
+        static_assert(is_load_v<Other>, "Model::add takes an amplitude with a load alone");
+        Scene::add(other, amplitude);
+    }
+
     /// Adds a constraint of this dimension, as Scene::add does.
     template <class Constraint, std::enable_if_t<!is_load_v<Constraint>, int> = 0>
     void add(Constraint constraint) {

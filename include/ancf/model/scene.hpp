@@ -68,13 +68,15 @@ class Scene {
 public:
     /// Copies nodes, elements, supports, loads, constraints and state.
     Scene(const Scene& other);
-    /// Takes all of that over.
-    Scene(Scene&&) = default;
-    /// Copies all of that.
+    /// Takes all of that over and leaves an empty scene.
+    Scene(Scene&& other) noexcept;
+    /// Replaces all of that: who keeps data of this scene makes them anew.
+    /// @throws InvalidArgument for a scene of another dimension.
     Scene& operator=(const Scene& other);
-    /// Takes all of that over.
-    Scene& operator=(Scene&&) = default;
-    ~Scene() = default;
+    /// Replaces all of that likewise.
+    /// @throws InvalidArgument for a scene of another dimension.
+    Scene& operator=(Scene&& other);
+    virtual ~Scene() = default;
 
     /// Returns the dimension of space, 2 or 3.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
@@ -166,7 +168,7 @@ public:
     ///         force of another size.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
     void add(Load load, Amplitude amplitude = {}) {
-        check_dimension("load", detail::dimension_of<Load>::value);
+        check_dimension("a load", detail::dimension_of<Load>::value);
         add_load(AnyLoad(std::move(load)), std::move(amplitude));
     }
 
@@ -175,7 +177,7 @@ public:
     ///         of no equations.
     template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
     void add(Constraint constraint) {
-        check_dimension("constraint", detail::dimension_of<Constraint>::value);
+        check_dimension("a constraint", detail::dimension_of<Constraint>::value);
         add_constraint(AnyConstraint(std::move(constraint)));
     }
 
@@ -282,6 +284,7 @@ private:
         if (group == nullptr) reject_group(detail::type_name<Element>());
         return *group;
     }
+    void swap(Scene& other) noexcept;
     [[noreturn]] void reject_group(std::string_view name) const;
     int connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second);
     // Returns whether an element has its prototype for itself.
@@ -325,7 +328,7 @@ private:
 
 template <class Element>
 int Scene::add_prototype(Element element) {
-    check_dimension("element", Element::dimension);
+    check_dimension("an element", Element::dimension);
     if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
     auto& prototypes = static_cast<GroupOf<Element>&>(found_group<Element>()).prototypes;
     prototypes.push_back(std::move(element));

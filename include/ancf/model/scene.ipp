@@ -30,7 +30,36 @@ ANCF_INLINE Scene::Scene(const Scene& other)
     for (const auto& group : other.groups_) groups_.push_back(group->clone());
 }
 
+ANCF_INLINE Scene::Scene(Scene&& other) noexcept : dimension_(other.dimension_) { swap(other); }
+
 ANCF_INLINE Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
+
+ANCF_INLINE Scene& Scene::operator=(Scene&& other) {
+    detail::require(other.dimension_ == dimension_, "Model: a scene of dimension ",
+                    other.dimension_, " cannot replace one of dimension ", dimension_);
+    const Revision next{std::max(revision_.scene, other.revision_.scene) + 1,
+                        std::max(revision_.properties, other.revision_.properties) + 1};
+    Scene taken(std::move(other));
+    swap(taken);
+    revision_ = next;
+    return *this;
+}
+
+ANCF_INLINE void Scene::swap(Scene& other) noexcept {
+    std::swap(initial_, other.initial_);
+    std::swap(groups_, other.groups_);
+    std::swap(supports_, other.supports_);
+    std::swap(support_at_, other.support_at_);
+    std::swap(loads_, other.loads_);
+    std::swap(constraints_, other.constraints_);
+    std::swap(masses_, other.masses_);
+    std::swap(gravity_, other.gravity_);
+    std::swap(gravity_amplitude_, other.gravity_amplitude_);
+    std::swap(revision_, other.revision_);
+    std::swap(stale_, other.stale_);
+    std::swap(layout_, other.layout_);
+    std::swap(state_, other.state_);
+}
 
 ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_count>& vectors) {
     initial_.push_back({Fields(), vectors});
@@ -130,7 +159,7 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
 }
 
 ANCF_INLINE void Scene::check_dimension(const char* what, int dimension) const {
-    detail::require(dimension == 0 || dimension == dimension_, "Model: a ", what, " of dimension ",
+    detail::require(dimension == 0 || dimension == dimension_, "Model: ", what, " of dimension ",
                     dimension, " in a model of dimension ", dimension_);
 }
 

@@ -49,8 +49,8 @@ struct FreeComponent {
 }
 
 /// Adds springs to the diagonal, a part of the stiffest entry of the same unit; returns them.
-[[nodiscard]] ANCF_INLINE VectorX add_springs(const std::vector<FreeComponent>& all, double part,
-                                              SparseMatrix& matrix) {
+[[nodiscard]] ANCF_INLINE VectorX free_springs(const std::vector<FreeComponent>& all, double part,
+                                               SparseMatrix& matrix) {
     const std::vector<int> places = diagonal_places(matrix);
     const auto entry = [&](const FreeComponent& c) {
         return places[static_cast<std::size_t>(c.equation)];
@@ -98,7 +98,7 @@ ANCF_INLINE std::string singular_cause(const Layout& layout, const Numbering& nu
     const std::vector<FreeComponent> all = free_components(layout, numbering);
     for (const double part : {1e-12, 1e-9, 1e-6}) {
         SparseMatrix firm = tangent;
-        const VectorX springs = add_springs(all, part, firm);
+        const VectorX springs = free_springs(all, part, firm);
         if (solver.factorize(firm).status != Status::converged) continue;
         VectorX mode = VectorX::Zero(numbering.unknowns());
         for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit

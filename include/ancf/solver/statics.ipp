@@ -286,8 +286,9 @@ private:
         instant_ = {report_.factor, report_.factor};
         report_.reactions.setZero(numbering.coordinates());
         const auto fault = report_.fault;
-        if (!evaluate(state, nullptr)) return;
+        const bool evaluated = evaluate(state, nullptr);
         report_.fault = fault;
+        if (!evaluated) return;
         report_.softened = assembly_.softened(state.q);
         report_.largest_turn = assembly_.largest_turn(state.q);
         report_.strain_energy = assembly_.strain_energy();
