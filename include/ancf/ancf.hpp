@@ -17,11 +17,13 @@
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/builders/polyline.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>

@@ -200,11 +200,13 @@ private:
     void check_size(const char* call, const char* what, const VectorX& given) const;
     void list_coordinates();
     void build_pattern(Storage storage);
+    void list_followed();
     void build_slots(const ElementGroup& group);
+    // Returns where a group adds, with its tangents to these values.
+    [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;
     void build_clearing();
     void clear_values(const std::vector<ValueRange>& ranges);
     void build_gravity();
-    [[nodiscard]] std::vector<int> coordinates_of(const Coupling& coupling, const char* what) const;
 
     // Returns the first element that judge(group, prototype, coordinates) is true of.
     template <class Judge>
@@ -214,7 +216,7 @@ private:
     template <class Visitor>
     void for_each_element(const Visitor& visit) const;
 
-    // Calls visit(load, coordinates, result) for every load.
+    // Calls visit(load, coordinates that it acts on, result) for every load.
     template <class Visitor>
     void for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
                        const Visitor& visit) const;
@@ -232,8 +234,10 @@ private:
     std::vector<ElementSchedule> schedules_;                     // per group
     std::vector<std::vector<std::vector<ValueRange>>> cleared_;  // per group and run
     std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
-    std::vector<std::vector<int>> load_coordinates_;
-    std::vector<std::vector<int>> constraint_coordinates_;
+    ElementSchedule::Followed followed_;
+    std::vector<std::vector<detail::AttachedElement>> attached_;  // per group
+    std::vector<detail::LocalCoordinates> load_coordinates_;
+    std::vector<detail::LocalCoordinates> constraint_coordinates_;
     std::vector<std::vector<int>> constraint_powers_;  // of a length, per coordinate
     Revision revision_;                                // of the model that this is set up for
     VectorX gravity_;                                  // force of gravity at unit scale

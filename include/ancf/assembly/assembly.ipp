@@ -52,6 +52,7 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
                 "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
                 "`constant_force` or `symmetric_stiffness` where that is so");
     }
+    list_followed();
     build_pattern(storage);
     for (const auto& group : model.groups()) build_slots(*group);
     build_clearing();
@@ -69,51 +70,65 @@ ANCF_INLINE void Assembly::refresh() {
     revision_ = now;
 }
 
-ANCF_INLINE std::vector<int> Assembly::coordinates_of(const Coupling& coupling,
-                                                      const char* what) const {
+ANCF_INLINE void Assembly::list_coordinates() {
     const Layout& layout = model_.layout();
-    std::vector<int> coordinates;
-    for (const NodeField& at : coupling) {
-        const int first = layout.index(at);
-        detail::require(first >= 0, "a ", what, " acts on ", to_string(at.field), " of node ",
-                        at.node.index, ", which carries no such vector: no element there has one");
-        for (int k = 0; k < layout.dimension(); ++k) coordinates.push_back(first + k);
+    const Dependence& dependence = model_.dependence();
+    for (const ScaledLoad& load : model_.loads())
+        load_coordinates_.emplace_back(layout, dependence, load.load.coupling(), "load");
+    for (const AnyConstraint& constraint : model_.constraints()) {
+        constraint_coordinates_.emplace_back(layout, dependence, constraint.coupling(),
+                                             "constraint");
+        std::vector<int>& powers = constraint_powers_.emplace_back();
+        for (const int coordinate : constraint_coordinates_.back().acted())
+            powers.push_back(length_power(layout.field_of(coordinate)));
     }
-    return coordinates;
 }
 
-ANCF_INLINE void Assembly::list_coordinates() {
-    for (const ScaledLoad& load : model_.loads())
-        load_coordinates_.push_back(coordinates_of(load.load.coupling(), "load"));
-    for (const AnyConstraint& constraint : model_.constraints()) {
-        const Coupling coupling = constraint.coupling();
-        constraint_coordinates_.push_back(coordinates_of(coupling, "constraint"));
-        std::vector<int>& powers = constraint_powers_.emplace_back();
-        for (const NodeField& at : coupling)
-            powers.insert(powers.end(), static_cast<std::size_t>(model_.dimension()),
-                          length_power(at.field));
+ANCF_INLINE void Assembly::list_followed() {
+    const Layout& layout = model_.layout();
+    if (model_.attachments().empty()) return;
+    followed_.resize(static_cast<std::size_t>(layout.nodes()));
+    for (const AttachedVector& attachment : model_.attachments()) {
+        std::vector<int>& of = followed_[static_cast<std::size_t>(attachment.vector.node.index)];
+        for (const Dependence::Part& part :
+             model_.dependence().parts(layout.index(attachment.vector)))
+            if (const int node = layout.node_of(part.first);
+                std::find(of.begin(), of.end(), node) == of.end())
+                of.push_back(node);
     }
 }
 
 ANCF_INLINE void Assembly::build_pattern(Storage storage) {
     std::vector<std::pair<int, int>> pairs;
-    for (const auto& group : model_.groups())
-        for (const Connection& c : group->connections)
-            pairs.emplace_back(c.first.index, c.second.index);
     std::vector<int> blocks;
-    const auto couple_all = [&](const std::vector<int>& coordinates) {
-        blocks.clear();
-        for (const int k : coordinates) blocks.push_back(numbering_.block(k));
+    const auto couple_blocks = [&] {
         std::sort(blocks.begin(), blocks.end());
         blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
         for (std::size_t a = 0; a < blocks.size(); ++a)
             for (std::size_t b = a + 1; b < blocks.size(); ++b)
                 pairs.emplace_back(blocks[a], blocks[b]);
     };
+    const auto couple_all = [&](const std::vector<int>& coordinates) {
+        blocks.clear();
+        for (const int k : coordinates) blocks.push_back(numbering_.block(k));
+        couple_blocks();
+    };
+    for (const auto& group : model_.groups())
+        for (const Connection& c : group->connections) {
+            pairs.emplace_back(c.first.index, c.second.index);
+            if (followed_.empty()) continue;
+            blocks.clear();
+            for (const NodeId node : {c.first, c.second}) {
+                const auto& others = followed_[static_cast<std::size_t>(node.index)];
+                blocks.push_back(node.index);
+                blocks.insert(blocks.end(), others.begin(), others.end());
+            }
+            if (blocks.size() > 2) couple_blocks();
+        }
     for (std::size_t k = 0; k < load_coordinates_.size(); ++k)
-        if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k]);
+        if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k].acted());
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
-        couple_all(constraint_coordinates_[k]);
+        couple_all(constraint_coordinates_[k].acted());
         for (const int block : blocks)
             pairs.emplace_back(block, numbering_.constraint_block(static_cast<int>(k)));
     }
@@ -125,10 +140,23 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
     const int half = group.dofs() / 2;
     std::vector<ElementSlots> all;
     all.reserve(group.connections.size());
+    attached_.emplace_back();
     for (const Connection& c : group.connections) {
         ElementSlots slots;
         slots.node = {c.first.index, c.second.index};
         slots.plain = true;
+        slots.attached = -1;
+        for (const int node : slots.node)
+            if (!followed_.empty() && !followed_[static_cast<std::size_t>(node)].empty())
+                slots.attached = static_cast<int>(attached_.back().size());
+        if (slots.attached >= 0) {
+            detail::AttachedElement& element = attached_.back().emplace_back(
+                layout, model_.dependence(), group.fields(), slots.node);
+            for (const int row : element.blocks)
+                for (const int column : element.blocks)
+                    element.base.push_back(
+                        pattern_.stored(row, column) ? pattern_.base(row, column) : -1);
+        }
         for (std::size_t a = 0; a < 2; ++a) {
             const int node = slots.node[a];
             const int size = pattern_.first(node + 1) - pattern_.first(node);
@@ -140,7 +168,7 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
         all.push_back(slots);
     }
     slots_.push_back(std::move(all));
-    schedules_.emplace_back(group.connections, layout.nodes());
+    schedules_.emplace_back(group.connections, layout.nodes(), followed_);
 }
 
 // Each run clears the columns of the nodes that no run before it touched, just before it adds to
@@ -161,7 +189,7 @@ ANCF_INLINE void Assembly::build_clearing() {
         for (const std::vector<ElementRun>& runs : schedules_[index].colours())
             for (const ElementRun& run : runs) {
                 std::vector<int> fresh;
-                ElementSchedule::visit_nodes(connections, run, [&](std::size_t node) {
+                ElementSchedule::visit_nodes(connections, run, followed_, [&](std::size_t node) {
                     if (seen[node] == 0) fresh.push_back(static_cast<int>(node));
                     seen[node] = 1;
                 });
@@ -226,6 +254,7 @@ ANCF_INLINE void Assembly::build_gravity() {
         for (int i = 0; i < model_.dimension(); ++i)
             gravity_[at + i] += point.mass * acceleration[i];
     }
+    numbering_.dependence().carry(gravity_);
 }
 
 ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
@@ -253,6 +282,7 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Req
         std::fill_n(damping_.valuePtr(), damping_.nonZeros(), 0.0);
     }
     add_elements(at, request, increment, last);
+    numbering_.dependence().carry(internal_);
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_scale * gravity_;
     load_potential_ = -external_.dot(at.q);
@@ -285,24 +315,35 @@ ANCF_INLINE double Assembly::strain_energy() const {
     return strain_energy_;
 }
 
+ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) const {
+    return {slots_[group].data(),
+            model_.layout(),
+            numbering_.equations(),
+            pattern_.first_rows(),
+            pattern_.heights(),
+            pattern_.storage(),
+            nullptr,
+            nullptr,
+            nullptr,
+            nullptr,
+            false,
+            nullptr,
+            values,
+            attached_[group].empty() ? nullptr : attached_[group].data()};
+}
+
 ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request,
                                         const VectorX* increment, const Correction* last) {
     const bool tangent = request != Request::force;
     for (std::size_t index = 0; index < schedules_.size(); ++index) {
         const ElementGroup& group = *model_.groups()[index];
-        const GroupTarget target{slots_[index].data(),
-                                 model_.layout(),
-                                 numbering_.equations(),
-                                 pattern_.first_rows(),
-                                 pattern_.heights(),
-                                 pattern_.storage(),
-                                 at.q.data(),
-                                 increment != nullptr ? increment->data() : nullptr,
-                                 last != nullptr ? last->before.data() : nullptr,
-                                 last != nullptr ? last->change.data() : nullptr,
-                                 tangent,
-                                 internal_.data(),
-                                 tangent_.valuePtr()};
+        GroupTarget target = this->target(index, tangent_.valuePtr());
+        target.q = at.q.data();
+        target.increment = increment != nullptr ? increment->data() : nullptr;
+        target.before = last != nullptr ? last->before.data() : nullptr;
+        target.change = last != nullptr ? last->change.data() : nullptr;
+        target.tangent = tangent;
+        target.internal_force = internal_.data();
         strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
             if (tangent) clear_values(cleared_[index][place]);
             return group.add(run, target);
@@ -317,6 +358,10 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
     const auto group = static_cast<std::size_t>(place.group);
     const int dofs = model_.groups()[group]->dofs(), half = dofs / 2;
     const ElementSlots& slots = slots_[group][static_cast<std::size_t>(place.element)];
+    if (slots.attached >= 0) {
+        detail::add_attached(target(group, matrix.valuePtr()), slots.attached, block);
+        return;
+    }
     for (std::size_t b = 0; b < 2; ++b)
         for (int j = 0; j < half; ++j) {
             const int column = static_cast<int>(b) * half + j;
@@ -325,7 +370,8 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
             const int node = slots.node[b], own = equation - pattern_.first(node);
             for (std::size_t a = 0; a < 2; ++a) {
                 if (slots.base[a][b] < 0) continue;
-                const bool lower = a == b && pattern_.storage() == Storage::lower;
+                const bool lower =
+                    slots.node[a] == node && pattern_.storage() == Storage::lower;
                 double* const values =
                     matrix.valuePtr() + slots.base[a][b] + pattern_.column_offset(node, own);
                 for (int i = 0; i < half; ++i) {
@@ -359,10 +405,10 @@ void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bo
     local.time = time;
     local.derivatives = derivatives;
     for (std::size_t k = 0; k < load_coordinates_.size(); ++k) {
-        const std::vector<int>& coordinates = load_coordinates_[k];
-        const auto size = static_cast<Eigen::Index>(coordinates.size());
-        detail::gather(q, coordinates, local.q);
-        detail::gather(v, coordinates, local.v);
+        const detail::LocalCoordinates& coordinates = load_coordinates_[k];
+        const auto size = static_cast<Eigen::Index>(coordinates.read().size());
+        detail::gather(q, coordinates.read(), local.q);
+        detail::gather(v, coordinates.read(), local.v);
         const AnyLoad& load = model_.loads()[k].load;
         const Eigen::Index rows = load.constant() ? 0 : size;
         result.force.setZero(size);
@@ -375,7 +421,10 @@ void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bo
             result.force.size() == size && sized(result.stiffness) && sized(result.damping),
             "a load on ", size, " coordinates changed the size of its results; its force has ",
             result.force.size(), " entries");
-        visit(model_.loads()[k], coordinates, result);
+        coordinates.carry(result.force);
+        coordinates.carry(result.stiffness);
+        coordinates.carry(result.damping);
+        visit(model_.loads()[k], coordinates.acted(), result);
     }
 }
 
@@ -439,11 +488,12 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
     int first = 0;
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
-        const std::vector<int>& coordinates = constraint_coordinates_[k];
-        const auto size = static_cast<Eigen::Index>(coordinates.size());
+        const detail::LocalCoordinates& map = constraint_coordinates_[k];
+        const std::vector<int>& coordinates = map.acted();
+        auto size = static_cast<Eigen::Index>(map.read().size());
         const int equations = constraint.equations();
-        detail::gather(at.q, coordinates, local.q);
-        detail::gather(at.v, coordinates, local.v);
+        detail::gather(at.q, map.read(), local.q);
+        detail::gather(at.v, map.read(), local.v);
         local.multipliers = at.multipliers.segment(first, equations);
         result.reset(equations, size);
         constraint.evaluate(local, result);
@@ -454,6 +504,9 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
                             result.convection.size() == equations,
                         "constraint ", constraint.name(), " of ", equations, " equations on ", size,
                         " coordinates changed the size of its results");
+        map.carry_columns(result.jacobian);
+        map.carry(result.stiffness);
+        size = result.jacobian.cols();
         violation_.segment(first, equations) = result.violation;
         violation_rate_.segment(first, equations) = result.rate;
         convection_.segment(first, equations) = result.convection;
@@ -486,7 +539,7 @@ ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
 
 ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const ConstraintResult& result) {
     const std::vector<int>& coordinates =
-        constraint_coordinates_[static_cast<std::size_t>(constraint)];
+        constraint_coordinates_[static_cast<std::size_t>(constraint)].acted();
     const int own = numbering_.constraint_block(constraint);
     const int size = static_cast<int>(coordinates.size());
     double* values = tangent_.valuePtr();
@@ -635,11 +688,15 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
                           size * group.prototype_of(place.element),
                       result);
         });
-    for (const PointMass& point : model_.masses())
-        for (int i = 0; i < model_.dimension(); ++i) {
-            const int at = model_.coordinate(point.node, Field::r) + i;
-            add_value(at, at, point.mass, result);
-        }
+    for (const PointMass& point : model_.masses()) {
+        const auto parts =
+            numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
+        for (const Dependence::Part& row : parts)
+            for (const Dependence::Part& column : parts)
+                for (int i = 0; i < model_.dimension(); ++i)
+                    add_value(row.first + i, column.first + i,
+                              point.mass * row.factor * column.factor, result);
+    }
     return result;
 }
 
@@ -662,6 +719,7 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
         const int at = model_.coordinate(point.node, Field::r);
         for (int i = 0; i < model_.dimension(); ++i) result[at + i] += point.mass * a[at + i];
     }
+    numbering_.dependence().carry(result);
     return result;
 }
 
@@ -672,6 +730,7 @@ ANCF_INLINE void Assembly::apply_supports(const Instant& instant, VectorX& q) co
         if (support.value)
             q[model_.layout().index({support.node, support.field}) + support.component] =
                 support.value(instant.time);
+    numbering_.dependence().complete(q);
 }
 
 }  // namespace ancf

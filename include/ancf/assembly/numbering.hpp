@@ -35,7 +35,7 @@ public:
     /// Returns the number of all coordinates.
     [[nodiscard]] int coordinates() const noexcept { return static_cast<int>(equation_.size()); }
 
-    /// Returns the equation of a coordinate, -1 where a support holds it.
+    /// Returns the equation of a coordinate, -1 where a support holds it or it is attached.
     [[nodiscard]] int equation(int coordinate) const noexcept {
         return equation_[static_cast<std::size_t>(coordinate)];
     }
@@ -59,18 +59,27 @@ public:
     /// Returns the supported coordinates in ascending order.
     [[nodiscard]] const std::vector<int>& held() const noexcept { return held_; }
 
-    /// Copies the free entries of a vector of coordinates.
+    /// Returns what attached vectors follow.
+    [[nodiscard]] const Dependence& dependence() const noexcept { return dependence_; }
+
+    /// Copies the free entries of a vector of coordinates, or of forces that are carried.
     void gather_free(const VectorX& coordinates, VectorX& free) const {
         free.resize(free_);
         for (std::size_t k = 0; k < equation_.size(); ++k)
             if (equation_[k] >= 0) free[equation_[k]] = coordinates[static_cast<Eigen::Index>(k)];
     }
 
-    /// Adds to the free entries of a vector of coordinates.
+    /// Adds to the free entries of a vector of coordinates, and to what is attached to them.
     void add_free(const VectorX& free, double scale, VectorX& coordinates) const {
+        add_free_force(free, scale, coordinates);
+        dependence_.complete(coordinates);
+    }
+
+    /// Adds to the free entries of a vector of forces.
+    void add_free_force(const VectorX& free, double scale, VectorX& forces) const {
         for (std::size_t k = 0; k < equation_.size(); ++k)
             if (equation_[k] >= 0)
-                coordinates[static_cast<Eigen::Index>(k)] += scale * free[equation_[k]];
+                forces[static_cast<Eigen::Index>(k)] += scale * free[equation_[k]];
     }
 
 private:
@@ -81,6 +90,7 @@ private:
     std::vector<int> block_;
     std::vector<int> sizes_;
     std::vector<int> held_;
+    Dependence dependence_;
 };
 
 }  // namespace ancf

@@ -16,6 +16,7 @@ namespace ancf {
 ANCF_INLINE Numbering::Numbering(const Scene& model) {
     const Layout& layout = model.layout();
     nodes_ = layout.nodes();
+    dependence_ = model.dependence();
     equation_.assign(static_cast<std::size_t>(layout.size()), 0);
     block_.resize(equation_.size());
     for (const Support& support : model.supports()) {
@@ -30,7 +31,9 @@ ANCF_INLINE Numbering::Numbering(const Scene& model) {
         for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
             const auto at = static_cast<std::size_t>(k);
             block_[at] = node;
-            if (equation_[at] < 0) {
+            if (dependence_.attached(k)) {
+                equation_[at] = -1;
+            } else if (equation_[at] < 0) {
                 held_.push_back(k);
             } else {
                 equation_[at] = free_++;

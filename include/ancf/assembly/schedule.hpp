@@ -5,7 +5,7 @@
 /// The order in which elements are added, the same for any number of threads.
 ///
 /// Elements are cut into runs of consecutive ones, and runs are coloured so that two of one colour
-/// share no node. Colours follow each other; the runs of one colour may go side by side. So every
+/// share no node, nor one that theirs follow. Colours follow each other; the runs of one colour may go side by side. So every
 /// sum has one order, and equal input gives equal bits.
 
 #pragma once
@@ -26,8 +26,12 @@ public:
 
     ElementSchedule() = default;
 
+    /// Nodes that each node follows by attachments; none: no node follows another one.
+    using Followed = std::vector<std::vector<int>>;
+
     /// @param nodes  number of nodes of the model
-    ElementSchedule(const std::vector<Connection>& connections, int nodes);
+    ElementSchedule(const std::vector<Connection>& connections, int nodes,
+                    const Followed& followed);
 
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
     /// `place` counts the runs in the order in which they are added.
@@ -41,14 +45,18 @@ public:
         return colours_;
     }
 
-    /// Calls visit(node) for both nodes of every element of a run.
+    /// Calls visit(node) for both nodes of every element of a run, and for those they follow.
     template <class Visitor>
     static void visit_nodes(const std::vector<Connection>& connections, const ElementRun& run,
-                            const Visitor& visit) {
+                            const Followed& followed, const Visitor& visit) {
         for (int k = run.first; k < run.last; ++k) {
             const Connection& connection = connections[static_cast<std::size_t>(k)];
-            visit(static_cast<std::size_t>(connection.first.index));
-            visit(static_cast<std::size_t>(connection.second.index));
+            for (const NodeId id : {connection.first, connection.second}) {
+                const auto node = static_cast<std::size_t>(id.index);
+                visit(node);
+                if (followed.empty()) continue;
+                for (const int other : followed[node]) visit(static_cast<std::size_t>(other));
+            }
         }
     }
 

@@ -90,7 +90,7 @@ private:
 
     const Scene& model_;
     const Numbering& numbering_;
-    std::vector<std::vector<int>> coordinates_;  // per constraint
+    std::vector<detail::LocalCoordinates> coordinates_;  // per constraint
     std::vector<int> first_;                     // first equation of each constraint
     std::vector<ConstraintResult> results_;
     std::vector<char> left_out_;

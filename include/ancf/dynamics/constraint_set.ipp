@@ -19,18 +19,15 @@ namespace ancf {
 template <class Visitor>
 void ConstraintSet::for_each(const Visitor& visit) const {
     for (std::size_t k = 0; k < results_.size(); ++k)
-        visit(static_cast<int>(k), results_[k], coordinates_[k], first_[k]);
+        visit(static_cast<int>(k), results_[k], coordinates_[k].acted(), first_[k]);
 }
 
 ANCF_INLINE ConstraintSet::ConstraintSet(const Scene& model, const Numbering& numbering)
     : model_(model), numbering_(numbering) {
     int first = 0;
     for (const AnyConstraint& constraint : model.constraints()) {
-        std::vector<int> coordinates;
-        for (const NodeField& at : constraint.coupling())
-            for (int k = 0; k < model.dimension(); ++k)
-                coordinates.push_back(model.layout().index(at) + k);
-        coordinates_.push_back(std::move(coordinates));
+        coordinates_.emplace_back(model.layout(), model.dependence(), constraint.coupling(),
+                                  "constraint");
         first_.push_back(first);
         first += constraint.equations();
     }
@@ -53,16 +50,18 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
     v_ = v;
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
-        const auto size = static_cast<Eigen::Index>(coordinates_[k].size());
+        const std::vector<int>& read = coordinates_[k].read();
+        const auto size = static_cast<Eigen::Index>(read.size());
         const int equations = constraint.equations();
         local_.time = time;
-        detail::gather(q, coordinates_[k], local_.q);
-        detail::gather(v, coordinates_[k], local_.v);
+        detail::gather(q, read, local_.q);
+        detail::gather(v, read, local_.v);
         local_.multipliers.setZero(equations);
         ConstraintResult& result = results_[k];
         result.reset(equations, size);
         constraint.evaluate(local_, result);
         const VectorX slide = detail::multiply(result.jacobian, local_.v);
+        coordinates_[k].carry_columns(result.jacobian);
         for (int i = 0; i < equations; ++i) {
             violation_[first_[k] + i] = result.violation[i];
             full_rate_[first_[k] + i] = slide[i] + result.rate[i];
@@ -159,20 +158,22 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
     local.time = time_;
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
-        const std::vector<int>& at = coordinates_[k];
+        const std::vector<int>&read = coordinates_[k].read(), &at = coordinates_[k].acted();
         const auto size = static_cast<Eigen::Index>(at.size());
         const int equations = constraint.equations();
         const int own = numbering_.constraint_block(static_cast<int>(k));
-        detail::gather(q_, at, local.q);
-        detail::gather(v_, at, local.v);
+        detail::gather(q_, read, local.q);
+        detail::gather(v_, read, local.v);
         for (int e = 0; e < equations; ++e) {
             if (left_out(first_[k] + e)) continue;
             // with one multiplier 1 the stiffness is the Hessian of that equation
             local.multipliers.setZero(equations);
             local.multipliers[e] = 1.0;
-            result.reset(equations, size);
+            result.reset(equations, static_cast<Eigen::Index>(read.size()));
             constraint.evaluate(local, result);
-            const VectorX row = detail::multiply(result.stiffness, local.v);
+            VectorX row = detail::multiply(result.stiffness, local.v);
+            coordinates_[k].carry(row);
+            coordinates_[k].carry(result.stiffness);
             const double weight = mu[first_[k] + e];
             for (Eigen::Index j = 0; j < size; ++j) {
                 const int coordinate = at[static_cast<std::size_t>(j)];

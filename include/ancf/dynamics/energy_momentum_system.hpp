@@ -42,7 +42,7 @@ public:
 
 private:
     struct LocalLoad {
-        std::vector<int> at;
+        LocalCoordinates at;
         std::vector<int> power;  // of a length in each vector's unit
     };
 

@@ -59,12 +59,9 @@ ANCF_INLINE void EnergyMomentumSystem::weigh() {
 
 ANCF_INLINE EnergyMomentumSystem::LocalLoad EnergyMomentumSystem::local(
     const Coupling& coupling) const {
-    LocalLoad result;
-    for (const NodeField& at : coupling) {
-        const int first = problem_.model().layout().index(at);
-        for (int k = 0; k < problem_.model().dimension(); ++k) result.at.push_back(first + k);
-        result.power.push_back(length_power(at.field));
-    }
+    const Scene& model = problem_.model();
+    LocalLoad result{{model.layout(), model.dependence(), coupling, "load or constraint"}, {}};
+    for (const NodeField& at : coupling) result.power.push_back(length_power(at.field));
     return result;
 }
 
@@ -82,7 +79,7 @@ ANCF_INLINE bool EnergyMomentumSystem::is_invariant(const AnyConstraint& constra
     };
     // two finite turns about different axes, each with a shift
     VectorX q;
-    gather(state.q, local.at, q);
+    gather(state.q, local.at.read(), q);
     const VectorX rest = value(q);
     for (int trial = 0; trial < 2; ++trial) {
         const double shift = (0.3 + 0.4 * trial) * problem_.length_scale();
@@ -139,6 +136,7 @@ ANCF_INLINE bool EnergyMomentumSystem::evaluate(const VectorX& q1, const VectorX
     add_elements(q1, matrix);
     add_loads(q1, matrix);
     add_constraints(q1, lambda, matrix);
+    numbering_.dependence().carry(force_);
     if (matrix)
         for (Eigen::Index k = 0; k < matrix_.nonZeros(); ++k)
             matrix_.valuePtr()[k] += problem_.mass().valuePtr()[k];
@@ -159,7 +157,7 @@ ANCF_INLINE void EnergyMomentumSystem::add_inertia(const VectorX& v1) {
     }
     VectorX free;
     numbering_.gather_free(mean, free);
-    numbering_.add_free(multiply(problem_.compact_mass(), Storage::full, free), 1.0, force_);
+    numbering_.add_free_force(multiply(problem_.compact_mass(), Storage::full, free), 1.0, force_);
 }
 
 ANCF_INLINE void EnergyMomentumSystem::add_elements(const VectorX& q1, bool matrix) {
@@ -197,15 +195,15 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
         const ScaledLoad& load = model.loads()[k];
         const LocalLoad& place = loads_[k];
         VectorX change, middle_q, end;
-        gather(change_, place.at, change);
-        gather(middle_, place.at, middle_q);
+        gather(change_, place.at.read(), change);
+        gather(middle_, place.at.read(), middle_q);
         const VectorX rate = change / h_;
         LoadResult result = evaluate(load, middle_q, rate);
         if (result.potential != 0.0 || result.period > 0.0) {
             // a conservative load does the work by which its potential falls
-            gather(q1, place.at, end);
+            gather(q1, place.at.read(), end);
             const double later = evaluate(load, end, rate).potential;
-            gather(q0_, place.at, end);
+            gather(q0_, place.at.read(), end);
             const double earlier = evaluate(load, end, rate).potential;
             const double work = result.force.dot(change);
             double fall = earlier - later;
@@ -216,11 +214,14 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
                                  length_, result.force);
         }
         const double scale = load.scale(middle);
-        for (std::size_t i = 0; i < place.at.size(); ++i)
-            force_[place.at[i]] -= scale * result.force[static_cast<Eigen::Index>(i)];
+        const std::vector<int>& read = place.at.read();
+        for (std::size_t i = 0; i < read.size(); ++i)
+            force_[read[i]] -= scale * result.force[static_cast<Eigen::Index>(i)];
         if (!matrix) continue;
-        add_block(place.at, result.stiffness, -0.25 * h_ * h_ * scale);
-        add_block(place.at, result.damping, -0.5 * h_ * scale);
+        place.at.carry(result.stiffness);
+        place.at.carry(result.damping);
+        add_block(place.at.acted(), result.stiffness, -0.25 * h_ * h_ * scale);
+        add_block(place.at.acted(), result.damping, -0.5 * h_ * scale);
     }
 }
 
@@ -233,13 +234,13 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
     const AnyConstraint& constraint = problem_.model().constraints()[k];
     const LocalLoad& place = constraints_[k];
     const int equations = constraint.equations();
-    const auto size = static_cast<Eigen::Index>(place.at.size());
+    const auto size = static_cast<Eigen::Index>(place.at.read().size());
     ConstraintState state;
     state.v.setZero(size);
     state.multipliers = lambda.segment(first, equations);
     const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
         state.time = time;
-        gather(q, place.at, state.q);
+        gather(q, place.at.read(), state.q);
         out.reset(equations, size);
         constraint.evaluate(state, out);
     };
@@ -252,8 +253,8 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
     evaluate(middle_time, middle_, middle);
     evaluate(t0_ + h_, q1, end);
     VectorX change, middle_q, gradient(size);
-    gather(change_, place.at, change);
-    gather(middle_, place.at, middle_q);
+    gather(change_, place.at.read(), change);
+    gather(middle_, place.at.read(), middle_q);
     for (int i = 0; i < equations; ++i) {
         if (is_left_out(first + i)) {
             middle.jacobian.row(i).setZero();
@@ -278,16 +279,20 @@ ANCF_INLINE void EnergyMomentumSystem::add_constraints(const VectorX& q1, const 
     int first = 0;
     ConstraintResult middle, end;
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
-        const std::vector<int>& at = constraints_[k].at;
+        const LocalCoordinates& map = constraints_[k].at;
+        const std::vector<int>&read = map.read(), &at = map.acted();
         evaluate_constraint(k, first, q1, lambda, middle, end);
         const auto equations = static_cast<int>(end.violation.size());
-        for (std::size_t j = 0; j < at.size(); ++j)
+        for (std::size_t j = 0; j < read.size(); ++j)
             for (int i = 0; i < equations; ++i)
-                force_[at[j]] +=
+                force_[read[j]] +=
                     middle.jacobian(i, static_cast<Eigen::Index>(j)) * lambda[first + i];
         for (int i = 0; i < equations; ++i)
             violation_[first + i] = is_left_out(first + i) ? lambda[first + i] : end.violation[i];
         if (matrix) {
+            map.carry(middle.stiffness);
+            map.carry_columns(end.jacobian);
+            map.carry_columns(middle.jacobian);
             add_block(at, middle.stiffness, 0.25 * h_ * h_);
             write_rows(static_cast<int>(k), at, end.jacobian, middle.jacobian, first);
         }

@@ -153,6 +153,8 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
         full_v_[driven.coordinate] = driven.support->rate(t);
         full_a_[driven.coordinate] = driven.support->acceleration(t);
     }
+    const Dependence& dependence = numbers.dependence();
+    for (VectorX* const full : {&full_q_, &full_v_, &full_a_}) dependence.complete(*full);
 }
 
 // --- start -------------------------------------------------------------------------------------
@@ -338,6 +340,7 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)
                 whole[k] = at.acceleration[equation];
+        numbering().dependence().complete(whole);
         const VectorX known = constraints_.product(whole);
         for (int i = 0; i < multipliers(); ++i)
             b[size() + i] -= weights[place] / step * (known[i] + constraints_.convection()[i]);
@@ -583,8 +586,7 @@ ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces
     numbering().add_free(acceleration, 1.0, whole);
     const VectorX exerted = assembly_.mass_product(whole) + assembly_.internal_force() +
                             assembly_.constraint_force() - assembly_.external_force();
-    for (int k = 0; k < all; ++k)
-        if (numbering().equation(k) < 0) forces[k] = exerted[k];
+    for (const int k : numbering().held()) forces[k] = exerted[k];
     return Status::converged;
 }
 
@@ -600,8 +602,8 @@ ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
         return value;
     };
     VectorX inertia = VectorX::Zero(full_q_.size());
-    numbering().add_free(detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0,
-                         inertia);
+    numbering().add_free_force(
+        detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0, inertia);
     const double loads = largest(assembly_.external_force());
     const double inner = std::max(largest(assembly_.internal_force()), largest(inertia));
     return inner > force_round_off(start.time, start.q) ? std::max(loads, inner) : loads;

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] int dofs() const noexcept { return type_.dofs; }
     /// Tells whether the element has the tangent of mixed integration points.
     [[nodiscard]] bool evaluates_mixed() const noexcept { return type_.evaluates_mixed; }
+    /// Tells whether an element has one node, which is then its first and its second one.
+    [[nodiscard]] bool one_node() const noexcept { return type_.one_node; }
     /// Tells whether the group holds elements of a type.
     template <class Element>
     [[nodiscard]] bool holds() const noexcept {
@@ -114,6 +116,7 @@ protected:
         Fields fields;          ///< of a node
         int dofs;               ///< of an element
         bool evaluates_mixed;   ///< has the tangent of mixed integration points
+        bool one_node;          ///< stands at one node
     };
 
     /// @param type  what derived classes know

@@ -64,6 +64,12 @@ struct EvaluatesMixed<Element, std::void_t<decltype(std::declval<const Element&>
                                    std::declval<const typename Element::Coordinates&>()))>>
     : std::true_type {};
 
+/// Whether an element has one node.
+template <class Element, class = void>
+struct HasOneNode : std::false_type {};
+template <class Element>
+struct HasOneNode<Element, std::enable_if_t<Element::one_node>> : std::true_type {};
+
 /// Whether an element tells how its torsion divides between the slopes of a section.
 template <class Element, class = void>
 struct HasTorsionStiffness : std::false_type {};
@@ -84,7 +90,8 @@ public:
 
     GroupOf()
         : ElementGroup({type_id<Element>(), detail::type_name<Element>(), Element::fields,
-                        Element::dofs, detail::EvaluatesMixed<Element>::value}) {}
+                        Element::dofs, detail::EvaluatesMixed<Element>::value,
+                        detail::HasOneNode<Element>::value}) {}
 
     std::vector<Element> prototypes;  ///< constant data, shared by equal elements
 
@@ -177,7 +184,8 @@ void scatter_part(const GroupTarget& target, const ElementSlots& slots, int a, i
     constexpr int half = Element::dofs / 2;
     const auto rows = static_cast<std::size_t>(a), columns = static_cast<std::size_t>(b);
     if (slots.base[rows][columns] < 0) return;
-    const bool lower = a == b && target.storage == Storage::lower;
+    const bool lower =
+        slots.node[rows] == slots.node[columns] && target.storage == Storage::lower;
     double* base = target.values + slots.base[rows][columns];
     const int node = slots.node[columns];
     if (slots.plain) {
@@ -215,7 +223,9 @@ double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) c
         const Connection* const part = &connections[static_cast<std::size_t>(first)];
         return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
             return other.prototype == part->prototype;
-        });
+        }) && (target.attached == nullptr ||
+               std::all_of(target.slots + first, target.slots + first + lanes,
+                           [](const ElementSlots& one) { return one.attached < 0; }));
     };
     for (int k = run.first; k < run.last;) {
         if constexpr (lanes > 1) {
@@ -265,6 +275,10 @@ double GroupOf<Element>::add_element(int index, const GroupTarget& target) const
     }
     for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += result.force[i];
     if (!target.tangent) return result.energy;
+    if (slots.attached >= 0) {
+        detail::add_attached(target, slots.attached, result.tangent.data());
+        return result.energy;
+    }
     constexpr int half = Element::dofs / 2;
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)

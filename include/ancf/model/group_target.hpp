@@ -26,7 +26,12 @@ struct ElementSlots {
     std::array<int, 2> node;                 ///< its nodes
     std::array<std::array<int, 2>, 2> base;  ///< [row node][column node], -1 if not stored
     bool plain;  ///< both nodes carry just the element's vectors and all of them are free
+    int attached;  ///< place in GroupTarget::attached of one with attached vectors, else -1
 };
+
+namespace detail {
+struct AttachedElement;
+}
 
 /// What an assembly hands to a group of elements. Vectors are of all coordinates of the scene.
 ///
@@ -46,6 +51,7 @@ struct GroupTarget {
     bool tangent;               ///< wanted beside the force
     double* internal_force;     ///< to add to
     double* values;             ///< of the tangent, to add to
+    const detail::AttachedElement* attached;  ///< those of the group's elements, or null
 
     /// Returns how far the values of a column of a block lie from its first column's.
     [[nodiscard]] int column_offset(int block, int column) const noexcept {
@@ -56,6 +62,9 @@ struct GroupTarget {
 };
 
 namespace detail {
+
+/// Adds the tangent, by columns, of the attached element of this place.
+void add_attached(const GroupTarget& target, int place, const double* tangent);
 
 /// Writes the indices of an element's nodal coordinates.
 inline void element_coordinates(const Layout& layout, int dimension, Fields fields,

@@ -10,6 +10,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/model/node.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -44,6 +45,18 @@ public:
 
     /// Returns the index of a node's first coordinate.
     [[nodiscard]] int first(int node) const { return first_[static_cast<std::size_t>(node)]; }
+
+    /// Returns the node of a coordinate.
+    [[nodiscard]] int node_of(int coordinate) const {
+        const auto next = std::upper_bound(first_.begin(), first_.end(), coordinate);
+        return static_cast<int>(next - first_.begin()) - 1;
+    }
+
+    /// Returns the field of a coordinate.
+    [[nodiscard]] Field field_of(int coordinate) const {
+        const int node = node_of(coordinate);
+        return fields(node).at((coordinate - first(node)) / dimension_);
+    }
 
     /// Returns the number of coordinates of a node.
     [[nodiscard]] int size(int node) const { return first(node + 1) - first(node); }

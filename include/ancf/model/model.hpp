@@ -84,17 +84,22 @@ public:
     }
 
     /// Sets one vector of a node.
-    /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
+    /// @throws InvalidArgument unless it is finite, where the node does not carry it, and where it
+    ///         is attached to another node.
     void set_value(NodeId node, Field field, const Argument& value) {
         check_finite("set_value", node, field, value);
+        check_unattached("set_value", node, field);
         set_vector(state().q, coordinate(node, field), value);
+        dependence().complete(state().q);
     }
 
     /// Sets the rate of one vector of a node.
-    /// @throws InvalidArgument unless it is finite, and where the node does not carry it.
+    /// @throws InvalidArgument as set_value().
     void set_rate(NodeId node, Field field, const Argument& rate) {
         check_finite("set_rate", node, field, rate);
+        check_unattached("set_rate", node, field);
         set_vector(state().v, coordinate(node, field), rate);
+        dependence().complete(state().v);
     }
 
     /// Returns the position of a node, m.

@@ -12,6 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/model/group_of.hpp>
@@ -161,6 +162,31 @@ public:
     /// @throws InvalidArgument for a node that does not exist.
     void release(NodeId node, Field field);
 
+    // Attachments: joints without multipliers ---------------------------------------------------
+
+    /// Attaches a node rigidly to another one, at the place and in the directions that they have in
+    /// the reference: its position, and the slopes that hold its section.
+    ///
+    /// Of a node with r_z in space, or r_y in the plane, these are r and all slopes across: r_x
+    /// stays its own, so that each beam at a joint has its own stretch. Of a node with r_y alone in
+    /// space, r, r_x and r_y. Of a node of cables r alone, which is a pin.
+    /// @param end    connect its elements first.
+    /// @param joint  gets the vectors that are followed; docs/theory-frames.md says which joint
+    ///               needs a stiffness of its own.
+    /// @throws InvalidArgument as the other overload.
+    void attach(NodeId end, NodeId joint);
+
+    /// Attaches the given vectors of a node to another one: a constant linear combination of that
+    /// node's vectors each, as in the reference. They are no unknowns any more.
+    ///
+    ///     attach(end, joint, Field::r);                 // a pin
+    ///     attach(end, joint, Field::r | Field::r_z);    // a hinge about r_z
+    ///
+    /// @throws InvalidArgument for a node that does not exist or carries no such vector, a vector
+    ///         that is attached already, held or r_xx, nodes that would follow each other in a
+    ///         circle, and a joint whose slopes are not independent.
+    void attach(NodeId end, NodeId joint, Fields vectors);
+
     // Loads, constraints, masses --------------------------------------------------------------
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
@@ -210,6 +236,15 @@ public:
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
         return constraints_;
     }
+    /// Returns the attached vectors.
+    [[nodiscard]] const std::vector<AttachedVector>& attachments() const noexcept {
+        return attachments_;
+    }
+    /// Returns what the attached vectors follow.
+    [[nodiscard]] const Dependence& dependence() const {
+        refresh();
+        return dependence_;
+    }
     /// Returns the masses at nodes.
     [[nodiscard]] const std::vector<PointMass>& masses() const noexcept { return masses_; }
     /// Returns a component of the acceleration of gravity, m/s^2.
@@ -257,6 +292,9 @@ public:
     }
 
 protected:
+    /// @throws InvalidArgument for an attached vector.
+    void check_unattached(const char* call, NodeId node, Field field) const;
+
     /// @param dimension  of space, 2 or 3
     explicit Scene(int dimension) noexcept : dimension_(dimension) {}
 
@@ -285,6 +323,10 @@ private:
         return *group;
     }
     void swap(Scene& other) noexcept;
+    void check_attachment(NodeId end, NodeId joint, Field field) const;
+    // Returns f of v = f_1 r_x + f_2 r_y + f_3 r_z of a node's reference.
+    [[nodiscard]] std::array<double, 3> by_slopes(NodeId node, const double* v) const;
+    [[nodiscard]] const AttachedVector* attachment_of(NodeId node, Field field) const noexcept;
     [[noreturn]] void reject_group(std::string_view name) const;
     int connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second);
     // Returns whether an element has its prototype for itself.
@@ -314,6 +356,8 @@ private:
     std::unordered_map<long, std::size_t> support_at_;  // place in supports_, by component_of()
     std::vector<ScaledLoad> loads_;
     std::vector<AnyConstraint> constraints_;
+    std::vector<AttachedVector> attachments_;
+    std::unordered_map<long, std::size_t> attachment_at_;  // likewise, by its first component
     std::vector<PointMass> masses_;
     std::array<double, 3> gravity_ = {};
     Amplitude gravity_amplitude_;
@@ -323,6 +367,7 @@ private:
     // Derived from the above when first asked for after a change.
     mutable bool stale_ = true;
     mutable Layout layout_;
+    mutable Dependence dependence_;
     mutable State state_;
 };
 

@@ -9,7 +9,10 @@
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -20,12 +23,15 @@ ANCF_INLINE Scene::Scene(const Scene& other)
       support_at_(other.support_at_),
       loads_(other.loads_),
       constraints_(other.constraints_),
+      attachments_(other.attachments_),
+      attachment_at_(other.attachment_at_),
       masses_(other.masses_),
       gravity_(other.gravity_),
       gravity_amplitude_(other.gravity_amplitude_),
       revision_(other.revision_),
       stale_(other.stale_),
       layout_(other.layout_),
+      dependence_(other.dependence_),
       state_(other.state_) {
     for (const auto& group : other.groups_) groups_.push_back(group->clone());
 }
@@ -52,12 +58,15 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(support_at_, other.support_at_);
     std::swap(loads_, other.loads_);
     std::swap(constraints_, other.constraints_);
+    std::swap(attachments_, other.attachments_);
+    std::swap(attachment_at_, other.attachment_at_);
     std::swap(masses_, other.masses_);
     std::swap(gravity_, other.gravity_);
     std::swap(gravity_amplitude_, other.gravity_amplitude_);
     std::swap(revision_, other.revision_);
     std::swap(stale_, other.stale_);
     std::swap(layout_, other.layout_);
+    std::swap(dependence_, other.dependence_);
     std::swap(state_, other.state_);
 }
 
@@ -86,8 +95,12 @@ ANCF_INLINE void Scene::reject_group(std::string_view name) const {
 ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId first, NodeId second) {
     check(first);
     check(second);
-    detail::require(first != second, "Model::connect: an element joins two nodes, got node ",
-                    first.index, " twice");
+    const bool one_node = group != nullptr && group->one_node();
+    detail::require(one_node || first != second,
+                    "Model::connect: an element joins two nodes, got node ", first.index, " twice");
+    detail::require(!one_node || first == second, "Model::connect: an element of one node stands ",
+                    "between that node and itself, got nodes ", first.index, " and ",
+                    second.index);
     const int prototypes = group == nullptr ? 0 : group->prototype_count();
     detail::require(prototype >= 0 && prototype < prototypes, "Model::connect: there are ",
                     prototypes, " prototypes, got index ", prototype);
@@ -128,6 +141,7 @@ ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Ampli
                                   Amplitude rate, Amplitude acceleration) {
     check(node);
     check_component(component);
+    check_unattached("prescribe", node, field);
     const auto [at, added] =
         support_at_.try_emplace(component_of(node, field, component), supports_.size());
     if (added) supports_.emplace_back();
@@ -156,6 +170,109 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
         support_at_[component_of(supports_[k].node, supports_[k].field, supports_[k].component)] =
             k;
     ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::attach(NodeId end, NodeId joint) {
+    check(end);
+    const Fields carried = initial_[static_cast<std::size_t>(end.index)].fields;
+    detail::require(carried.contains(Field::r), "Model::attach: node ", end.index,
+                    " carries no vectors yet; connect its elements first");
+    Fields vectors = Field::r;
+    for (const Field slope : {Field::r_y, Field::r_z})
+        if (carried.contains(slope)) vectors = vectors | slope;
+    if (dimension_ == 3 && carried.contains(Field::r_y) && !carried.contains(Field::r_z))
+        vectors = vectors | Field::r_x;
+    attach(end, joint, vectors);
+}
+
+ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
+    check(end);
+    check(joint);
+    for (int k = 0; k < field_count; ++k)
+        if (vectors.contains(static_cast<Field>(k)))
+            check_attachment(end, joint, static_cast<Field>(k));
+    const auto& from = initial_[static_cast<std::size_t>(end.index)].vectors;
+    InitialNode& to = initial_[static_cast<std::size_t>(joint.index)];
+    for (int k = 0; k < field_count; ++k) {
+        const auto field = static_cast<Field>(k);
+        if (!vectors.contains(field)) continue;
+        double vector[3] = {};
+        double size = 0.0;  // of what the vector is the difference of
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double base = field == Field::r ? to.vectors[i] : 0.0;
+            vector[i] = from[3 * static_cast<std::size_t>(k) + i] - base;
+            size = std::max({size, std::abs(base), std::abs(vector[i])});
+        }
+        for (double& entry : vector)
+            if (std::abs(entry) <= 1e-15 * size) entry = 0.0;
+        const std::array<double, 3> slopes = by_slopes(joint, vector);
+        AttachedVector attachment{{end, field}, joint, {field == Field::r ? 1.0 : 0.0}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double factor = std::abs(slopes[i]) <= 1e-15 * size ? 0.0 : slopes[i];
+            attachment.factors[1 + i] = factor;
+            if (factor != 0.0) to.fields = to.fields | static_cast<Field>(1 + i);
+        }
+        if (field == Field::r) to.fields = to.fields | Field::r;
+        attachment_at_[component_of(end, field, 0)] = attachments_.size();
+        attachments_.push_back(attachment);
+    }
+    stale_ = true;
+    ++revision_.scene;
+}
+
+ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) const {
+    const char* const name = to_string(field);
+    detail::require(field != Field::r_xx, "Model::attach: r_xx follows no other vector");
+    detail::require(initial_[static_cast<std::size_t>(end.index)].fields.contains(field),
+                    "Model::attach: node ", end.index, " carries no ", name,
+                    "; connect its elements first");
+    check_unattached("attach", end, field);
+    for (int component = 0; component < dimension_; ++component)
+        detail::require(support_at_.count(component_of(end, field, component)) == 0,
+                        "Model::attach: ", name, " of node ", end.index,
+                        " is held or driven; hold node ", joint.index, " instead");
+    std::vector<NodeId> followed = {joint};
+    for (std::size_t k = 0; k < followed.size(); ++k) {
+        detail::require(followed[k] != end, "Model::attach: nodes ", end.index, " and ",
+                        joint.index, " would follow each other in a circle");
+        for (int of = 0; of < field_count; ++of)
+            if (const AttachedVector* const other = attachment_of(followed[k], static_cast<Field>(of)))
+                if (std::find(followed.begin(), followed.end(), other->to) == followed.end())
+                    followed.push_back(other->to);
+    }
+}
+
+ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v) const {
+    // Cramer's rule; in the plane with a third slope normal to it
+    const double* const slopes =
+        initial_[static_cast<std::size_t>(node.index)].vectors.data() + 3;
+    double g[9];
+    std::copy_n(slopes, 9, g);
+    if (dimension_ == 2) {
+        for (const int k : {2, 5, 6, 7}) g[k] = 0.0;
+        g[8] = 1.0;
+    }
+    const auto volume = [](const double* a, const double* b, const double* c) {
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+    };
+    const double all = volume(g, g + 3, g + 6);
+    double size = 1.0;
+    for (int k = 0; k < 9; k += 3) size *= std::hypot(g[k], g[k + 1], g[k + 2]);
+    detail::require(std::abs(all) > 1e-6 * size, "Model::attach: the slopes of node ", node.index,
+                    " are not independent");
+    return {volume(v, g + 3, g + 6) / all, volume(g, v, g + 6) / all, volume(g, g + 3, v) / all};
+}
+
+ANCF_INLINE void Scene::check_unattached(const char* call, NodeId node, Field field) const {
+    if (const AttachedVector* const attached = attachment_of(node, field))
+        detail::reject("Model::", call, ": ", to_string(field), " of node ", node.index,
+                       " is attached to node ", attached->to.index, ": take that node instead");
+}
+
+ANCF_INLINE const AttachedVector* Scene::attachment_of(NodeId node, Field field) const noexcept {
+    const auto found = attachment_at_.find(component_of(node, field, 0));
+    return found == attachment_at_.end() ? nullptr : &attachments_[found->second];
 }
 
 ANCF_INLINE void Scene::check_dimension(const char* what, int dimension) const {
@@ -221,6 +338,7 @@ ANCF_INLINE void Scene::refresh() const {
     for (const InitialNode& node : initial_) fields.push_back(node.fields);
     const Layout before =
         std::exchange(layout_, Layout(dimension_, std::move(fields), torsion_shares()));
+    dependence_ = Dependence(layout_, attachments_);
     const State old = std::exchange(state_, State{});
     state_.time = old.time;
     state_.q.setZero(layout_.size());
@@ -238,6 +356,8 @@ ANCF_INLINE void Scene::refresh() const {
                 if (from >= 0) state_.v[to + i] = old.v[from + i];
             }
         }
+    dependence_.complete(state_.q);
+    dependence_.complete(state_.v);
     int equations = 0;
     for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
     state_.multipliers.setZero(equations);

@@ -52,11 +52,13 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
                             static_cast<signed char>(length_power(field)));
     double length = 0.0;
     int count = 0;
-    for (const auto& group : model.groups())
+    for (const auto& group : model.groups()) {
+        if (group->one_node()) continue;
         for (const Connection& connection : group->connections) {
             length += group->length(connection.prototype);
             ++count;
         }
+    }
     if (count == 0) return;
     element_size_ = length / count;
     const VectorX& q = model.state().q;

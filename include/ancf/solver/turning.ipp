@@ -142,9 +142,16 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int dime
 
 ANCF_INLINE Turning::Turning(const Scene& model, const Numbering& numbering)
     : layout_(model.layout()), numbering_(numbering), dimension_(model.dimension()) {
-    for (const auto& group : model.groups())
+    // an attached end moves with its joint
+    const auto moving = [&](NodeId node) {
+        const int first = layout_.index({node, Field::r});
+        return first < 0 ? -1 : layout_.node_of(numbering.dependence().parts(first).front().first);
+    };
+    for (const auto& group : model.groups()) {
+        if (!group->fields().contains(Field::r)) continue;
         for (const Connection& c : group->connections)
-            chords_.push_back({c.first.index, c.second.index});
+            chords_.push_back({moving(c.first), moving(c.second)});
+    }
 }
 
 ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
@@ -164,6 +171,7 @@ ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, Ve
         if (const Slopes at = slopes(node); at.whole)
             detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_, true,
                                q.data() + at.first);
+    numbering_.dependence().complete(q);
 }
 
 ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& change) const {
@@ -238,6 +246,7 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
         for (int k = 0; k < dimension_; ++k) wanted.push_back(moved[k] - q[j + k] + q[i + k]);
     }
     for (int k = 0; k < dimension_; ++k) shift(k, wanted, q);
+    numbering_.dependence().complete(q);
 }
 
 /// Moves a component of the positions towards what the chords want.

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Vectors of nodes that are constant linear combinations of vectors of another node: joints
+/// without multipliers. docs/theory-frames.md derives them.
+///
+/// A state holds all vectors. Those that are attached are no unknowns: they follow the vectors that
+/// they are attached to, and what acts on them acts on those.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/model/group_target.hpp>
+#include <ancf/model/layout.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/types.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ancf {
+
+/// One attached vector: a = f_0 r + f_1 r_x + f_2 r_y + f_3 r_z of another node.
+struct AttachedVector {
+    NodeField vector;               ///< what is attached
+    NodeId to;                      ///< to which node
+    std::array<double, 4> factors;  ///< of r, r_x, r_y, r_z there; m for a slope's part in an r
+};
+
+/// All attached vectors of a scene, each by the free-standing vectors that it follows.
+class Dependence {
+public:
+    /// A part of an attached vector.
+    struct Part {
+        int first;      ///< the first coordinate of a vector that is not attached
+        double factor;  ///< what multiplies it
+    };
+
+    Dependence() = default;
+
+    /// Resolves chains of attachments, which form no circle.
+    Dependence(const Layout& layout, const std::vector<AttachedVector>& attachments);
+
+    /// Tells whether nothing is attached.
+    [[nodiscard]] bool empty() const noexcept { return firsts_.empty(); }
+
+    /// Tells whether a coordinate belongs to an attached vector.
+    [[nodiscard]] bool attached(int coordinate) const noexcept {
+        return !empty() && vector_of_[static_cast<std::size_t>(coordinate)] >= 0;
+    }
+
+    /// Returns the parts of the vector that starts at a coordinate: itself unless it is attached.
+    [[nodiscard]] std::vector<Part> parts(int first) const;
+
+    /// Sets the attached vectors of coordinates, or of their rates or changes, by the others.
+    void complete(VectorX& coordinates) const;
+
+    /// Moves forces from attached vectors to those that they follow.
+    void carry(VectorX& forces) const;
+
+private:
+    int dimension_ = 0;
+    std::vector<int> firsts_;               // first coordinate of each attached vector
+    std::vector<std::vector<Part>> parts_;  // of each attached vector
+    std::vector<int> vector_of_;            // place in firsts_ of each coordinate, -1
+};
+
+namespace detail {
+
+/// The coordinates that a load or a constraint reads, and those that it acts on: the same unless
+/// one of its vectors is attached.
+class LocalCoordinates {
+public:
+    /// @param what  the word for its owner in the message
+    /// @throws InvalidArgument for a vector that its node does not carry.
+    LocalCoordinates(const Layout& layout, const Dependence& dependence, const Coupling& coupling,
+                     const char* what);
+
+    /// Returns the coordinates in the order of its coupling.
+    [[nodiscard]] const std::vector<int>& read() const noexcept { return read_; }
+    /// Returns the coordinates that it acts on.
+    [[nodiscard]] const std::vector<int>& acted() const noexcept { return acted_; }
+
+    /// Replaces a force on what is read by the force on what it acts on.
+    void carry(VectorX& force) const;
+    /// Replaces derivatives by what is read, columns, likewise.
+    void carry_columns(MatrixX& derivatives) const;
+    /// Replaces derivatives of a force by what is read likewise.
+    void carry(MatrixX& stiffness) const;
+
+private:
+    std::vector<int> read_, acted_;
+    MatrixX transfer_;  // d(read)/d(acted); empty: the identity
+};
+
+/// An element with attached vectors: where its tangent goes.
+struct AttachedElement {
+    static constexpr int most_vectors = 16;  ///< that one element can act on
+
+    /// A part of one of the element's vectors.
+    struct Part {
+        int vector;     ///< place in `vectors`
+        double factor;  ///< what multiplies that vector
+    };
+
+    /// A vector that the element acts on.
+    struct Target {
+        int first;  ///< its first coordinate
+        int block;  ///< place in `blocks`
+    };
+
+    std::vector<Target> vectors;    ///< what it acts on
+    std::vector<Part> parts;        ///< of all its own vectors, one after the other
+    std::vector<int> first_part;    ///< of each of its own vectors, and the end
+    std::vector<int> blocks;        ///< of the system: the nodes of `vectors`
+    std::vector<int> base;  ///< where the values of each pair of `blocks` stand, by rows; -1: none
+
+    /// Lists all but `base`, which is the assembly's.
+    /// @throws InvalidArgument for more vectors than there is room for.
+    AttachedElement(const Layout& layout, const Dependence& dependence, Fields fields,
+                    const std::array<int, 2>& nodes);
+
+    /// Adds the element's tangent, by columns, to the values of a system.
+    void add(const GroupTarget& target, const double* tangent) const;
+};
+
+}  // namespace detail
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/attachment.ipp>
+#endif

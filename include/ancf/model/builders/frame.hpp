@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Builders of frames, lattices and nets: members between joints, without multipliers.
+///
+/// The ends of members are attached to the joints' nodes (Scene::attach). A joint of a frame has a
+/// stiff affine body of its own: docs/theory-frames.md says why.
+
+#pragma once
+
+#include <ancf/element/fields.hpp>
+#include <ancf/element/joint/affine_joint.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/model/node.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/types.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace ancf {
+
+/// What a member is made of.
+struct Profile {
+    Material material;  ///< of the member
+    Section section;    ///< its cross-section
+};
+
+/// A straight member of a frame or a net.
+struct Member {
+    int first;         ///< place of the joint where it starts
+    int second;        ///< place of the joint where it ends
+    int profile = 0;   ///< place of what it is made of
+    int elements = 1;  ///< how many
+};
+
+/// How a frame is built.
+template <int Dimension = 3>
+struct FrameOptions {
+    /// How much stiffer a joint is than a block of the members' material and size.
+    double joint_stiffness = 100.0;
+    /// What the sections' y axes follow, where it is not parallel to the member; zero:
+    /// reference_slopes() of the direction. Of no effect in the plane.
+    Vector<double, Dimension> y_axis = Vector<double, Dimension>::Zero();
+
+    /// @throws InvalidArgument for a stiffness that is not positive or an axis that is not finite.
+    void check() const {
+        detail::require_positive("FrameOptions: joint_stiffness", joint_stiffness);
+        detail::require(y_axis.allFinite(), "FrameOptions: y_axis must be finite, got ",
+                        detail::components(y_axis));
+    }
+};
+
+/// A frame or a net as a builder added it to a model.
+template <class Element>
+struct Frame {
+    std::vector<NodeId> joints;          ///< a node for each point: hold, load and drive these
+    std::vector<Beam<Element>> members;  ///< with ends of their own, attached to the joints
+};
+
+namespace detail {
+
+/// The least block that holds the ends of the members at a joint.
+struct JointBlock {
+    double volume = 0.0;  ///< m^3
+    double size = 0.0;    ///< its edge, m
+    Material material{};  ///< of its stiffest member
+
+    /// Makes it hold a member too.
+    void hold(const Profile& profile);
+};
+
+/// Gives a joint its body.
+/// @param made  blocks for which a prototype is there, with its index
+void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
+                    std::vector<std::pair<JointBlock, int>>& made);
+
+/// @throws InvalidArgument unless both ends are there and differ, and so is the profile.
+void check_member(const char* name, const Member& member, std::size_t points, std::size_t profiles);
+
+/// Returns the slopes of a member.
+[[nodiscard]] Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
+                                              const Vector<double, 3>& y_axis);
+[[nodiscard]] Matrix<double, 2> member_slopes(const Vector<double, 2>& direction,
+                                              const Vector<double, 2>& y_axis);
+
+/// Adds members, equal ones of one prototype, and attaches their ends to joints.
+template <class Element, int Dimension, class... Options>
+Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
+                           const std::vector<Profile>& profiles,
+                           const std::vector<typename BasicModel<Dimension>::Point>& points,
+                           const std::vector<Member>& members,
+                           const Vector<double, Dimension>& y_axis, const Options&... options) {
+    struct Made {
+        int profile;
+        double length;
+        int prototype;
+    };
+    std::vector<Made> made;
+    Frame<Element> frame;
+    for (const auto& point : points) frame.joints.push_back(model.add_node(point));
+    for (const Member& member : members) {
+        check_member(name, member, points.size(), profiles.size());
+        const auto& from = points[static_cast<std::size_t>(member.first)];
+        const auto& to = points[static_cast<std::size_t>(member.second)];
+        const double length = distance_apart<Dimension>(from, to) / member.elements;
+        int prototype = -1;
+        for (const Made& other : made)
+            if (other.profile == member.profile && std::abs(other.length - length) < 1e-12 * length)
+                prototype = other.prototype;
+        if (prototype < 0) {
+            const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
+            prototype = model.add_prototype(
+                Element(profile.material, profile.section, length, options...));
+            made.push_back({member.profile, length, prototype});
+        }
+        Beam<Element>& beam = frame.members.emplace_back();
+        beam.prototypes.push_back(prototype);
+        beam.nodes = add_nodes_between<Dimension>(
+            model, from, to, member_slopes(Vector<double, Dimension>(to - from), y_axis),
+            member.elements);
+        for (int k = 0; k < member.elements; ++k) connect_next(model, beam);
+        model.attach(beam.first(), frame.joints[static_cast<std::size_t>(member.first)]);
+        model.attach(beam.last(), frame.joints[static_cast<std::size_t>(member.second)]);
+    }
+    return frame;
+}
+
+}  // namespace detail
+
+/// Adds a frame of straight members that are joined rigidly at points.
+///
+///     const auto portal = ancf::frame<ancf::CrossSectionBeam<3>>(
+///         model, {{steel, tube}}, {{0, 0, 0}, {0, 3, 0}, {4, 3, 0}, {4, 0, 0}},
+///         {{0, 1}, {1, 2}, {2, 3}});
+///     model.clamp(portal.joints[0]);
+///
+/// Members of equal profile, length and number of elements share a prototype.
+/// @param profiles  what members are made of.
+/// @param points    the joints, m.
+/// @param members   each between two points.
+/// @param element   handed to the element's constructor after material, section and length.
+/// @return          the joints and the members, in the order given.
+/// @throws InvalidArgument for a member whose points coincide or do not exist, one of no elements
+///         or of no profile, a y axis parallel to a member, and what the element's constructor
+///         refuses.
+template <class Element = void, int Dimension, class... Options>
+auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
+           const std::vector<typename BasicModel<Dimension>::Point>& points,
+           const std::vector<Member>& members,
+           const FrameOptions<Dimension>& frame_options = {}, const Options&... element) {
+    using Chosen = detail::named_element_t<Element, Dimension>;
+    static_assert(Chosen::fields.contains(Field::r_y),
+                  "frame joins sections: cables have none, take net");
+    frame_options.check();
+    auto built = detail::add_members<Chosen>("frame", model, profiles, points, members,
+                                             frame_options.y_axis, element...);
+    std::vector<detail::JointBlock> blocks(points.size());
+    for (const Member& member : members)
+        for (const int joint : {member.first, member.second})
+            blocks[static_cast<std::size_t>(joint)].hold(
+                profiles[static_cast<std::size_t>(member.profile)]);
+    std::vector<std::pair<detail::JointBlock, int>> made;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (blocks[k].volume > 0.0)
+            detail::add_joint_body(model, built.joints[k], blocks[k], frame_options.joint_stiffness,
+                                   made);
+    return built;
+}
+
+/// Adds a net of cables that are pinned to each other at points.
+///
+/// @param profiles, points, members, element  as of frame().
+/// @return  the knots and the cables, in the order given.
+/// @throws InvalidArgument as frame().
+template <class Element = void, int Dimension, class... Options>
+auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
+         const std::vector<typename BasicModel<Dimension>::Point>& points,
+         const std::vector<Member>& members, const Options&... element) {
+    using Chosen = detail::named_element_t<Element, Dimension>;
+    static_assert(!Chosen::fields.contains(Field::r_y),
+                  "net pins cables: beams have sections, take frame");
+    return detail::add_members<Chosen>("net", model, profiles, points, members,
+                                       Vector<double, Dimension>(Vector<double, Dimension>::Zero()),
+                                       element...);
+}
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/model/builders/frame.ipp>  // IWYU pragma: export
+#endif

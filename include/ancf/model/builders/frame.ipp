@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Builders of frames and nets: definitions.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/model/builders/frame.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ancf::detail {
+
+ANCF_INLINE void JointBlock::hold(const Profile& profile) {
+    const Moments about = centroidal(profile.section.moments());
+    const double edge = std::sqrt(12.0 * std::max(about.yy, about.zz) / about.area);
+    if (edge * about.area > volume) {
+        volume = edge * about.area;
+        size = std::cbrt(volume);
+    }
+    if (profile.material.young > material.young) material = profile.material;
+}
+
+ANCF_INLINE void add_joint_body(Scene& model, NodeId joint, const JointBlock& block,
+                                double stiffness, std::vector<std::pair<JointBlock, int>>& made) {
+    const auto add = [&](auto body) {
+        using Body = decltype(body);
+        int prototype = -1;
+        for (const auto& [other, index] : made)
+            if (other.volume == block.volume && other.material.young == block.material.young &&
+                other.material.shear == block.material.shear &&
+                other.material.density == block.material.density)
+                prototype = index;
+        if (prototype < 0) {
+            prototype = model.add_prototype(body);
+            made.emplace_back(block, prototype);
+        }
+        model.connect<Body>(prototype, joint, joint);
+    };
+    const double volume = stiffness * block.volume;
+    if (model.dimension() == 2)
+        add(AffineJoint<2>(block.material, volume, block.size));
+    else
+        add(AffineJoint<3>(block.material, volume, block.size));
+}
+
+ANCF_INLINE void check_member(const char* name, const Member& member, std::size_t points,
+                              std::size_t profiles) {
+    const int joints = static_cast<int>(points);
+    for (const int joint : {member.first, member.second})
+        require(joint >= 0 && joint < joints, name, ": there are ", joints,
+                " points, got a member at point ", joint);
+    require(member.first != member.second, name, ": a member joins two points, got point ",
+            member.first, " twice");
+    require(member.profile >= 0 && member.profile < static_cast<int>(profiles), name,
+            ": there are ", profiles, " profiles, got a member of profile ", member.profile);
+    require(member.elements >= 1, name, ": at least one element is needed, got ", member.elements);
+}
+
+ANCF_INLINE Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
+                                            const Vector<double, 3>& y_axis) {
+    if (y_axis[0] == 0.0 && y_axis[1] == 0.0 && y_axis[2] == 0.0) return reference_slopes(direction);
+    return reference_slopes(direction, y_axis);
+}
+
+ANCF_INLINE Matrix<double, 2> member_slopes(const Vector<double, 2>& direction,
+                                            const Vector<double, 2>& /*y_axis*/) {
+    return reference_slopes(direction);
+}
+
+}  // namespace ancf::detail
