@@ -154,8 +154,8 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
                 layout, model_.dependence(), group.fields(), slots.node);
             for (const int row : element.blocks)
                 for (const int column : element.blocks)
-                    element.base.push_back(
-                        pattern_.stored(row, column) ? pattern_.base(row, column) : -1);
+                    element.base.push_back(pattern_.stored(row, column) ? pattern_.base(row, column)
+                                                                        : -1);
         }
         for (std::size_t a = 0; a < 2; ++a) {
             const int node = slots.node[a];
@@ -370,8 +370,7 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
             const int node = slots.node[b], own = equation - pattern_.first(node);
             for (std::size_t a = 0; a < 2; ++a) {
                 if (slots.base[a][b] < 0) continue;
-                const bool lower =
-                    slots.node[a] == node && pattern_.storage() == Storage::lower;
+                const bool lower = slots.node[a] == node && pattern_.storage() == Storage::lower;
                 double* const values =
                     matrix.valuePtr() + slots.base[a][b] + pattern_.column_offset(node, own);
                 for (int i = 0; i < half; ++i) {
@@ -689,8 +688,7 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
                       result);
         });
     for (const PointMass& point : model_.masses()) {
-        const auto parts =
-            numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
+        const auto parts = numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
         for (const Dependence::Part& row : parts)
             for (const Dependence::Part& column : parts)
                 for (int i = 0; i < model_.dimension(); ++i)

@@ -15,8 +15,8 @@
 
 namespace ancf {
 
-ANCF_INLINE ElementSchedule::ElementSchedule(const std::vector<Connection>& connections,
-                                             int nodes, const Followed& followed) {
+ANCF_INLINE ElementSchedule::ElementSchedule(const std::vector<Connection>& connections, int nodes,
+                                             const Followed& followed) {
     constexpr int most_colours = 63;
     std::vector<std::uint64_t> taken(static_cast<std::size_t>(nodes), 0);  // colours at a node
     const int count = static_cast<int>(connections.size());

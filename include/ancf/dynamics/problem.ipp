@@ -602,8 +602,8 @@ ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
         return value;
     };
     VectorX inertia = VectorX::Zero(full_q_.size());
-    numbering().add_free_force(
-        detail::multiply(compact_mass_, Storage::full, start.acceleration), 1.0, inertia);
+    numbering().add_free_force(detail::multiply(compact_mass_, Storage::full, start.acceleration),
+                               1.0, inertia);
     const double loads = largest(assembly_.external_force());
     const double inner = std::max(largest(assembly_.internal_force()), largest(inertia));
     return inner > force_round_off(start.time, start.q) ? std::max(loads, inner) : loads;

@@ -111,10 +111,10 @@ struct AttachedElement {
         int block;  ///< place in `blocks`
     };
 
-    std::vector<Target> vectors;    ///< what it acts on
-    std::vector<Part> parts;        ///< of all its own vectors, one after the other
-    std::vector<int> first_part;    ///< of each of its own vectors, and the end
-    std::vector<int> blocks;        ///< of the system: the nodes of `vectors`
+    std::vector<Target> vectors;  ///< what it acts on
+    std::vector<Part> parts;      ///< of all its own vectors, one after the other
+    std::vector<int> first_part;  ///< of each of its own vectors, and the end
+    std::vector<int> blocks;      ///< of the system: the nodes of `vectors`
     std::vector<int> base;  ///< where the values of each pair of `blocks` stand, by rows; -1: none
 
     /// Lists all but `base`, which is the assembly's.

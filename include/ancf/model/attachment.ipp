@@ -16,7 +16,8 @@
 
 namespace ancf {
 
-ANCF_INLINE Dependence::Dependence(const Layout& layout, const std::vector<AttachedVector>& attachments)
+ANCF_INLINE Dependence::Dependence(const Layout& layout,
+                                   const std::vector<AttachedVector>& attachments)
     : dimension_(layout.dimension()) {
     if (attachments.empty()) return;
     vector_of_.assign(static_cast<std::size_t>(layout.size()), -1);
@@ -28,8 +29,8 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout, const std::vector<Attac
         std::vector<Part>& parts = parts_.emplace_back();
         for (std::size_t k = 0; k < attachment.factors.size(); ++k)
             if (attachment.factors[k] != 0.0)
-                parts.push_back({layout.index({attachment.to, static_cast<Field>(k)}),
-                                 attachment.factors[k]});
+                parts.push_back(
+                    {layout.index({attachment.to, static_cast<Field>(k)}), attachment.factors[k]});
     }
     // chains: a part that is attached itself gives way to its own parts
     for (bool resolved = false; !resolved;) {
@@ -39,9 +40,9 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout, const std::vector<Attac
             for (const Part& part : parts)
                 for (const Part& of : this->parts(part.first)) {
                     resolved = resolved && of.first == part.first;
-                    const auto same = std::find_if(
-                        direct.begin(), direct.end(),
-                        [&](const Part& other) { return other.first == of.first; });
+                    const auto same =
+                        std::find_if(direct.begin(), direct.end(),
+                                     [&](const Part& other) { return other.first == of.first; });
                     if (same == direct.end())
                         direct.push_back({of.first, part.factor * of.factor});
                     else
@@ -151,9 +152,9 @@ ANCF_INLINE AttachedElement::AttachedElement(const Layout& layout, const Depende
             first_part.push_back(static_cast<int>(parts.size()));
             for (const Dependence::Part& part :
                  dependence.parts(layout.index({{node}, fields.at(k)}))) {
-                auto found =
-                    std::find_if(vectors.begin(), vectors.end(),
-                                 [&](const Target& other) { return other.first == part.first; });
+                auto found = std::find_if(vectors.begin(), vectors.end(), [&](const Target& other) {
+                    return other.first == part.first;
+                });
                 if (found == vectors.end())
                     found = vectors.insert(
                         found, {part.first, place_of_block(layout.node_of(part.first))});

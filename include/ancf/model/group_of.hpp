@@ -184,8 +184,7 @@ void scatter_part(const GroupTarget& target, const ElementSlots& slots, int a, i
     constexpr int half = Element::dofs / 2;
     const auto rows = static_cast<std::size_t>(a), columns = static_cast<std::size_t>(b);
     if (slots.base[rows][columns] < 0) return;
-    const bool lower =
-        slots.node[rows] == slots.node[columns] && target.storage == Storage::lower;
+    const bool lower = slots.node[rows] == slots.node[columns] && target.storage == Storage::lower;
     double* base = target.values + slots.base[rows][columns];
     const int node = slots.node[columns];
     if (slots.plain) {
@@ -221,11 +220,13 @@ double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) c
     const bool plain = target.increment == nullptr && target.before == nullptr;
     const auto equal = [&](int first) {
         const Connection* const part = &connections[static_cast<std::size_t>(first)];
-        return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
-            return other.prototype == part->prototype;
-        }) && (target.attached == nullptr ||
-               std::all_of(target.slots + first, target.slots + first + lanes,
-                           [](const ElementSlots& one) { return one.attached < 0; }));
+        return std::all_of(part + 1, part + lanes,
+                           [part](const Connection& other) {
+                               return other.prototype == part->prototype;
+                           }) &&
+               (target.attached == nullptr ||
+                std::all_of(target.slots + first, target.slots + first + lanes,
+                            [](const ElementSlots& one) { return one.attached < 0; }));
     };
     for (int k = run.first; k < run.last;) {
         if constexpr (lanes > 1) {

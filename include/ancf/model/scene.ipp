@@ -99,8 +99,7 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
     detail::require(one_node || first != second,
                     "Model::connect: an element joins two nodes, got node ", first.index, " twice");
     detail::require(!one_node || first == second, "Model::connect: an element of one node stands ",
-                    "between that node and itself, got nodes ", first.index, " and ",
-                    second.index);
+                    "between that node and itself, got nodes ", first.index, " and ", second.index);
     const int prototypes = group == nullptr ? 0 : group->prototype_count();
     detail::require(prototype >= 0 && prototype < prototypes, "Model::connect: there are ",
                     prototypes, " prototypes, got index ", prototype);
@@ -236,7 +235,8 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
         detail::require(followed[k] != end, "Model::attach: nodes ", end.index, " and ",
                         joint.index, " would follow each other in a circle");
         for (int of = 0; of < field_count; ++of)
-            if (const AttachedVector* const other = attachment_of(followed[k], static_cast<Field>(of)))
+            if (const AttachedVector* const other =
+                    attachment_of(followed[k], static_cast<Field>(of)))
                 if (std::find(followed.begin(), followed.end(), other->to) == followed.end())
                     followed.push_back(other->to);
     }
@@ -244,8 +244,7 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
 
 ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v) const {
     // Cramer's rule; in the plane with a third slope normal to it
-    const double* const slopes =
-        initial_[static_cast<std::size_t>(node.index)].vectors.data() + 3;
+    const double* const slopes = initial_[static_cast<std::size_t>(node.index)].vectors.data() + 3;
     double g[9];
     std::copy_n(slopes, 9, g);
     if (dimension_ == 2) {

@@ -29,9 +29,9 @@ namespace ancf {
 template <int Dimension>
 class AffineJoint {
 public:
-    static constexpr int dimension = Dimension;                     ///< of space
-    static constexpr int dofs = 2 * Dimension * Dimension;          ///< of both sets of slopes
-    static constexpr bool one_node = true;                          ///< it stands at one node
+    static constexpr int dimension = Dimension;             ///< of space
+    static constexpr int dofs = 2 * Dimension * Dimension;  ///< of both sets of slopes
+    static constexpr bool one_node = true;                  ///< it stands at one node
     static constexpr Fields fields =
         Dimension == 2 ? Field::r_x | Field::r_y
                        : Field::r_x | Field::r_y | Fields(Field::r_z);  ///< of its node

@@ -116,8 +116,8 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
                 prototype = other.prototype;
         if (prototype < 0) {
             const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
-            prototype = model.add_prototype(
-                Element(profile.material, profile.section, length, options...));
+            prototype =
+                model.add_prototype(Element(profile.material, profile.section, length, options...));
             made.push_back({member.profile, length, prototype});
         }
         Beam<Element>& beam = frame.members.emplace_back();
@@ -153,8 +153,8 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
 template <class Element = void, int Dimension, class... Options>
 auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
            const std::vector<typename BasicModel<Dimension>::Point>& points,
-           const std::vector<Member>& members,
-           const FrameOptions<Dimension>& frame_options = {}, const Options&... element) {
+           const std::vector<Member>& members, const FrameOptions<Dimension>& frame_options = {},
+           const Options&... element) {
     using Chosen = detail::named_element_t<Element, Dimension>;
     static_assert(Chosen::fields.contains(Field::r_y),
                   "frame joins sections: cables have none, take net");

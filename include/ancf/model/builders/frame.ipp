@@ -62,7 +62,8 @@ ANCF_INLINE void check_member(const char* name, const Member& member, std::size_
 
 ANCF_INLINE Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
                                             const Vector<double, 3>& y_axis) {
-    if (y_axis[0] == 0.0 && y_axis[1] == 0.0 && y_axis[2] == 0.0) return reference_slopes(direction);
+    if (y_axis[0] == 0.0 && y_axis[1] == 0.0 && y_axis[2] == 0.0)
+        return reference_slopes(direction);
     return reference_slopes(direction, y_axis);
 }
 
