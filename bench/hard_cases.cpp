@@ -75,7 +75,7 @@ int run(const Choice& choice, bool csv, bool quick) {
          {hard_cases::projected_cases, hard_cases::transported_cases, hard_cases::geodesic_cases,
           hard_cases::quintic_cases, hard_cases::engineering_cases, hard_cases::continuum_cases,
           hard_cases::cable_cases, hard_cases::planar_cases, hard_cases::planar_motion_cases,
-          hard_cases::motion_cases})
+          hard_cases::motion_cases, hard_cases::frame_cases})
         for (auto& one : list()) cases.push_back(std::move(one));
     const auto unwanted = [&](const auto& one) { return !choice.takes(one); };
     if (std::all_of(cases.begin(), cases.end(), unwanted)) {

@@ -75,6 +75,7 @@ struct Case {
 [[nodiscard]] std::vector<Case> planar_cases();
 [[nodiscard]] std::vector<Case> planar_motion_cases();
 [[nodiscard]] std::vector<Case> motion_cases();
+[[nodiscard]] std::vector<Case> frame_cases();
 
 /// Keeps the larger error; a NaN stays.
 inline void worsen(double& error, double other) {

@@ -3,6 +3,7 @@
 
 // Hard cases in the plane with engineering strains, against Reissner's theory.
 
+#include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -68,9 +69,10 @@ void column(Rows& rows) {
     rows.push_back(row);
 }
 
-/// Lee's frame: the larger error of both limit loads.
-void frame(Rows& rows, int refinement) {
-    Row row = make("lee_frame", 20 * refinement, 1e-3 / std::pow(refinement, 3));
+/// Lee's frame, welded or attached to a joint: the larger error of both limit loads.
+void frame(Rows& rows, int refinement, bool attached) {
+    Row row = make(attached ? "lee_frame_attached" : "lee_frame", 20 * refinement,
+                   1e-3 / std::pow(refinement, 3));
     const double start = now();
     Scene scene;
     ancf::Moments moments;
@@ -93,7 +95,16 @@ void frame(Rows& rows, int refinement) {
     }
     scene.pin(leg.first());
     scene.pin(end);
-    scene.add(ancf::PlanarWeld(scene, leg.last(), corner.first(), Field::r_y));
+    if (attached) {
+        const ancf::NodeId joint = scene.add_node({0, 120});
+        using Body = ancf::AffineJoint<2>;
+        const int body = scene.add_prototype(Body(material, 100.0 * 6.0 * 2.0, 2.0));
+        scene.connect<Body>(body, joint, joint);
+        scene.attach(leg.last(), joint);
+        scene.attach(corner.first(), joint);
+    } else {
+        scene.add(ancf::PlanarWeld(scene, leg.last(), corner.first(), Field::r_y));
+    }
     constexpr double upper = 18544.52709444, lower = -9392.489640346;
     scene.add(ancf::Force<2>(corner.last(), {0, -upper}));
     ancf::PathOptions how;
@@ -127,8 +138,13 @@ std::vector<Case> planar_cases() {
         {"column_after_buckling", [](Rows& rows, bool) { column(rows); }},
         {"lee_frame",
          [](Rows& rows, bool quick) {
-             frame(rows, 1);
-             if (!quick) frame(rows, 2);
+             frame(rows, 1, false);
+             if (!quick) frame(rows, 2, false);
+         }},
+        {"lee_frame_attached",
+         [](Rows& rows, bool quick) {
+             frame(rows, 1, true);
+             if (!quick) frame(rows, 2, true);
          }},
     };
     return of_element("planar-engineering", all);

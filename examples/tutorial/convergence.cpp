@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Step 5 of the tutorial: how far a mesh is from its limit, told by three meshes.
+/// Step 6 of the tutorial: how far a mesh is from its limit, told by three meshes.
 
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>

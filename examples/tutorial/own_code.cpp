@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Step 7 of the tutorial: the smallest element, linear solver, constraint and load of one's own.
+/// Step 8 of the tutorial: the smallest element, linear solver, constraint and load of one's own.
 
 #include <ancf/element/requirement.hpp>
 #include <ancf/model/model.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Step 6 of the tutorial: reactions, section forces, stresses and pictures of the cantilever.
+/// Step 7 of the tutorial: reactions, section forces, stresses and pictures of the cantilever.
 
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/cross_section/beam.hpp>

@@ -5,8 +5,8 @@
 /// The order in which elements are added, the same for any number of threads.
 ///
 /// Elements are cut into runs of consecutive ones, and runs are coloured so that two of one colour
-/// share no node, nor one that theirs follow. Colours follow each other; the runs of one colour may go side by side. So every
-/// sum has one order, and equal input gives equal bits.
+/// share no node, nor one that their nodes follow. Colours follow each other; the runs of one
+/// colour may go side by side. So every sum has one order, and equal input gives equal bits.
 
 #pragma once
 

@@ -48,7 +48,7 @@ public:
           shear_(material.shear) {
         detail::require_positive("AffineJoint: volume", volume);
         detail::require_positive("AffineJoint: size", size);
-        // near one half the block would be much stiffer against a change of volume than against shear
+        // near one half the block would be far stiffer against a change of volume than of shape
         const double poisson = material.poisson();
         const double ratio = poisson > -0.9 && poisson < 0.45 ? poisson : 0.3;
         lame_ = 2.0 * shear_ * ratio / (1.0 - 2.0 * ratio);

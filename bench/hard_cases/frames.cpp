@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Corners of frames under refinement: two members at a right angle, the second one loaded across
+// their plane, attached to a joint or welded. The reference is linear frame analysis.
+
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/frame.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/section/profiles.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <hard_cases/cases.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace hard_cases {
+
+namespace {
+
+using Element = ancf::CrossSectionBeam<3>;
+
+/// Members of 1 m; the deflection of the end, relative to that of linear frame analysis.
+void corner(Rows& rows, bool welded, int elements) {
+    // h/L = 0.02: a joint k = 100 times as stiff as its members yields by 4e-5 h/L of the bending
+    Row row = make_row("cross-section", "best", welded ? "corner_welded" : "corner_attached",
+                       elements, 1e-4);
+    const double start = now();
+    const auto steel = ancf::Material::isotropic(2e11, 0.3, 7800.0);
+    const auto section = ancf::rectangle(0.02, 0.02);
+    const auto best = ancf::CrossSectionOptions::best();
+    ancf::Model scene;
+    ancf::NodeId foot, end;
+    if (welded) {
+        const auto first = ancf::straight_beam<Element>(scene, steel, section, {0, 0, 0}, {1, 0, 0},
+                                                        elements, best);
+        const auto second = ancf::straight_beam<Element>(scene, steel, section, {1, 0, 0},
+                                                         {1, 1, 0}, elements, best);
+        scene.add(ancf::Weld(scene, first.last(), second.first()));
+        foot = first.first();
+        end = second.last();
+    } else {
+        const auto frame =
+            ancf::frame<Element>(scene, {{steel, section}}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                                 {{0, 1, 0, elements}, {1, 2, 0, elements}}, {}, best);
+        foot = frame.joints[0];
+        end = frame.joints[2];
+    }
+    scene.clamp(foot);
+    constexpr double load = 0.01;
+    scene.add(ancf::Force<3>(end, {0, 0, load}));
+    ancf::EigenLu solver;
+    set(row, ancf::solve_statics(scene, solver));
+    const ancf::Moments& m = section.moments();
+    const double theory = load * (2.0 / (3.0 * steel.young * m.zz) +
+                                  1.0 / (steel.shear * section.torsion_constant()) +
+                                  2.0 / (section.shear_correction_z() * steel.shear * m.area));
+    row.error = std::abs(scene.position(end)[2] / theory - 1.0);
+    row.seconds = now() - start;
+    rows.push_back(row);
+}
+
+}  // namespace
+
+std::vector<Case> frame_cases() {
+    const auto of = [](bool welded) {
+        return [welded](Rows& rows, bool quick) {
+            for (const int elements : {1, 4, 16, 64})
+                if (!quick || elements < 16) corner(rows, welded, elements);
+        };
+    };
+    return of_element("cross-section",
+                      {{"corner_attached", of(false)}, {"corner_welded", of(true)}});
+}
+
+}  // namespace hard_cases
