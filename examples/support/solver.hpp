@@ -27,9 +27,8 @@ struct SolverOptions {
     void add_to(CommandLine& line);
 };
 
-/// Returns the linear solver that --solver names.
-/// @throws InvalidArgument for one that is not there.
-[[nodiscard]] std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name);
+/// Returns the linear solver of integrators that bring none along.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> general_solver();
 
 /// Brings a model to equilibrium.
 /// @throws InvalidArgument for a linear solver that is not there.
