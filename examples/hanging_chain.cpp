@@ -172,12 +172,9 @@ public:
 
     /// Returns the depth of the middle of the chain below its pins, m.
     [[nodiscard]] double sag() const {
-        const int middle = elements_ / 2;
-        const double xi = elements_ % 2 == 0 ? 0.0 : 0.5;
-        const auto e =
-            model_.template element_coordinates<Element>(std::min(middle, elements_ - 1));
-        return -model_.template group<Element>().element(0).position(
-            e, middle < elements_ ? xi : 1.0)[1];
+        const auto ends_and_middles = beam_.shape(model_, section(problem_.stiffness), 3);
+        const int place = 3 * (elements_ / 2) + elements_ % 2;
+        return -ends_and_middles[static_cast<std::size_t>(place)].centre[1];
     }
 
     [[nodiscard]] const ancf::BasicModel<Dimension>& model() const { return model_; }
