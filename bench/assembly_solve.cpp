@@ -16,11 +16,6 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
-#if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/solver_named.hpp>
-#else
-#include <ancf/solver/solver_named.hpp>
-#endif
 
 #include <CLI/CLI.hpp>
 
@@ -28,6 +23,7 @@
 #include <lapack_banded.hpp>
 #endif
 #include <peak.hpp>
+#include <solvers.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -144,11 +140,7 @@ std::unique_ptr<LinearSolver> solver_of(const std::string& name) {
 #if ANCF_BENCH_LAPACK
     if (name == "lapack-banded") return std::make_unique<bench::LapackBanded>();
 #endif
-#if ANCF_WITH_SUITESPARSE
-    return suitesparse::solver_named(name, singular_rcond);
-#else
-    return solver_named(name, singular_rcond);
-#endif
+    return bench::solver_named(name, singular_rcond);
 }
 
 std::vector<std::string> all_solvers() {

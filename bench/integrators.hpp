@@ -12,15 +12,12 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/solver/block_tridiagonal.hpp>
-#if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/klu.hpp>
-#else
-#include <ancf/solver/eigen_lu.hpp>
-#endif
+#include <ancf/model/scene.hpp>
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
 #endif
+
+#include <solvers.hpp>
 
 #include <functional>
 #include <string>
@@ -28,14 +25,7 @@
 
 namespace ancf::bench {
 
-#if ANCF_WITH_SUITESPARSE
-using GeneralSolver = suitesparse::Klu;
-#else
-using GeneralSolver = EigenLu;
-#endif
-
 /// One way to integrate a scene from its present state.
-template <class Scene>
 struct Integrator {
     using Integrate = std::function<DynamicsReport(Scene&, const Schedule&, double)>;
 
@@ -46,8 +36,7 @@ struct Integrator {
 
 #if ANCF_WITH_SUNDIALS
 /// IDA in one of its forms.
-template <class Scene>
-Integrator<Scene> ida(std::string name, sundials::Form form) {
+inline Integrator ida(std::string name, sundials::Form form) {
     return {std::move(name), "tolerance",
             [form](Scene& model, const Schedule& schedule, double tolerance) {
                 DynamicProblem problem(model);
@@ -61,27 +50,21 @@ Integrator<Scene> ida(std::string name, sundials::Form form) {
 #endif
 
 /// Runs generalized-alpha with the solver that suits the scene.
-template <class Scene>
-DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
-                                     GeneralizedAlphaOptions options) {
+inline DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
+                                            GeneralizedAlphaOptions options) {
     options.follow_energy = false;
     options.newton_tolerance = 1e-10;
     const GeneralizedAlpha integrator(options);
-    ProblemOptions with_lower_storage;
-    with_lower_storage.storage = Storage::lower;
-    if (model.constraints().empty()) {
-        DynamicProblem problem(model, with_lower_storage);
-        BlockTridiagonal solver;
-        return integrator.integrate(problem, solver, schedule);
-    }
-    DynamicProblem problem(model);
-    GeneralSolver solver;
-    return integrator.integrate(problem, solver, schedule);
+    const auto solver =
+        solver_named(model.constraints().empty() ? "block-tridiagonal" : general_solver);
+    ProblemOptions for_solver;
+    for_solver.storage = solver->storage();
+    DynamicProblem problem(model, for_solver);
+    return integrator.integrate(problem, *solver, schedule);
 }
 
 /// Generalized-alpha of fixed steps.
-template <class Scene>
-Integrator<Scene> generalized_alpha(std::string name, double rho) {
+inline Integrator generalized_alpha(std::string name, double rho) {
     return {std::move(name), "step", [rho](Scene& model, const Schedule& schedule, double step) {
                 GeneralizedAlphaOptions options;
                 options.rho = rho;
@@ -91,8 +74,7 @@ Integrator<Scene> generalized_alpha(std::string name, double rho) {
 }
 
 /// Generalized-alpha that chooses its steps.
-template <class Scene>
-Integrator<Scene> adaptive_generalized_alpha(std::string name) {
+inline Integrator adaptive_generalized_alpha(std::string name) {
     return {std::move(name), "tolerance",
             [](Scene& model, const Schedule& schedule, double tolerance) {
                 GeneralizedAlphaOptions options;
@@ -103,15 +85,14 @@ Integrator<Scene> adaptive_generalized_alpha(std::string name) {
 }
 
 /// The energy-momentum scheme of fixed steps.
-template <class Scene>
-Integrator<Scene> energy_momentum(std::string name) {
+inline Integrator energy_momentum(std::string name) {
     return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
                 DynamicProblem problem(model);
                 EnergyMomentumOptions options;
                 options.step = step;
                 options.follow_energy = false;
-                GeneralSolver solver;
-                return EnergyMomentum(options).integrate(problem, solver, schedule);
+                return EnergyMomentum(options).integrate(problem, *solver_named(general_solver),
+                                                         schedule);
             }};
 }
 

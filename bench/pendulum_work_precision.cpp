@@ -37,10 +37,9 @@
 namespace {
 
 using Point = ancf::Vector<double, 3>;
-using Scene = ancf::Model;
 
 struct Pendulum {
-    Scene model;
+    ancf::Model model;
     int tip = 0;  // index of the tip's position in the coordinates
 };
 
@@ -64,7 +63,7 @@ Pendulum build(const std::string& name, int elements) {
     return pendulum;
 }
 
-using Integrator = ancf::bench::Integrator<Scene>;
+using ancf::bench::Integrator;
 
 /// An integrator and the values of its setting.
 struct Series {
@@ -93,17 +92,15 @@ std::vector<Series> all_series([[maybe_unused]] const std::string& name) {
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
     const bool steel = name == "steel";
-    all.push_back(
-        {ancf::bench::ida<Scene>("IDA index 3", Form::index3), tolerances(4, steel ? 9 : 11)});
+    all.push_back({ancf::bench::ida("IDA index 3", Form::index3), tolerances(4, steel ? 9 : 11)});
     // the rates of a stiff scene are in the error test of this form: it follows every vibration
-    all.push_back({ancf::bench::ida<Scene>("IDA GGL", Form::gear_gupta_leimkuhler),
-                   tolerances(3, steel ? 6 : 9)});
-#endif
     all.push_back(
-        {ancf::bench::generalized_alpha<Scene>("generalized-alpha 0.8", 0.8), halves(4e-3, 9)});
-    all.push_back({ancf::bench::adaptive_generalized_alpha<Scene>("generalized-alpha adaptive"),
-                   tolerances(3, 8)});
-    all.push_back({ancf::bench::energy_momentum<Scene>("energy-momentum"), halves(4e-3, 8)});
+        {ancf::bench::ida("IDA GGL", Form::gear_gupta_leimkuhler), tolerances(3, steel ? 6 : 9)});
+#endif
+    all.push_back({ancf::bench::generalized_alpha("generalized-alpha 0.8", 0.8), halves(4e-3, 9)});
+    all.push_back(
+        {ancf::bench::adaptive_generalized_alpha("generalized-alpha adaptive"), tolerances(3, 8)});
+    all.push_back({ancf::bench::energy_momentum("energy-momentum"), halves(4e-3, 8)});
     return all;
 }
 
@@ -149,9 +146,9 @@ Run reference(const std::string& name, int elements) {
 #if ANCF_WITH_SUNDIALS
     if (name != "steel")
         return run(name, elements,
-                   ancf::bench::ida<Scene>("", ancf::sundials::Form::gear_gupta_leimkuhler), 1e-11);
+                   ancf::bench::ida("", ancf::sundials::Form::gear_gupta_leimkuhler), 1e-11);
 #endif
-    return run(name, elements, ancf::bench::generalized_alpha<Scene>("", 1.0),
+    return run(name, elements, ancf::bench::generalized_alpha("", 1.0),
                name == "steel" ? 2.5e-6 : 1e-5);
 }
 

@@ -18,16 +18,8 @@ if(ANCF_WARNINGS_AS_ERRORS)
     target_compile_options(ancf_core_development INTERFACE
         $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Werror> $<$<CXX_COMPILER_ID:MSVC>:/WX>)
 endif()
-if(ANCF_SANITIZE)
-    list(JOIN ANCF_SANITIZE "," sanitizers)
-    target_compile_options(ancf_core_development INTERFACE
-        -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-    # At every access of every Eigen expression these would check what the address sanitizer and Eigen's assertions
-    # (on in that build) check too: half of the compile time.
-    target_compile_options(ancf_core_development INTERFACE
-        -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
-    target_link_options(ancf_core_development INTERFACE -fsanitize=${sanitizers})
-endif()
+target_compile_options(ancf_core_development INTERFACE ${ANCF_SANITIZER_FLAGS})
+target_link_options(ancf_core_development INTERFACE ${ANCF_SANITIZER_FLAGS})
 target_link_libraries(ancf_core_development INTERFACE ancf::ancf)
 
 add_library(ancf_development INTERFACE)

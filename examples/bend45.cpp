@@ -15,7 +15,6 @@
 /// (47.150439, 15.684801, 53.474859).
 
 #include <ancf/constants.hpp>
-#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/statics.hpp>
@@ -24,6 +23,7 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/files.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -78,7 +78,7 @@ void Bend::parse(int argc, char** argv) {
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::SpatialBeams{}, beam);
+    examples::check(beam);
     output.check();
 }
 
@@ -87,12 +87,9 @@ struct Result {
     Point tip;
 };
 
-template <class Element>
 Result solve(const Bend& problem, int elements) {
-    ancf::BasicModel<Element::dimension> model;
-    const auto beam = ancf::arc<Element>(model, problem.beam.material(), problem.beam.section(),
-                                         Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), radius,
-                                         angle, elements, problem.beam.element_options<Element>());
+    ancf::Model model;
+    const auto beam = examples::arc(model, problem.beam, radius, angle, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     model.add(ancf::Force<3>(beam.last(), Point(0.0, 0.0, problem.force)));
     auto report = examples::solve(model, problem.solver);
@@ -111,9 +108,7 @@ bool study(const Bend& problem) {
         {"element", "rule", "elements", "steps", "iterations", "status", "x", "y", "z"},
         {"elements", "iterations", "status", "x", "y", "z", "deviation, % of R"});
     for (const int mesh : problem.elements) {
-        const auto [report, tip] = examples::with_element(
-            examples::SpatialBeams{}, problem.beam,
-            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
+        const auto [report, tip] = solve(problem, mesh);
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(problem.beam.element, problem.beam.rule, mesh, steps(problem.solver, report),

@@ -25,6 +25,7 @@
 #include <support/command_line.hpp>
 #include <support/motion.hpp>
 #include <support/motion_output.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 
 #include <cmath>
@@ -76,7 +77,7 @@ void DoublePendulum::parse(int argc, char** argv) {
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::SpatialBeams{}, beam);
+    examples::check(beam);
     motion.check(line);
 }
 
@@ -120,16 +121,15 @@ private:
 };
 
 /// Integrates the motion and writes it; returns whether it is as known.
-template <class Element>
 bool swing(const DoublePendulum& problem) {
-    ancf::BasicModel<Element::dimension> model;
+    ancf::Model model;
     const auto& geometry = problem.beam.geometry;
     const auto material =
         ancf::Material::from_moduli(geometry.young, geometry.shear, problem.density);
     const auto section = problem.beam.section();
     const auto add_beam = [&](const Point& from, const Point& to) {
-        return ancf::straight_beam<Element>(model, material, section, from, to, problem.elements,
-                                            problem.beam.element_options<Element>());
+        return examples::straight_beam(model, problem.beam, material, section, from, to,
+                                       problem.elements);
     };
     const Point elbow(geometry.length, 0.0, 0.0);
     const auto first = add_beam(Point::Zero(), elbow);
@@ -138,14 +138,14 @@ bool swing(const DoublePendulum& problem) {
     model.add(ancf::Revolute(model, first.last(), second.first(), Point(1.0, 1.0, 0.0)));
     model.set_gravity({0.0, -problem.gravity, 0.0});
 
-    examples::MotionWriter writer(model, std::vector{first, second}, section, second.last(),
-                                  problem.output, "double-pendulum");
+    examples::MotionWriter writer(model, {first, second}, section, second.last(), problem.output,
+                                  "double-pendulum");
     Comparison comparison(problem.is_known());
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
     const int tip = model.coordinate(second.last(), ancf::Field::r);
     schedule.observe = [&](const ancf::Snapshot& seen) {
         writer.write(seen);
-        comparison.see(seen.state.time, seen.state.q.template segment<3>(tip));
+        comparison.see(seen.state.time, seen.state.q.segment<3>(tip));
     };
     const auto motion = examples::integrate(model, problem.motion, schedule);
     writer.finish(problem.title());
@@ -159,9 +159,6 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         DoublePendulum problem;
         problem.parse(argc, argv);
-        const bool good = examples::with_element(
-            examples::SpatialBeams{}, problem.beam,
-            [&](auto type) { return swing<typename decltype(type)::Element>(problem); });
-        return good ? examples::exit_done : examples::exit_missed;
+        return swing(problem) ? examples::exit_done : examples::exit_missed;
     });
 }

@@ -32,6 +32,7 @@
 #include <support/motion.hpp>
 #include <support/progress.hpp>
 #include <support/report.hpp>
+#include <support/solver.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,6 @@ namespace {
 
 using Point = ancf::Vector<double, 3>;
 using Element = ancf::CrossSectionBeam<3, ancf::Geodesic>;
-using Scene = ancf::Model;
 using examples::scientific;
 
 constexpr double height = 0.12, span = 0.24;   // m
@@ -125,7 +125,7 @@ Run turn(const FourBar& problem, int elements) {
     const ancf::CrossSectionOptions options{ancf::Rule::mixed(), ancf::TransverseStrain::stretch,
                                             ancf::SectionModel::saint_venant};
     const Point A(0, 0, 0), B(0, height, 0), C(span, height, 0), D(span, 0, 0), Z(0, 0, 1);
-    Scene model;
+    ancf::Model model;
     const auto crank_bar =
         ancf::straight_beam<Element>(model, steel, wide, A, B, elements, options);
     const auto coupler = ancf::straight_beam<Element>(model, steel, wide, B, C, elements, options);

@@ -22,7 +22,6 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/section/material.hpp>
@@ -35,6 +34,7 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/files.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -67,8 +67,7 @@ struct HangingChain {
     double stiffness = 1e8;  ///< E A/(w L)
     double bending = 1e-8;   ///< E I/(w L^3)
     std::vector<double> lengths;
-    std::string element = "cable-2d";
-    std::string rule = "cable";
+    examples::BeamOptions beam{};  ///< element and rule alone
     std::vector<int> elements = {4, 8, 16, 32};
     examples::SolverOptions solver;
     examples::OutputOptions output;
@@ -77,7 +76,7 @@ struct HangingChain {
     [[nodiscard]] std::string title() const;
 
     [[nodiscard]] ancf::CableOptions options() const {
-        return {rule == "cable" ? ancf::cable_rule() : ancf::Rule::named(rule), 1.0};
+        return {beam.rule == "cable" ? ancf::cable_rule() : ancf::Rule::named(beam.rule), 1.0};
     }
 
     /// Returns the target of a length and a mesh, nullptr where this is another problem.
@@ -96,10 +95,12 @@ void HangingChain::parse(int argc, char** argv) {
                     "E A/(w L), w the weight per length");
     line.add_number("--bending", bending, examples::Range::positive, "E I/(w L^3)");
     line.set_group("Element");
-    line.add_choice("--element", element, {"cable-2d", "cable"}, "element");
+    beam.element = "cable-2d";
+    beam.rule = "cable";
+    line.add_choice("--element", beam.element, {"cable-2d", "cable"}, "element");
     std::vector<std::string> rules = {"cable"};
     for (const auto name : ancf::Rule::names()) rules.emplace_back(name);
-    line.add_choice("--rule", rule, rules, "integration along the element");
+    line.add_choice("--rule", beam.rule, rules, "integration along the element");
     line.add_counts("--elements", elements, 1, examples::most_elements, "meshes");
     solver.add_to(line);
     output.add_to(line);
@@ -114,15 +115,15 @@ void HangingChain::parse(int argc, char** argv) {
 
 std::string HangingChain::title() const {
     std::ostringstream text;
-    text << "Hanging chain, span " << span << " m, " << element << " element, rule " << rule
-         << ", E A/(w L) " << stiffness << ", E I/(w L^3) " << bending;
+    text << "Hanging chain, span " << span << " m, " << beam.element << " element, rule "
+         << beam.rule << ", E A/(w L) " << stiffness << ", E I/(w L^3) " << bending;
     return text.str();
 }
 
 const Target* HangingChain::target(double length, int mesh) const {
     const HangingChain usual;
     if (span != usual.span || stiffness != usual.stiffness || bending != usual.bending ||
-        rule != usual.rule)
+        beam.rule != "cable")
         return nullptr;
     for (const Target& each : targets)
         if (each.length == length && each.elements == mesh) return &each;
@@ -147,21 +148,19 @@ double catenary_sag(double span, double length) {
 }
 
 /// One chain: its scene, and the way to its equilibrium.
-template <class Element>
+template <int Dimension>
 class Chain {
 public:
-    using Point = typename ancf::BasicModel<Element::dimension>::Point;
+    using Element = ancf::Cable<Dimension>;
+    using Point = ancf::Vector<double, Dimension>;
 
     Chain(const HangingChain& problem, double length, int elements)
-        : problem_(problem), length_(length), elements_(elements) {
-        beam_.prototypes.push_back(model_.add_prototype(cable(problem.stiffness)));
-        for (int k = 0; k <= elements; ++k) {
-            beam_.nodes.push_back(model_.add_node(Point::Zero()));
-            if (k > 0)
-                beam_.elements.push_back(model_.template connect<Element>(
-                    beam_.prototypes.front(), beam_.nodes[static_cast<std::size_t>(k) - 1],
-                    beam_.last()));
-        }
+        : problem_(problem),
+          length_(length),
+          elements_(elements),
+          beam_(examples::straight_beam<Dimension>(
+              model_, problem.beam, material(problem.stiffness), section(problem.stiffness),
+              Point::Zero(), length * Point::UnitX(), elements)) {
         model_.set_gravity(-gravity * Point::Unit(1));
         start(1.0);
         model_.pin(beam_.first());
@@ -173,27 +172,29 @@ public:
 
     /// Returns the depth of the middle of the chain below its pins, m.
     [[nodiscard]] double sag() const {
-        const int middle = elements_ / 2;
-        const double xi = elements_ % 2 == 0 ? 0.0 : 0.5;
-        const auto e =
-            model_.template element_coordinates<Element>(std::min(middle, elements_ - 1));
-        return -model_.template group<Element>().element(0).position(
-            e, middle < elements_ ? xi : 1.0)[1];
+        const auto ends_and_middles = beam_.shape(model_, section(problem_.stiffness), 3);
+        const int place = 3 * (elements_ / 2) + elements_ % 2;
+        return -ends_and_middles[static_cast<std::size_t>(place)].centre[1];
     }
 
-    [[nodiscard]] const ancf::BasicModel<Element::dimension>& model() const { return model_; }
-    [[nodiscard]] const ancf::Beam<Element>& beam() const { return beam_; }
+    [[nodiscard]] const ancf::BasicModel<Dimension>& model() const { return model_; }
+    [[nodiscard]] const examples::NamedBeam& beam() const { return beam_; }
 
 private:
-    /// Returns the cable of E A/(w L) as given; E I as the problem has it.
-    [[nodiscard]] Element cable(double stiffness) const {
-        const double young = stiffness * line_weight * length_ / area;
+    /// Returns E for E A/(w L) as given, Pa.
+    [[nodiscard]] double young(double stiffness) const {
+        return stiffness * line_weight * length_ / area;
+    }
+    [[nodiscard]] ancf::Material material(double stiffness) const {
+        return ancf::Material::isotropic(young(stiffness), 0.3, line_weight / (gravity * area));
+    }
+    /// Returns the section by which E I is as the problem has it.
+    [[nodiscard]] ancf::Section section(double stiffness) const {
         ancf::Moments moments;
         moments.area = area;
-        moments.yy = moments.zz = problem_.bending * line_weight * std::pow(length_, 3) / young;
-        const double density = line_weight / (gravity * area);
-        return {ancf::Material::isotropic(young, 0.3, density),
-                ancf::Section::from_moments(moments), length_ / elements_, problem_.options()};
+        moments.yy = moments.zz =
+            problem_.bending * line_weight * std::pow(length_, 3) / young(stiffness);
+        return ancf::Section::from_moments(moments);
     }
 
     /// Puts the nodes on the arc between the pins that is `stretch` times as long as the chain.
@@ -220,15 +221,16 @@ private:
     const HangingChain& problem_;
     double length_;
     int elements_;
-    ancf::BasicModel<Element::dimension> model_;
-    ancf::Beam<Element> beam_;
+    ancf::BasicModel<Dimension> model_;
+    examples::NamedBeam beam_;
 };
 
-template <class Element>
-ancf::StaticsReport Chain<Element>::settle() {
+template <int Dimension>
+ancf::StaticsReport Chain<Dimension>::settle() {
     ancf::StaticsReport all;
     const auto solve = [&](double stiffness) {
-        model_.template prototype<Element>(beam_.prototypes.front()) = cable(stiffness);
+        model_.template prototype<Element>(beam_.prototypes.front()) = {
+            material(stiffness), section(stiffness), length_ / elements_, problem_.options()};
         ancf::StaticsReport report = examples::solve(model_, problem_.solver);
         report.steps.insert(report.steps.begin(), all.steps.begin(), all.steps.end());
         all = std::move(report);
@@ -258,9 +260,9 @@ struct Result {
     double sag;
 };
 
-template <class Element>
+template <int Dimension>
 Result solve(const HangingChain& problem, double length, int mesh) {
-    Chain<Element> chain(problem, length, mesh);
+    Chain<Dimension> chain(problem, length, mesh);
     auto report = chain.settle();
     if (mesh == problem.elements.back() && length == problem.lengths.back())
         problem.output.write(chain.model(), chain.beam(),
@@ -282,15 +284,15 @@ bool study(const HangingChain& problem) {
         double last_error = 0.0;
         int last_mesh = 0;
         for (const int mesh : problem.elements) {
-            const auto [report, unknowns, sag] = problem.element == "cable"
-                                                     ? solve<ancf::Cable<3>>(problem, length, mesh)
-                                                     : solve<ancf::Cable<2>>(problem, length, mesh);
+            const auto [report, unknowns, sag] = problem.beam.is_planar()
+                                                     ? solve<2>(problem, length, mesh)
+                                                     : solve<3>(problem, length, mesh);
             verdict.add(mesh, report);
             const std::string status(to_string(report.status));
             const double error = sag - expected;
-            sheet.add_csv(problem.element, problem.rule, problem.span, length, mesh, unknowns,
-                          static_cast<int>(report.steps.size()), report.iterations(), status, sag,
-                          expected, error);
+            sheet.add_csv(problem.beam.element, problem.beam.rule, problem.span, length, mesh,
+                          unknowns, static_cast<int>(report.steps.size()), report.iterations(),
+                          status, sag, expected, error);
             const bool finer = last_mesh > 0 && mesh > last_mesh;
             const double order = finer ? std::log(std::abs(last_error / error)) /
                                              std::log(static_cast<double>(mesh) / last_mesh)

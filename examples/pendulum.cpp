@@ -22,6 +22,7 @@
 #include <support/command_line.hpp>
 #include <support/motion.hpp>
 #include <support/motion_output.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 
 #include <cmath>
@@ -77,7 +78,7 @@ void Pendulum::parse(int argc, char** argv) {
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::AllElements{}, beam);
+    examples::check(beam);
     motion.check(line);
 }
 
@@ -123,27 +124,25 @@ private:
 };
 
 /// Integrates the motion and writes it; returns whether it is as published.
-template <class Element>
+template <int Dimension>
 bool swing(const Pendulum& problem) {
-    constexpr int dimension = Element::dimension;
-    using Point = typename ancf::BasicModel<Element::dimension>::Point;
-    ancf::BasicModel<Element::dimension> model;
+    using Point = ancf::Vector<double, Dimension>;
+    ancf::BasicModel<Dimension> model;
     const auto& geometry = problem.beam.geometry;
     const auto material =
         ancf::Material::from_moduli(geometry.young, geometry.shear, problem.density);
+    const auto section = problem.beam.section();
     const auto beam =
-        ancf::straight_beam<Element>(model, material, problem.beam.section(), Point(Point::Zero()),
-                                     Point(geometry.length * Point::UnitX()), problem.elements,
-                                     problem.beam.element_options<Element>());
+        examples::straight_beam<Dimension>(model, problem.beam, material, section, Point::Zero(),
+                                           geometry.length * Point::UnitX(), problem.elements);
     if (problem.link > 0.0)
         model.add(
-            ancf::Distance<dimension>(beam.first(), problem.link * Point::Unit(1), problem.link));
+            ancf::Distance<Dimension>(beam.first(), problem.link * Point::Unit(1), problem.link));
     else
-        model.add(ancf::Pin<dimension>(beam.first(), Point::Zero()));
+        model.add(ancf::Pin<Dimension>(beam.first(), Point::Zero()));
     model.set_gravity(-problem.gravity * Point::Unit(1));
 
-    examples::MotionWriter writer(model, std::vector{beam}, problem.beam.section(), beam.last(),
-                                  problem.output, "pendulum");
+    examples::MotionWriter writer(model, {beam}, section, beam.last(), problem.output, "pendulum");
     Comparison comparison(problem);
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
     const int height = model.coordinate(beam.last(), ancf::Field::r) + 1;
@@ -163,9 +162,7 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         Pendulum problem;
         problem.parse(argc, argv);
-        const bool good = examples::with_element(
-            examples::AllElements{}, problem.beam,
-            [&](auto type) { return swing<typename decltype(type)::Element>(problem); });
+        const bool good = problem.beam.is_planar() ? swing<2>(problem) : swing<3>(problem);
         return good ? examples::exit_done : examples::exit_missed;
     });
 }

@@ -23,6 +23,7 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/files.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -97,7 +98,7 @@ void Princeton::parse(int argc, char** argv) {
     output.add_to(line);
     line.parse(argc, argv);
     beam.settle(line);
-    examples::check(examples::CrossSectionBeams{}, beam);
+    examples::check(beam);
     output.check();
 }
 
@@ -116,10 +117,9 @@ struct Result {
     double chordwise, flapwise;  // m
 };
 
-template <class Element>
 Result solve(const Princeton& problem, const Load& load) {
-    ancf::BasicModel<Element::dimension> model;
-    const auto beam = examples::straight_beam<Element>(model, problem.beam, problem.elements);
+    ancf::Model model;
+    const auto beam = examples::straight_beam(model, problem.beam, problem.elements);
     model.clamp(beam.first(), problem.beam.clamped());
     const double angle = load.angle * ancf::pi / 180.0;
     const Point force(0.0, load.force * std::cos(angle), load.force * std::sin(angle));
@@ -151,9 +151,7 @@ bool study(const Princeton& problem) {
                           {"P, N", "angle", "iterations", "status", "chordwise, mm", "flapwise, mm",
                            "reference", "reference", "deviation, %"});
     for (const Load& load : problem.loads()) {
-        const Result result = examples::with_element(
-            examples::CrossSectionBeams{}, problem.beam,
-            [&](auto type) { return solve<typename decltype(type)::Element>(problem, load); });
+        const Result result = solve(problem, load);
         verdict.add(problem.elements, result.report);
         const std::string status(to_string(result.report.status));
         std::vector<std::string> row = {fixed(load.force, 3),

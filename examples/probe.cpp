@@ -13,7 +13,7 @@
 /// defaults are those of Model II of [Dufva2006]: L 2, 0.01 x 0.01, E 2.07e11, G 7.9615e10.
 
 #include <ancf/error.hpp>
-#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/element_group.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/types.hpp>
@@ -21,6 +21,7 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/files.hpp>
+#include <support/named_beam.hpp>
 
 #include <cmath>
 #include <iostream>
@@ -46,17 +47,16 @@ void Probe::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     output.check();
-    examples::check(examples::SpatialBeams{}, beam);
+    examples::check(beam);
 }
 
 /// Reads as many numbers as there are coordinates.
 /// @throws InvalidArgument for missing, surplus or wrong ones.
-template <class Coordinates>
-Coordinates read_coordinates(std::istream& in) {
-    Coordinates e;
+ancf::VectorX read_coordinates(std::istream& in, int size) {
+    ancf::VectorX e(size);
     std::string word;
-    for (Eigen::Index k = 0; k < e.size(); ++k) {
-        ancf::detail::require(static_cast<bool>(in >> word), "stdin: expected ", e.size(),
+    for (int k = 0; k < size; ++k) {
+        ancf::detail::require(static_cast<bool>(in >> word), "stdin: expected ", size,
                               " coordinates, got ", k);
         try {
             e[k] = examples::number(word, examples::Range::finite);
@@ -64,7 +64,7 @@ Coordinates read_coordinates(std::istream& in) {
             ancf::detail::reject("stdin: coordinate ", k + 1, ": ", error.what());
         }
     }
-    ancf::detail::require(!(in >> word), "stdin: expected ", e.size(),
+    ancf::detail::require(!(in >> word), "stdin: expected ", size,
                           " coordinates, got more: ", word);
     return e;
 }
@@ -76,28 +76,24 @@ void print_numbers(const Row& row) {
     std::cout << '\n';
 }
 
-/// Writes the element as a model of its own, for the files that show it.
-template <class Element>
-void draw(const Probe& probe, const typename Element::Coordinates& e) {
-    ancf::BasicModel<Element::dimension> model;
-    const auto beam = examples::straight_beam<Element>(model, probe.beam, 1);
-    model.state().q = e;
-    probe.output.write(model, beam, probe.beam.section());
-}
-
-template <class Element>
 void evaluate(const Probe& probe) {
-    const Element element = examples::element<Element>(probe.beam);
-    const auto e = read_coordinates<typename Element::Coordinates>(std::cin);
-    ancf::detail::require(element.admissible(e),
+    ancf::Model model;
+    const auto beam = examples::straight_beam(model, probe.beam, 1);
+    const ancf::ElementGroup& element = *model.groups().front();
+    const int size = element.dofs();
+    const ancf::VectorX e = read_coordinates(std::cin, size);
+    ancf::detail::require(element.admissible(0, e.data()),
                           "stdin: the coordinates are degenerate: somewhere "
                           "along the element a slope has no length or is parallel to the tangent, "
                           "the section is inside out, or a length overflows");
-    const auto [energy, force, tangent] = element.evaluate(e);
+    ancf::VectorX force(size);
+    ancf::MatrixX tangent(size, size);
+    const double energy = element.evaluate(0, e.data(), force.data(), tangent.data());
     ancf::detail::require(
         std::isfinite(energy) && force.allFinite() && tangent.allFinite(),
         "the result is not finite: the coordinates or the stiffness are too large");
-    draw<Element>(probe, e);
+    model.state().q = e;
+    probe.output.write(model, beam, probe.beam.section());
     std::cout << "energy " << ancf::number_text(energy) << "\nforce ";
     print_numbers(force);
     std::cout << "tangent\n";
@@ -110,9 +106,7 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         Probe probe;
         probe.parse(argc, argv);
-        examples::with_element(examples::SpatialBeams{}, probe.beam, [&](auto type) {
-            evaluate<typename decltype(type)::Element>(probe);
-        });
+        evaluate(probe);
         return examples::exit_done;
     });
 }

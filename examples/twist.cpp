@@ -21,6 +21,7 @@
 #include <support/beam.hpp>
 #include <support/command_line.hpp>
 #include <support/files.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
@@ -66,7 +67,7 @@ void Twist::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     output.check();
-    examples::check(examples::SpatialBeams{}, beam);
+    examples::check(beam);
 }
 
 std::string Twist::title() const {
@@ -88,10 +89,9 @@ struct Result {
     double x;      // of the tip, m
 };
 
-template <class Element>
 Result solve(const Twist& problem, int elements) {
-    ancf::BasicModel<Element::dimension> model;
-    const auto beam = examples::straight_beam<Element>(model, problem.beam, elements);
+    ancf::Model model;
+    const auto beam = examples::straight_beam(model, problem.beam, elements);
     model.clamp(beam.first(), problem.beam.clamped());
     for (const ancf::Field slope : {ancf::Field::r_y, ancf::Field::r_z})
         model.add(ancf::SlopeMoment(beam.last(), slope, Point::UnitX(), problem.torque / 2.0));
@@ -112,9 +112,7 @@ bool study(const Twist& problem) {
         {"elements", "iterations", "status", "angle (deg)", "x", "published angle", "deviation",
          "published iterations"});
     for (const int mesh : problem.elements) {
-        const auto [report, angle, x] = examples::with_element(
-            examples::SpatialBeams{}, beam,
-            [&](auto type) { return solve<typename decltype(type)::Element>(problem, mesh); });
+        const auto [report, angle, x] = solve(problem, mesh);
         verdict.add(mesh, report);
         const std::string status(to_string(report.status));
         sheet.add_csv(beam.element, beam.transverse, mesh, steps(problem.solver, report),

@@ -39,6 +39,12 @@ def compile_unit(command):
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
+def object_bytes(target):
+    """Returns the bytes of code and data in an object file."""
+    run = subprocess.run(["size", target], capture_output=True, text=True, check=True)
+    return sum(map(int, run.stdout.splitlines()[1].split()[:3]))
+
+
 def measure(wanted, command, rounds):
     """Returns (least seconds, MB, bytes of the object) by (unit, form); the units take turns."""
     best = {}
@@ -47,9 +53,8 @@ def measure(wanted, command, rounds):
         for _ in range(rounds):
             for unit, form in wanted:
                 seconds, memory = compile_unit([*command, *FORMS[form], "-c", unit, "-o", target])
-                size = subprocess.run(["size", target], capture_output=True, text=True, check=True)
-                size = sum(map(int, size.stdout.splitlines()[1].split()[:3]))
-                best[unit.stem, form] = min(best.get((unit.stem, form), (seconds, memory, size)), (seconds, memory, size))
+                now = seconds, memory, object_bytes(target)
+                best[unit.stem, form] = min(best.get((unit.stem, form), now), now)
     return best
 
 

@@ -51,8 +51,7 @@ struct Motion {
 
 template <class Element>
 Motion run_pendulum(const std::string& name, const ancf::Rule& rule, int elements,
-                    const ancf::bench::Integrator<ancf::BasicModel<Element::dimension>>& integrator,
-                    double setting) {
+                    const ancf::bench::Integrator& integrator, double setting) {
     constexpr int dimension = Element::dimension;
     using Point = ancf::Vector<double, dimension>;
     ancf::BasicModel<Element::dimension> model;
@@ -94,31 +93,28 @@ inline double tip_error(const Motion& motion, const Tips& limit) {
 }
 
 /// An integrator and the values of its setting.
-template <class Scene>
 struct Series {
-    ancf::bench::Integrator<Scene> integrator;
+    ancf::bench::Integrator integrator;
     std::vector<double> values;
 };
 
-template <class Scene>
-std::vector<Series<Scene>> all_series(bool quick) {
-    std::vector<Series<Scene>> all;
-    const auto add = [&](ancf::bench::Integrator<Scene> integrator, std::vector<double> values) {
+inline std::vector<Series> all_series(bool quick) {
+    std::vector<Series> all;
+    const auto add = [&](ancf::bench::Integrator integrator, std::vector<double> values) {
         if (quick) values = {values[1]};
         all.push_back({std::move(integrator), std::move(values)});
     };
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
-    add(ancf::bench::ida<Scene>("ida-index3", Form::index3), {1e-4, 1e-5, 1e-6, 1e-7, 1e-8});
-    add(ancf::bench::ida<Scene>("ida-ggl", Form::gear_gupta_leimkuhler), {1e-4, 1e-5, 1e-6, 1e-7});
+    add(ancf::bench::ida("ida-index3", Form::index3), {1e-4, 1e-5, 1e-6, 1e-7, 1e-8});
+    add(ancf::bench::ida("ida-ggl", Form::gear_gupta_leimkuhler), {1e-4, 1e-5, 1e-6, 1e-7});
 #endif
-    add(ancf::bench::generalized_alpha<Scene>("generalized-alpha", 0.8),
+    add(ancf::bench::generalized_alpha("generalized-alpha", 0.8),
         {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 1e-4});
     if (quick) return all;
-    add(ancf::bench::adaptive_generalized_alpha<Scene>("generalized-alpha-adaptive"),
+    add(ancf::bench::adaptive_generalized_alpha("generalized-alpha-adaptive"),
         {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
-    add(ancf::bench::energy_momentum<Scene>("energy-momentum"),
-        {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
+    add(ancf::bench::energy_momentum("energy-momentum"), {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
     return all;
 }
 
@@ -131,8 +127,7 @@ struct Reference {
 /// Integrates two fine meshes.
 template <class Element>
 Reference fine_reference(const std::string& scene, const ancf::Rule& rule, bool quick) {
-    using Scene = ancf::BasicModel<Element::dimension>;
-    const auto best = ancf::bench::generalized_alpha<Scene>("", 0.8);
+    const auto best = ancf::bench::generalized_alpha("", 0.8);
     const double step = quick ? 1e-3 : 5e-5;  // s
     const int mesh = quick ? 16 : 64;
     const Motion fine = run_pendulum<Element>(scene, rule, mesh, best, step);
@@ -148,7 +143,6 @@ Reference fine_reference(const std::string& scene, const ancf::Rule& rule, bool 
 template <class Element>
 void run_pendulums(const Plan& plan, const Report& report, const std::string& name,
                    const std::vector<ancf::Rule>& rules, const ancf::Rule& fine, bool limit) {
-    using Scene = ancf::BasicModel<Element::dimension>;
     const std::vector<int> meshes =
         plan.quick ? std::vector<int>{8} : std::vector<int>{2, 4, 8, 16};
     for (const std::string& scene : {std::string("pendulum"), std::string("link")}) {
@@ -156,7 +150,7 @@ void run_pendulums(const Plan& plan, const Report& report, const std::string& na
         const Reference reference = limit && scene == "pendulum"
                                         ? Reference{pendulum_limit, 1e-6}
                                         : fine_reference<Element>(scene, fine, plan.quick);
-        for (const auto& [integrator, values] : all_series<Scene>(plan.quick))
+        for (const auto& [integrator, values] : all_series(plan.quick))
             for (const ancf::Rule& rule : rules)
                 for (const int mesh : meshes)
                     for (const double setting : values) {

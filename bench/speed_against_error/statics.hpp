@@ -21,8 +21,8 @@
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/statics.hpp>
 
-#include <linear_solvers.hpp>
 #include <rows.hpp>
+#include <solvers.hpp>
 
 #include <array>
 #include <cmath>
@@ -162,7 +162,7 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
     }
     clamp<Element>(model, scene, beam.first());
     add_load<Element>(model, scene, beam.last());
-    const std::unique_ptr<ancf::LinearSolver> solver = linear_solver(solver_name);
+    const std::unique_ptr<ancf::LinearSolver> solver = ancf::bench::solver_named(solver_name);
     const ancf::StaticsReport report = ancf::solve_statics(model, *solver, options);
     Tip tip;
     tip.status = report.status;
@@ -255,7 +255,9 @@ void run_statics(const Plan& plan, const Report& report, const std::string& name
     const std::vector<int> meshes =
         plan.quick ? std::vector<int>{4, 16} : std::vector<int>{1, 2, 3, 4, 6, 8, 12, 16, 32, 64};
     const std::string usual = "block-tridiagonal";
-    const auto solvers = plan.quick ? std::vector<std::string>{usual} : linear_solvers();
+    std::vector<std::string> solvers = {usual};
+    if (!plan.quick) solvers.emplace_back("eigen-ldlt");
+    if (!plan.quick && ANCF_WITH_SUITESPARSE) solvers.emplace_back("cholmod");
     for (const StaticCase& scene : static_cases()) {
         if (!takes_part<Element>(scene.name) || !plan.wants(scene.name)) continue;
         const Tip limit = limit_of<Element>(scene, fine, plan.quick ? 64 : 256);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/element/cross_section_options.hpp>
+#include <ancf/element/quadrature.hpp>
 #include <ancf/error.hpp>
 
 #include <support/beam.hpp>

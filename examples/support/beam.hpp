@@ -2,25 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The options of a beam of rectangular section, and the choice of its element when the program
-/// runs.
+/// The options of a beam of rectangular section and of its element.
 
 #pragma once
 
-#include <ancf/element/quadrature.hpp>
-#include <ancf/model/builders/beam.hpp>
-#include <ancf/model/model.hpp>
 #include <ancf/model/support.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
-#include <support/elements.hpp>
 
 #include <string>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace examples {
@@ -102,24 +95,6 @@ struct BeamOptions {
     /// Returns whether the element's directors may be chosen.
     [[nodiscard]] bool has_directors() const { return element == "cross-section"; }
 
-    /// Returns whether an element type is the one that was chosen.
-    template <class Element>
-    [[nodiscard]] bool is() const {
-        if (is_planar() != (Element::dimension == 2)) return false;
-        if constexpr (std::is_same_v<Element, CrossSectionPointwise>)
-            return element == "cross-section-pointwise";
-        else if constexpr (std::is_same_v<Element, CrossSectionQuintic>)
-            return is_quintic();
-        else if constexpr (std::is_same_v<typename Element::Options, ancf::CrossSectionOptions>)
-            return is_cross_section() && element != "cross-section-pointwise" && !is_quintic() &&
-                   (directors == "geodesic") == std::is_same_v<Element, CrossSectionGeodesic> &&
-                   (directors == "transported") == std::is_same_v<Element, CrossSectionTransported>;
-        else if constexpr (std::is_same_v<typename Element::Options, ancf::ContinuumOptions>)
-            return is_continuum();
-        else
-            return is_cable();
-    }
-
     /// Returns whether every choice but that of the element is the paper's.
     [[nodiscard]] bool as_paper() const {
         const BeamOptions paper{};
@@ -144,80 +119,6 @@ struct BeamOptions {
     [[nodiscard]] ancf::Clamp clamped() const {
         return clamp == "full" ? ancf::Clamp::full : ancf::Clamp::free_slope;
     }
-
-    /// Returns the options of an element's constructor.
-    template <class Element>
-    [[nodiscard]] auto element_options() const {
-        using Options = typename Element::Options;
-        const ancf::Rule quadrature =
-            rule == "cable" ? ancf::cable_rule() : ancf::Rule::named(rule);
-        if constexpr (std::is_same_v<Options, ancf::ContinuumOptions>) {
-            const auto law = element == "continuum-hooke"      ? ancf::ContinuumMaterial::hooke
-                             : element == "continuum-enhanced" ? ancf::ContinuumMaterial::enhanced
-                                                               : ancf::ContinuumMaterial::diagonal;
-            return Options{quadrature, law};
-        } else if constexpr (std::is_same_v<Options, ancf::CableOptions>) {
-            return Options{quadrature, 1.0};
-        } else {
-            Options options;
-            options.rule = quadrature;
-            options.transverse = transverse == "green" ? ancf::TransverseStrain::green
-                                                       : ancf::TransverseStrain::stretch;
-            options.section_model = section_model == "paper" ? ancf::SectionModel::paper
-                                                             : ancf::SectionModel::saint_venant;
-            options.rotary_inertia = rotary_inertia == "lumped" ? ancf::RotaryInertia::lumped
-                                                                : ancf::RotaryInertia::consistent;
-            return options;
-        }
-    }
 };
-
-/// Adds the beam to a model, from the origin along X.
-template <class Element>
-[[nodiscard]] ancf::Beam<Element> straight_beam(ancf::BasicModel<Element::dimension>& model,
-                                                const BeamOptions& beam, int elements) {
-    using Point = typename ancf::BasicModel<Element::dimension>::Point;
-    return ancf::straight_beam<Element>(
-        model, beam.material(), beam.section(), Point(Point::Zero()),
-        Point(beam.geometry.length * Point::UnitX()), elements, beam.element_options<Element>());
-}
-
-/// Returns a point of the plane or of space in space.
-template <int Dimension>
-[[nodiscard]] ancf::Vector<double, 3> in_space(const ancf::Vector<double, Dimension>& point) {
-    ancf::Vector<double, 3> result = ancf::Vector<double, 3>::Zero();
-    result.template head<Dimension>() = point;
-    return result;
-}
-
-/// Names an element type as a value.
-template <class T>
-struct ElementType {
-    using Element = T;
-};
-
-/// Calls visit(ElementType<...>) with the element of the command line, one of the list.
-template <class First, class... Others, class Visit>
-decltype(auto) with_element(ElementList<First, Others...>, const BeamOptions& beam, Visit&& visit) {
-    if constexpr (sizeof...(Others) > 0)
-        if (!beam.is<First>())
-            return with_element(ElementList<Others...>{}, beam, std::forward<Visit>(visit));
-    return visit(ElementType<First>{});
-}
-
-/// Makes one element of the beam's whole length.
-template <class Element>
-[[nodiscard]] Element element(const BeamOptions& beam) {
-    return {beam.material(), beam.section(), beam.geometry.length, beam.element_options<Element>()};
-}
-
-/// Refuses values that the element does not take, before any work is done.
-/// @throws InvalidArgument naming the value.
-template <class List>
-void check(List list, const BeamOptions& beam) {
-    with_element(list, beam, [&](auto type) {
-        static_cast<void>(examples::element<typename decltype(type)::Element>(beam));
-    });
-}
 
 }  // namespace examples

@@ -48,12 +48,16 @@ void OutputOptions::check() const {
     }
 }
 
-void OutputOptions::write_files(const ancf::Surface& surface,
-                                const std::vector<ancf::ShapeStation>& line) const {
-    if (!vtk.empty()) ancf::write_vtk(vtk, surface);
+void OutputOptions::write(const ancf::Scene& model, const NamedBeam& beam,
+                          const ancf::Section& section) const {
+    if (!vtk.empty()) {
+        ancf::Surface surface;
+        beam.draw(model, section, surface);
+        ancf::write_vtk(vtk, surface);
+    }
     if (!shape.empty()) {
         std::ofstream out(shape);
-        ancf::write_shape(out, line);
+        ancf::write_shape(out, beam.shape(model, section, NamedBeam::stations));
         out.close();
         ancf::detail::require(!out.fail(), "cannot write ", shape);
     }

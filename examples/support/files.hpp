@@ -6,16 +6,13 @@
 
 #pragma once
 
-#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/output/shape.hpp>
-#include <ancf/output/surface.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
+#include <support/named_beam.hpp>
 
 #include <string>
-#include <vector>
 
 namespace examples {
 
@@ -41,20 +38,7 @@ struct OutputOptions {
 
     /// Writes the files that were asked for.
     /// @throws InvalidArgument for a file that cannot be written.
-    template <class Element>
-    void write(const ancf::Scene& model, const ancf::Beam<Element>& beam,
-               const ancf::Section& section) const {
-        if (vtk.empty() && shape.empty()) return;
-        ancf::Surface surface;
-        surface.add(model, beam, section, stations);
-        write_files(surface, ancf::deformed_shape(model, beam, section, stations));
-    }
-
-private:
-    static constexpr int stations = 17;  // per element
-
-    void write_files(const ancf::Surface& surface,
-                     const std::vector<ancf::ShapeStation>& line) const;
+    void write(const ancf::Scene& model, const NamedBeam& beam, const ancf::Section& section) const;
 };
 
 }  // namespace examples

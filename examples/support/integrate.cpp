@@ -7,17 +7,13 @@
 #include <ancf/output/csv.hpp>
 #include <ancf/output/state_file.hpp>
 
-#if ANCF_WITH_SUITESPARSE
-#include <ancf/suitesparse/klu.hpp>
-#else
-#include <ancf/solver/eigen_lu.hpp>
-#endif
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
 #endif
 
 #include <support/motion.hpp>
 #include <support/progress.hpp>
+#include <support/solver.hpp>
 
 #include <memory>
 #include <string>
@@ -63,14 +59,6 @@ namespace {
 }
 
 }  // namespace
-
-std::unique_ptr<ancf::LinearSolver> general_solver() {
-#if ANCF_WITH_SUITESPARSE
-    return std::make_unique<ancf::suitesparse::Klu>();
-#else
-    return std::make_unique<ancf::EigenLu>();
-#endif
-}
 
 Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedule schedule) {
     ancf::Memory memory;

@@ -8,12 +8,10 @@
 
 #include <ancf/dynamics/report.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/solver/linear_solver.hpp>
 
 #include <support/command_line.hpp>
 
 #include <iosfwd>
-#include <memory>
 #include <string>
 
 namespace examples {
@@ -49,9 +47,6 @@ struct MotionOptions {
 /// Refuses an interval of output of which more than ten million fill the duration.
 /// @throws InvalidArgument naming the option and the value.
 void require_countable(const std::string& option, double interval, double duration);
-
-/// Returns the linear solver of integrators that bring none along.
-[[nodiscard]] std::unique_ptr<ancf::LinearSolver> general_solver();
 
 /// How a motion went.
 struct Motion {

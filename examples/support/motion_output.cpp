@@ -20,10 +20,12 @@ void MotionOutputOptions::add_to(CommandLine& line) {
     line.add_file("--shapes", shapes, "centre lines and outlines at every output time, as CSV");
 }
 
-MotionWriter::MotionWriter(const ancf::Scene& model, const ancf::Section& section,
-                           ancf::NodeId tip, const MotionOutputOptions& options,
-                           const std::string& name)
+MotionWriter::MotionWriter(const ancf::Scene& model, std::vector<NamedBeam> beams,
+                           ancf::Section section, ancf::NodeId tip,
+                           const MotionOutputOptions& options, const std::string& name)
     : shown_(model),
+      beams_(std::move(beams)),
+      section_(std::move(section)),
       tip_(model.coordinate(tip, ancf::Field::r)),
       options_(options),
       sheet_(options.csv,
@@ -36,7 +38,7 @@ MotionWriter::MotionWriter(const ancf::Scene& model, const ancf::Section& sectio
     shapes_.open(options.shapes);
     ancf::detail::require(shapes_.is_open(), "cannot write ", options.shapes);
     shapes_ << "t,beam,s,x,y,z";
-    for (std::size_t k = 0; k < section.outline().size(); ++k)
+    for (std::size_t k = 0; k < section_.outline().size(); ++k)
         for (const char* axis : {"x", "y", "z"}) shapes_ << ',' << axis << k;
     shapes_ << '\n';
 }
@@ -57,13 +59,13 @@ void MotionWriter::write(const ancf::Snapshot& seen) {
     if (shapes_.is_open()) write_shapes(time);
     if (!series_) return;
     ancf::Surface surface;
-    for (const auto& add : surfaces_) add(shown_, surface);
+    for (const NamedBeam& beam : beams_) beam.draw(shown_, section_, surface);
     series_->add(time, surface);
 }
 
 void MotionWriter::write_shapes(double time) {
-    for (std::size_t k = 0; k < shapes_of_.size(); ++k)
-        for (const auto& station : shapes_of_[k](shown_)) {
+    for (std::size_t k = 0; k < beams_.size(); ++k)
+        for (const auto& station : beams_[k].shape(shown_, section_, NamedBeam::stations)) {
             shapes_ << ancf::number_text(time) << ',' << k << ',' << ancf::number_text(station.s);
             for (const double value : station.centre) shapes_ << ',' << ancf::number_text(value);
             for (const auto& corner : station.outline)

@@ -7,18 +7,15 @@
 #pragma once
 
 #include <ancf/dynamics/report.hpp>
-#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/output/shape.hpp>
-#include <ancf/output/surface.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
+#include <support/named_beam.hpp>
 #include <support/report.hpp>
 
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,20 +39,8 @@ public:
     /// @param tip      the node whose position stands in the rows.
     /// @param name     of the VTK series.
     /// @throws InvalidArgument for a file or folder that cannot be written.
-    template <class Element>
-    MotionWriter(const ancf::Scene& model, const std::vector<ancf::Beam<Element>>& beams,
-                 const ancf::Section& section, ancf::NodeId tip, const MotionOutputOptions& options,
-                 const std::string& name)
-        : MotionWriter(model, section, tip, options, name) {
-        for (const ancf::Beam<Element>& beam : beams) {
-            surfaces_.push_back([=](const ancf::Scene& shown, ancf::Surface& surface) {
-                surface.add(shown, beam, section, stations);
-            });
-            shapes_of_.push_back([=](const ancf::Scene& shown) {
-                return ancf::deformed_shape(shown, beam, section, stations);
-            });
-        }
-    }
+    MotionWriter(const ancf::Scene& model, std::vector<NamedBeam> beams, ancf::Section section,
+                 ancf::NodeId tip, const MotionOutputOptions& options, const std::string& name);
 
     void write(const ancf::Snapshot& seen);
 
@@ -64,15 +49,11 @@ public:
     void finish(const std::string& title);
 
 private:
-    static constexpr int stations = 17;  // per element
-
-    MotionWriter(const ancf::Scene& model, const ancf::Section& section, ancf::NodeId tip,
-                 const MotionOutputOptions& options, const std::string& name);
     void write_shapes(double time);
 
     ancf::Scene shown_;
-    std::vector<std::function<void(const ancf::Scene&, ancf::Surface&)>> surfaces_;
-    std::vector<std::function<std::vector<ancf::ShapeStation>(const ancf::Scene&)>> shapes_of_;
+    std::vector<NamedBeam> beams_;
+    ancf::Section section_;
     int tip_;
     const MotionOutputOptions& options_;
     Sheet sheet_;

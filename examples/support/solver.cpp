@@ -11,6 +11,22 @@
 
 namespace examples {
 
+namespace {
+
+/// Returns the linear solver that --solver names.
+std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name) {
+    if (name == "eigen") return ancf::solver_named("eigen-lu");
+#if ANCF_WITH_SUITESPARSE
+    // L D L^T: a tangent on the way to equilibrium need not be positive definite
+    return ancf::suitesparse::solver_named(name == "cholmod" ? "cholmod-simplicial" : name);
+#else
+    ancf::detail::reject("--solver ", name,
+                         " needs SuiteSparse, and this program was built without it");
+#endif
+}
+
+}  // namespace
+
 SolverOptions::SolverOptions() : solver(ANCF_WITH_SUITESPARSE ? "cholmod" : "eigen") {}
 
 void SolverOptions::add_to(CommandLine& line) {
@@ -36,15 +52,8 @@ ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
     return ancf::solve_statics(model, *solver, statics);
 }
 
-std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name) {
-    if (name == "eigen") return ancf::solver_named("eigen-lu");
-#if ANCF_WITH_SUITESPARSE
-    // L D L^T: a tangent on the way to equilibrium need not be positive definite
-    return ancf::suitesparse::solver_named(name == "cholmod" ? "cholmod-simplicial" : name);
-#else
-    ancf::detail::reject("--solver ", name,
-                         " needs SuiteSparse, and this program was built without it");
-#endif
+std::unique_ptr<ancf::LinearSolver> general_solver() {
+    return linear_solver(ANCF_WITH_SUITESPARSE ? "klu" : "eigen");
 }
 
 }  // namespace examples

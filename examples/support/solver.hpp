@@ -27,9 +27,8 @@ struct SolverOptions {
     void add_to(CommandLine& line);
 };
 
-/// Returns the linear solver that --solver names.
-/// @throws InvalidArgument for one that is not there.
-[[nodiscard]] std::unique_ptr<ancf::LinearSolver> linear_solver(const std::string& name);
+/// Returns the linear solver of integrators that bring none along.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> general_solver();
 
 /// Brings a model to equilibrium.
 /// @throws InvalidArgument for a linear solver that is not there.
@@ -42,7 +41,8 @@ struct SolverOptions {
 
 /// Returns the number of unknown coordinates.
 [[nodiscard]] inline int free_coordinates(const ancf::Scene& model) {
-    return model.layout().size() - static_cast<int>(model.supports().size());
+    const int attached = model.dimension() * static_cast<int>(model.attachments().size());
+    return model.layout().size() - static_cast<int>(model.supports().size()) - attached;
 }
 
 }  // namespace examples

@@ -40,7 +40,7 @@ Chain pendulum(double density, double stiff = stiffness) {
     return scene;
 }
 
-DynamicsReport run(BarProblem& problem, bool conserving, const Schedule& schedule,
+DynamicsReport run(ancf::DynamicProblem& problem, bool conserving, const Schedule& schedule,
                    const ancf::Memory& memory = {}) {
     ancf::EigenLu solver;
     if (conserving)
@@ -53,21 +53,21 @@ TEST_CASE("changes: a density changed between two runs moves the mass of the sec
     const bool conserving = GENERATE(false, true);
     Chain changed = pendulum(1.0);
     const State start = changed.model.state();
-    BarProblem problem(changed.model);
+    ancf::DynamicProblem problem(changed.model);
     REQUIRE(run(problem, conserving, until(0.05)).status == Status::converged);
     changed.model.state() = start;
     changed.model.prototype<Bar<3>>(0) = Bar<3>(stiffness, 3.0, bar_length);
     REQUIRE(run(problem, conserving, until(0.2)).status == Status::converged);
 
     Chain fresh = pendulum(3.0);
-    BarProblem other(fresh.model);
+    ancf::DynamicProblem other(fresh.model);
     REQUIRE(run(other, conserving, until(0.2)).status == Status::converged);
     CHECK(problem.mass().sum() == other.mass().sum());
     CHECK(changed.model.state().q == fresh.model.state().q);
     CHECK(changed.model.state().v == fresh.model.state().v);
 
     Chain light = pendulum(1.0);
-    BarProblem old(light.model);
+    ancf::DynamicProblem old(light.model);
     REQUIRE(run(old, conserving, until(0.2)).status == Status::converged);
     CHECK(distance(light.model.state().q, fresh.model.state().q) > 1e-3);
 }
@@ -76,7 +76,7 @@ TEST_CASE("changes: a motion goes on from a change like a scene built in that st
           "[dynamics]") {
     const bool conserving = GENERATE(false, true);
     Chain changed = pendulum(1.0);
-    BarProblem problem(changed.model);
+    ancf::DynamicProblem problem(changed.model);
     const DynamicsReport first = run(problem, conserving, until(0.1));
     REQUIRE(first.status == Status::converged);
     const State middle = changed.model.state();
@@ -89,7 +89,7 @@ TEST_CASE("changes: a motion goes on from a change like a scene built in that st
     fresh.model.pin(fresh.first());
     fresh.model.set_gravity({0.0, -9.81, 0.0});
     fresh.model.state() = middle;
-    BarProblem other(fresh.model);
+    ancf::DynamicProblem other(fresh.model);
     REQUIRE(run(other, conserving, until(0.2)).status == Status::converged);
     // rest length and scale of the scene differ: by round-off, measured 0
     CHECK(distance(changed.model.state().q, fresh.model.state().q) <= 1e-11);
@@ -101,7 +101,7 @@ TEST_CASE("changes: a memory is refused even where the energies are those before
           "[dynamics]") {
     Chain scene = pendulum(1.0);
     scene.model.set_gravity({0.0, 0.0, 0.0});  // nothing moves, nothing is strained
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const DynamicsReport first = run(problem, false, until(0.01));
     REQUIRE(first.status == Status::converged);
     const State middle = scene.model.state();
@@ -123,7 +123,7 @@ TEST_CASE("changes: within a run they act from the next step on", "[dynamics]") 
         scene.model.add_mass(scene.last(), 0.3);
     };
     Chain within = pendulum(1.0);
-    BarProblem problem(within.model);
+    ancf::DynamicProblem problem(within.model);
     Schedule schedule = until(0.2);
     bool done = false;
     schedule.progress = [&](double time, double) {
@@ -139,14 +139,14 @@ TEST_CASE("changes: within a run they act from the next step on", "[dynamics]") 
     REQUIRE(done);
 
     Chain parts = pendulum(1.0);
-    BarProblem other(parts.model);
+    ancf::DynamicProblem other(parts.model);
     REQUIRE(run(other, true, until(middle)).status == Status::converged);
     change(parts);
     REQUIRE(run(other, true, until(0.2)).status == Status::converged);
     // one-step method: the second start changes only the prediction
     CHECK(distance(within.model.state().q, parts.model.state().q) <= 1e-11);
     Chain unchanged = pendulum(1.0);
-    BarProblem third(unchanged.model);
+    ancf::DynamicProblem third(unchanged.model);
     REQUIRE(run(third, true, until(0.2)).status == Status::converged);
     CHECK(distance(unchanged.model.state().q, parts.model.state().q) > 1e-3);
 }
@@ -154,7 +154,7 @@ TEST_CASE("changes: within a run they act from the next step on", "[dynamics]") 
 TEST_CASE("changes: gravity and masses at nodes set after the problem was made count",
           "[dynamics]") {
     Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const double before = problem.mass().sum();
     scene.model.set_gravity({0.0, -3.0, 2.0});
     scene.model.add_mass(scene.last(), 0.7);
@@ -168,7 +168,7 @@ TEST_CASE("changes: gravity and masses at nodes set after the problem was made c
 TEST_CASE("changes: a problem refuses a model whose nodes, supports or loads have changed",
           "[dynamics]") {
     Chain scene = pendulum(1.0);
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const Start start = problem.start();
     REQUIRE(start.status == Status::converged);
     SECTION("a load") { scene.model.add(ancf::Force<3>(scene.last(), {1.0, 0.0, 0.0})); }
@@ -183,7 +183,7 @@ TEST_CASE("changes: a problem refuses a model whose nodes, supports or loads hav
 
 TEST_CASE("changes: a mass that is no longer positive is refused at every call", "[dynamics]") {
     Chain scene = pendulum(1.0);
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     scene.model.prototype<Bar<3>>(0) = Bar<3>(stiffness, -1.0, bar_length);
     CHECK_THROWS_WITH(problem.start(), ContainsSubstring("not positive definite"));
     CHECK_THROWS_WITH(problem.start(), ContainsSubstring("not positive definite"));

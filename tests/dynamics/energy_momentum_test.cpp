@@ -38,9 +38,9 @@ EnergyMomentumOptions steps(double step) {
     return options;
 }
 
-DynamicsReport run(BarModel& model, double step, const Schedule& schedule,
+DynamicsReport run(ancf::Model& model, double step, const Schedule& schedule,
                    const ancf::Memory& memory = {}) {
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     ancf::EigenLu solver;
     return EnergyMomentum(steps(step)).integrate(problem, solver, schedule, memory);
 }
@@ -61,8 +61,8 @@ struct Spring {
 };
 
 /// Largest relative change of both momenta over a run of a free scene.
-double momentum_drift(BarModel& model, double step, double end, DynamicsReport& report) {
-    BarProblem problem(model);
+double momentum_drift(ancf::Model& model, double step, double end, DynamicsReport& report) {
+    ancf::DynamicProblem problem(model);
     const ancf::Momentum start = momentum(problem, model.state());
     double largest = 0.0;
     Schedule schedule = ancf::equal_intervals(0.0, end, 10.0 * step);
@@ -283,7 +283,7 @@ TEST_CASE("energy-momentum: a symmetric solver finds the same motion", "[dynamic
         scene.model.set_gravity({0.0, -9.81, 0.0});
         ancf::ProblemOptions storage;
         storage.storage = lower ? ancf::Storage::lower : ancf::Storage::full;
-        BarProblem problem(scene.model, storage);
+        ancf::DynamicProblem problem(scene.model, storage);
         ancf::EigenLu lu;
         ancf::EigenLdlt ldlt;
         const EnergyMomentum method(steps(1e-3));
@@ -303,7 +303,7 @@ TEST_CASE("energy-momentum: repeated constraints change nothing but their multip
     REQUIRE(run(once.model, 2e-3, until(0.2)).status == Status::converged);
     ancf::ProblemOptions options;
     options.redundancy = ancf::Redundancy::minimum_norm;
-    BarProblem problem(twice.model, options);
+    ancf::DynamicProblem problem(twice.model, options);
     ancf::EigenLu solver;
     const DynamicsReport report =
         EnergyMomentum(steps(2e-3)).integrate(problem, solver, until(0.2));
@@ -332,7 +332,7 @@ TEST_CASE("energy-momentum: a run stopped within a step taken in parts goes on f
     spin(scene.model, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
     scene.model.set_rate(scene.nodes[2], Field::r, {0.5, 1.0, -1.0});
     const auto linear_momentum = [&]() -> Vector3 {
-        BarProblem problem(scene.model);
+        ancf::DynamicProblem problem(scene.model);
         return momentum(problem, scene.model.state()).linear;
     };
     const Vector3 start = linear_momentum();

@@ -44,9 +44,9 @@ GeneralizedAlphaOptions adaptive(double tolerance) {
     return options;
 }
 
-DynamicsReport run(ancf::test::BarModel& model, const GeneralizedAlphaOptions& options,
+DynamicsReport run(ancf::Model& model, const GeneralizedAlphaOptions& options,
                    const Schedule& schedule, const ancf::Memory& memory = {}) {
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     ancf::EigenLu solver;
     return GeneralizedAlpha(options).integrate(problem, solver, schedule, memory);
 }
@@ -318,7 +318,7 @@ TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dy
         scene.model.set_gravity({0.0, -9.81, 0.0});
         ancf::ProblemOptions storage;
         storage.storage = lower ? ancf::Storage::lower : ancf::Storage::full;
-        BarProblem problem(scene.model, storage);
+        ancf::DynamicProblem problem(scene.model, storage);
         ancf::EigenLu lu;
         ancf::EigenLdlt ldlt;
         const GeneralizedAlpha method(fixed(1e-3));
@@ -351,7 +351,7 @@ TEST_CASE("generalized-alpha: solvers that choose or scale another one move a sc
         Chain scene = hanging();
         ancf::ProblemOptions options;
         options.storage = solver->storage();
-        BarProblem problem(scene.model, options);
+        ancf::DynamicProblem problem(scene.model, options);
         const DynamicsReport report =
             GeneralizedAlpha(fixed(1e-3)).integrate(problem, *solver, until(0.3));
         REQUIRE(report.status == Status::converged);
@@ -392,7 +392,7 @@ TEST_CASE("generalized-alpha: repeated constraints change nothing but their mult
 
     ancf::ProblemOptions options;
     options.redundancy = ancf::Redundancy::minimum_norm;
-    BarProblem problem(twice.model, options);
+    ancf::DynamicProblem problem(twice.model, options);
     ancf::EigenLu solver;
     const DynamicsReport report =
         GeneralizedAlpha(fixed(1e-3)).integrate(problem, solver, until(0.2));

@@ -59,7 +59,7 @@ struct Rich {
 };
 
 /// Brings the rates of a scene on its constraints.
-void make_consistent(BarProblem& problem, ancf::State& state) {
+void make_consistent(ancf::DynamicProblem& problem, ancf::State& state) {
     VectorX q, v;
     problem.numbering().gather_free(state.q, q);
     problem.numbering().gather_free(state.v, v);
@@ -70,7 +70,7 @@ void make_consistent(BarProblem& problem, ancf::State& state) {
 TEST_CASE("problem: a free scene under gravity accelerates with g", "[dynamics]") {
     Chain scene = chain(4, {0.3, -0.2, 0.5}, {1.0, 0.4, 0.9});
     scene.model.set_gravity({1.0, -9.0, 2.0});
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const ancf::Start start = problem.start();
     REQUIRE(start.status == Status::converged);
     for (int node = 0; node < 5; ++node) {
@@ -85,7 +85,7 @@ TEST_CASE("problem: an inconsistent start is refused with the constraint and its
     auto& model = scene.model;
     model.add(ancf::Pin<3>(scene.last(), Vector3(1.0, 0.0, 0.0)));
     model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.5, 0.0), 0.5));
-    const auto start = [&] { return BarProblem(model).start(); };
+    const auto start = [&] { return ancf::DynamicProblem(model).start(); };
     CHECK(start().status == Status::converged);
 
     SECTION("coordinates") {
@@ -142,7 +142,7 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
     model.add(ancf::FixedCoordinate<3>(scene.first(), Field::r, 1, 0.0));
     model.add(ancf::Distance<3>(scene.last(), Vector3(1.0, 3.0, 0.0), 3.0));
 
-    const ancf::Start refused = BarProblem(model).start();
+    const ancf::Start refused = ancf::DynamicProblem(model).start();
     CHECK(refused.status == Status::redundant);
     CHECK_THAT(refused.message,
                ContainsSubstring("constraint 2 (fixed r, component 1, of node 0), equation 0") &&
@@ -150,7 +150,7 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
 
     ancf::ProblemOptions options;
     options.redundancy = Redundancy::minimum_norm;
-    BarProblem problem(model, options);
+    ancf::DynamicProblem problem(model, options);
     const ancf::Start start = problem.start();
     REQUIRE(start.status == Status::converged);
     REQUIRE(problem.left_out() == std::vector<int>{4, 5});
@@ -166,7 +166,7 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
     lean.model.set_gravity({0.0, -10.0, 0.0});
     lean.model.add(ancf::Pin<3>(lean.first(), Vector3(0.0, 0.0, 0.0)));
     lean.model.add(ancf::Distance<3>(lean.last(), Vector3(1.0, 2.0, 0.0), 2.0));
-    const ancf::Start expected = BarProblem(lean.model).start();
+    const ancf::Start expected = ancf::DynamicProblem(lean.model).start();
     CHECK(distance(start.acceleration, expected.acceleration) <= 1e-12);
     CHECK(state.multipliers[1] + state.multipliers[4] ==
           Approx(expected.multipliers[1]).epsilon(1e-12));
@@ -185,7 +185,7 @@ TEST_CASE("problem: a constraint on held coordinates alone is redundant", "[dyna
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     scene.model.pin(scene.first());
     scene.model.add(ancf::Pin<3>(scene.first(), Vector3(0.0, 0.0, 0.0)));
-    CHECK(BarProblem(scene.model).start().status == Status::redundant);
+    CHECK(ancf::DynamicProblem(scene.model).start().status == Status::redundant);
 }
 
 TEST_CASE("problem: projection reaches round-off by the least change in the mass norm",
@@ -194,7 +194,7 @@ TEST_CASE("problem: projection reaches round-off by the least change in the mass
     INFO("seed " << seed);
     Random random(seed);
     Rich rich;
-    BarProblem problem(rich.scene.model);
+    ancf::DynamicProblem problem(rich.scene.model);
     VectorX q, v;
     problem.numbering().gather_free(rich.scene.model.state().q, q);
     const VectorX rest = q;
@@ -225,7 +225,7 @@ TEST_CASE("problem: projection reaches round-off by the least change in the mass
 TEST_CASE("problem: accelerations and jerk keep a moving scene on its constraints", "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     Random random(4);
     for (double& value : model.state().v) value = random.uniform(-1.0, 1.0);
     make_consistent(problem, model.state());
@@ -261,7 +261,7 @@ TEST_CASE("problem: force and constraints have the tangent and damping as deriva
           "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     Random random(9);
     const int n = problem.size();
     const int m = problem.multipliers();
@@ -298,7 +298,7 @@ TEST_CASE("problem: force and constraints have the tangent and damping as deriva
 TEST_CASE("problem: velocity-level terms are derivatives of G^T mu and of G v", "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     Random random(2);
     const int n = problem.size();
     const int m = problem.multipliers();
@@ -329,7 +329,7 @@ TEST_CASE("problem: velocity-level terms are derivatives of G^T mu and of G v", 
 TEST_CASE("problem: energies change by the powers of loads, drives and constraints", "[dynamics]") {
     Rich rich;
     auto& model = rich.scene.model;
-    BarProblem problem(model);
+    ancf::DynamicProblem problem(model);
     Random random(5);
     for (double& value : model.state().v) value = random.uniform(-1.0, 1.0);
     make_consistent(problem, model.state());
@@ -364,7 +364,7 @@ TEST_CASE("problem: a driven support acts as the same motion held by a multiplie
         return scene;
     };
     Chain held = build(true), bound = build(false);
-    BarProblem reduced(held.model), whole(bound.model);
+    ancf::DynamicProblem reduced(held.model), whole(bound.model);
     const ancf::Start a = reduced.start();
     const ancf::Start b = whole.start();
     REQUIRE(a.status == Status::converged);
@@ -389,7 +389,8 @@ TEST_CASE("problem: a driven support acts as the same motion held by a multiplie
     CHECK_THROWS_AS(reduced.reactions({}, forces), ancf::InvalidArgument);
 
     held.model.prescribe(held.last(), Field::r, 0, [](double) { return 1.2; });
-    CHECK_THROWS_WITH(BarProblem(held.model), ContainsSubstring("needs its rate and acceleration"));
+    CHECK_THROWS_WITH(ancf::DynamicProblem(held.model),
+                      ContainsSubstring("needs its rate and acceleration"));
 }
 
 TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dynamics]") {
@@ -402,7 +403,7 @@ TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dy
         scene.model.fix(node, Field::r, 2);
     }
     if (clamped) scene.model.fix(scene.first(), Field::r, 0);
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     VectorX q;
     problem.numbering().gather_free(scene.model.state().q, q);
     // consistent mass: w^2 = 6 EA/(m l^2) (1 - cos b)/(2 + cos b)
@@ -419,14 +420,14 @@ TEST_CASE("problem: frequencies of a bar row are those of its closed form", "[dy
 TEST_CASE("problem: round-off moves nothing", "[dynamics]") {
     Chain scene = chain(4, {0.1, 0.2, 0.3}, {1.3, 0.7, -0.4});
     scene.model.pin(scene.first());
-    BarProblem at_rest(scene.model);
+    ancf::DynamicProblem at_rest(scene.model);
     Start start = at_rest.start();
     REQUIRE(start.status == Status::converged);
     CHECK(at_rest.motion_frequency(start) == 0.0);
     CHECK(at_rest.force_scale(start) == 0.0);
 
     scene.model.set_gravity({0.0, -9.81, 0.0});
-    BarProblem falling(scene.model);
+    ancf::DynamicProblem falling(scene.model);
     start = falling.start();
     const double length = falling.length_scale();
     CHECK(falling.motion_frequency(start) >= std::sqrt(9.81 / length));
@@ -434,7 +435,7 @@ TEST_CASE("problem: round-off moves nothing", "[dynamics]") {
 
     scene.model.set_gravity({0.0, 0.0, 0.0});
     scene.model.set_rate(scene.last(), Field::r, {0.0, 0.0, 2.0});
-    BarProblem thrown(scene.model);
+    ancf::DynamicProblem thrown(scene.model);
     CHECK(thrown.motion_frequency(thrown.start()) == Approx(2.0 / length));
 }
 
@@ -443,7 +444,7 @@ TEST_CASE("problem: a link between points that coincide is refused by name", "[d
     const ancf::Motion growing{[](double t) { return t; }, [](double) { return 1.0; },
                                [](double) { return 0.0; }};
     scene.model.add(ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), growing));
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const Start start = problem.start();
     CHECK(start.status == Status::inconsistent);
     CHECK_THAT(start.message, ContainsSubstring("coincide"));
@@ -452,7 +453,7 @@ TEST_CASE("problem: a link between points that coincide is refused by name", "[d
 TEST_CASE("problem: a mechanism without stiffness has no frequency", "[dynamics]") {
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     scene.model.add(ancf::Distance<3>(scene.first(), scene.last(), 1.0));
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     VectorX q;
     problem.numbering().gather_free(scene.model.state().q, q);
     CHECK(problem.highest_frequency(0.0, q) > 0.0);
@@ -463,19 +464,20 @@ TEST_CASE("problem: options that cannot be meant are refused", "[dynamics]") {
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     ancf::ProblemOptions options;
     options.consistency = 0.0;
-    CHECK_THROWS_AS(BarProblem(scene.model, options), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::DynamicProblem(scene.model, options), ancf::InvalidArgument);
     options = {};
     options.redundancy_tolerance = -1.0;
-    CHECK_THROWS_AS(BarProblem(scene.model, options), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::DynamicProblem(scene.model, options), ancf::InvalidArgument);
     options = {};
     options.storage = ancf::Storage::lower;
     scene.model.add(ancf::Distance<3>(scene.first(), scene.last(), 1.0));
-    CHECK_THROWS_AS(BarProblem(scene.model, options), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::DynamicProblem(scene.model, options), ancf::InvalidArgument);
 }
 
 TEST_CASE("problem: a scene with a node of no mass is refused", "[dynamics]") {
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1.0, 0.0);
-    CHECK_THROWS_WITH(BarProblem(scene.model), ContainsSubstring("not positive definite"));
+    CHECK_THROWS_WITH(ancf::DynamicProblem(scene.model),
+                      ContainsSubstring("not positive definite"));
 }
 
 TEST_CASE("schedules: times ascend between start and end", "[dynamics]") {

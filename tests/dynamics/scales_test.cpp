@@ -16,8 +16,8 @@ using namespace ancf::test;
 using ancf::Status;
 
 /// Integrates a copy of a scene to a time in its own units.
-template <class Scene, class Integrator>
-ancf::DynamicsReport run(Scene model, const Integrator& integrator, double end) {
+template <class Integrator>
+ancf::DynamicsReport run(ancf::Scene model, const Integrator& integrator, double end) {
     ancf::DynamicProblem problem(model);
     ancf::EigenLu solver;
     ancf::Schedule schedule;
@@ -119,7 +119,7 @@ TEST_CASE("scales: what holds a start to be at rest does not depend on units",
     for (const double time : {1e-9, 1.0, 1e9}) {
         Scale scale;
         scale.time = time;
-        PlanarScene model = cantilever(scale);
+        ancf::PlanarModel model = cantilever(scale);
         model.set_rate({4}, ancf::Field::r, {0.0, 1.0 / time});
         model.set_rate({0}, ancf::Field::r, {0.0, 1e-7 / time});  // of a clamped node
         ancf::DynamicProblem problem(model);

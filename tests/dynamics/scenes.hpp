@@ -20,8 +20,6 @@
 
 namespace ancf::test {
 
-using BarModel = Model;
-using BarProblem = DynamicProblem;
 using Vector3 = Vector<double, 3>;
 
 /// Returns a schedule that ends at a time and reports nothing on the way.
@@ -33,7 +31,7 @@ using Vector3 = Vector<double, 3>;
 
 /// Bars in a row.
 struct Chain {
-    BarModel model;
+    Model model;
     std::vector<NodeId> nodes;
 
     [[nodiscard]] NodeId first() const { return nodes.front(); }
@@ -56,18 +54,17 @@ struct Chain {
 }
 
 /// Sets the rates of a rigid turn about the origin and a translation.
-template <class Scene>
-void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
+inline void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
     State& state = model.state();
     for (int node = 0; node < model.nodes(); ++node)
         for (int k = 0; k < field_count; ++k) {
             const NodeField at{{node}, static_cast<Field>(k)};
             const int first = model.layout().index(at);
             if (first < 0) continue;
-            const Vector3 value = state.q.template segment<3>(first);
+            const Vector3 value = state.q.segment<3>(first);
             Vector3 rate = cross(turn, value);
             if (at.field == Field::r) rate += translation;
-            state.v.template segment<3>(first) = rate;
+            state.v.segment<3>(first) = rate;
         }
 }
 
@@ -85,7 +82,7 @@ void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
 [[nodiscard]] inline const State& exact_swing() {
     static const State state = [] {
         Chain scene = swing();
-        BarProblem problem(scene.model);
+        DynamicProblem problem(scene.model);
         const Start start = problem.start();
         VectorX lambda;
         const auto acceleration = [&](double t, const VectorX& q, const VectorX& v) {

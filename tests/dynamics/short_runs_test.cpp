@@ -20,7 +20,7 @@ template <class Integrator>
 void check_run(const Integrator& integrator, double duration) {
     CAPTURE(duration);
     Chain scene = swing();
-    BarProblem problem(scene.model);
+    ancf::DynamicProblem problem(scene.model);
     const ancf::Start start = problem.start();
     ancf::EigenLu solver;
     ancf::Schedule schedule = until(duration);
@@ -71,7 +71,7 @@ TEST_CASE("A run far shorter than its step moves to its end and shows the way", 
 TEST_CASE("A run without duration takes no step and shows its start", "[dynamics]") {
     const auto check = [](const auto& integrator) {
         Chain scene = swing();
-        BarProblem problem(scene.model);
+        ancf::DynamicProblem problem(scene.model);
         ancf::EigenLu solver;
         ancf::Schedule schedule = until(0.0);
         schedule.times = {0.0, 0.0};

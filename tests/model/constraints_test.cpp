@@ -64,13 +64,15 @@ auto random_scene(Random& random) {
     return model;
 }
 
-template <class Scene>
-VectorX local_values(const Scene& model, const ancf::Coupling& coupling) {
-    constexpr int dimension = Scene::dimension;
+VectorX local_values(const ancf::Scene& model, const ancf::Coupling& coupling) {
+    const int dimension = model.dimension();
     VectorX q(dimension * static_cast<int>(coupling.size()));
-    for (std::size_t k = 0; k < coupling.size(); ++k)
-        q.segment<dimension>(dimension * static_cast<int>(k)) =
-            model.value(coupling[k].node, coupling[k].field);
+    int at = 0;
+    for (const auto& [node, field] : coupling) {
+        q.segment(at, dimension) =
+            model.state().q.segment(model.coordinate(node, field), dimension);
+        at += dimension;
+    }
     return q;
 }
 
@@ -93,8 +95,8 @@ double gap(const A& value, const B& expected) {
 }
 
 /// Checks G, (G^T lambda)_q, g_t and c by complex steps at a displaced state.
-template <class Scene, class Constraint>
-void check_derivatives(const Scene& model, const Constraint& constraint, Random& random) {
+template <class Constraint>
+void check_derivatives(const ancf::Scene& model, const Constraint& constraint, Random& random) {
     INFO(constraint.name());
     const double h = ancf::test::complex_step;
     const VectorX q0 = local_values(model, constraint.coupling());
@@ -137,14 +139,14 @@ void check_derivatives(const Scene& model, const Constraint& constraint, Random&
 }
 
 /// Checks that G has full rank where the joint was made, and that it holds there.
-template <class Scene, class Constraint>
-void check_regular(const Scene& model, const Constraint& constraint, bool positions_apart) {
+template <class Constraint>
+void check_regular(const ancf::Scene& model, const Constraint& constraint, bool positions_apart) {
     INFO(constraint.name());
     const VectorX q = local_values(model, constraint.coupling());
     auto out = sized(constraint.equations(), q.size());
     constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(constraint.equations()), 0.0},
                         out);
-    const int skipped = positions_apart ? Scene::dimension : 0;
+    const int skipped = positions_apart ? model.dimension() : 0;
     const int angles = constraint.equations() - skipped;
     CHECK(out.violation.tail(angles).norm() <= 1e-14);
     const Eigen::JacobiSVD<MatrixX> svd(out.jacobian);
@@ -260,8 +262,9 @@ TEST_CASE("joints see directions only: stretching the slopes changes no angle", 
 }
 
 /// Returns the scene with node 1 turned.
-template <class Scene>
-Scene turned(Scene model, const ancf::Matrix<double, Scene::dimension>& turn) {
+template <int Dimension>
+ancf::BasicModel<Dimension> turned(ancf::BasicModel<Dimension> model,
+                                   const ancf::Matrix<double, Dimension>& turn) {
     for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
         if (model.layout().index({NodeId{1}, slope}) >= 0)
             model.set_value(NodeId{1}, slope, turn * model.value(NodeId{1}, slope));

@@ -28,8 +28,6 @@ namespace curve_test {
 using namespace ancf;
 using Spatial = CrossSectionBeam<3, Geodesic>;
 using Planar = CrossSectionBeam<2>;
-using Space = Model;
-using Plane = PlanarModel;
 using P2 = Vector<double, 2>;
 using P3 = Vector<double, 3>;
 
@@ -42,25 +40,18 @@ CrossSectionOptions accurate() {
     return {Rule::mixed(), TransverseStrain::stretch, SectionModel::saint_venant};
 }
 
-/// Returns one nodal vector of a model.
-template <class Scene>
-typename Scene::Point at(const Scene& model, NodeId node, Field field) {
-    return model.value(node, field);
-}
-
 /// Checks that slopes are orthonormal and right-handed.
-void check_frame(const Space& model, NodeId node) {
-    const P3 x = at(model, node, Field::r_x), y = at(model, node, Field::r_y);
-    const P3 z = at(model, node, Field::r_z);
+void check_frame(const Model& model, NodeId node) {
+    const P3 x = model.value(node, Field::r_x), y = model.value(node, Field::r_y);
+    const P3 z = model.value(node, Field::r_z);
     CHECK(x.norm() == Approx(1.0).epsilon(1e-14));
     CHECK(y.norm() == Approx(1.0).epsilon(1e-14));
     CHECK((z - cross(x, y)).norm() <= 1e-14);
 }
 
-template <class Scene>
 double total_length(const Scene& model) {
     double sum = 0.0;
-    const auto& group = model.template group<Spatial>();
+    const auto& group = model.group<Spatial>();
     for (int k = 0; k < static_cast<int>(group.connections.size()); ++k)
         sum += group.element(k).length();
     return sum;
@@ -69,7 +60,7 @@ double total_length(const Scene& model) {
 /// Returns the displacement of the tip of a quarter of a circle, radius 1, clamped at the origin,
 /// that starts along X and turns towards Y.
 P3 quarter_tip(int elements, const P3& force, const CrossSectionOptions& options = accurate()) {
-    Space model;
+    Model model;
     const auto beam = arc<Spatial>(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0,
                                    0.5 * pi, elements, options);
     model.clamp(beam.first());
@@ -82,7 +73,7 @@ P3 quarter_tip(int elements, const P3& force, const CrossSectionOptions& options
 }
 
 P2 quarter_tip(int elements, const P2& force) {
-    Plane model;
+    PlanarModel model;
     const auto beam =
         arc<Planar>(model, steel(), square(), {0, 0}, {1, 0}, 1.0, 0.5 * pi, elements, accurate());
     model.clamp(beam.first());
@@ -101,7 +92,7 @@ double order(const Point& coarse, const Point& middle, const Point& fine) {
 }
 
 TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "[model][curve]") {
-    Space model;
+    Model model;
     const P3 from(1.0, -2.0, 0.5), tangent(0.0, 3.0, 4.0), normal(1.0, 0.2, 0.0);
     const double radius = 2.5, angle = 2.0;
     const auto beam =
@@ -115,8 +106,8 @@ TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "
         check_frame(model, node);
         const P3 inward = centre - model.position(node);
         CHECK(inward.norm() == Approx(radius).epsilon(1e-14));
-        CHECK((at(model, node, Field::r_y) - inward / radius).norm() <= 1e-14);
-        CHECK(std::acos(at(model, node, Field::r_x).dot(frame.col(0))) ==
+        CHECK((model.value(node, Field::r_y) - inward / radius).norm() <= 1e-14);
+        CHECK(std::acos(model.value(node, Field::r_x).dot(frame.col(0))) ==
               Approx(angle * k / 8).margin(1e-7));
     }
     // the Hermite lines are shorter than the arc by (angle of one element)^4/720
@@ -125,26 +116,26 @@ TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "
     for (int k = 0; k < 8; ++k) {
         const auto e = model.element_coordinates<Spatial>(k);
         const double scale = steel().young * square().moments().area;
-        CHECK(model.template group<Spatial>().element(k).force(e).norm() <= 1e-13 * scale);
+        CHECK(model.group<Spatial>().element(k).force(e).norm() <= 1e-13 * scale);
     }
 }
 
 TEST_CASE("arc: in the plane it turns to either side", "[model][curve][planar]") {
     for (const double angle : {1.5, -1.5}) {
-        Plane model;
+        PlanarModel model;
         const auto beam = arc<Planar>(model, steel(), square(), {0, 0}, {0, 2}, 3.0, angle, 6);
         const double sign = angle > 0.0 ? 1.0 : -1.0;
         const P2 tip = model.position(beam.last());
         CHECK(tip[0] == Approx(-sign * 3.0 * (1.0 - std::cos(angle))));
         CHECK(tip[1] == Approx(3.0 * std::sin(1.5)));
-        const P2 x = at(model, beam.last(), Field::r_x), y = at(model, beam.last(), Field::r_y);
+        const P2 x = model.value(beam.last(), Field::r_x), y = model.value(beam.last(), Field::r_y);
         CHECK((x - P2(-std::sin(angle), std::cos(angle))).norm() <= 1e-14);
         CHECK((y - P2(-x[1], x[0])).norm() <= 1e-14);
     }
 }
 
 TEST_CASE("arc: its mass and weight are those of the ring's part", "[model][curve]") {
-    Space model;
+    Model model;
     const double radius = 1.0, angle = 0.5 * pi;
     const auto beam =
         arc<Spatial>(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, radius, angle, 16);
@@ -153,7 +144,7 @@ TEST_CASE("arc: its mass and weight are those of the ring's part", "[model][curv
     P3 sum = P3::Zero();
     double work = 0.0;
     for (int k = 0; k < 16; ++k) {
-        const auto weight = model.template group<Spatial>().element(k).gravity(g);
+        const auto weight = model.group<Spatial>().element(k).gravity(g);
         sum += weight.segment<3>(0) + weight.segment<3>(12);
         work += weight.dot(model.element_coordinates<Spatial>(k));
     }
@@ -166,7 +157,7 @@ TEST_CASE("arc: its mass and weight are those of the ring's part", "[model][curv
 TEST_CASE("helix: nodes lie on it, tangents have its slope, y points to the axis",
           "[model][curve]") {
     for (const double pitch : {0.8, -0.8, 0.0}) {
-        Space model;
+        Model model;
         const double radius = 0.5, turns = 1.5;
         const P3 centre(0.1, 0.2, 0.3);
         const auto beam = helix<Spatial>(model, steel(), square(), centre, P3(0, 0, 2), P3(1, 0, 1),
@@ -178,9 +169,10 @@ TEST_CASE("helix: nodes lie on it, tangents have its slope, y points to the axis
             const P3 expected = centre + P3(radius * std::cos(turn), radius * std::sin(turn),
                                             pitch * turns * k / 24);
             CHECK((model.position(node) - expected).norm() <= 1e-14);
-            CHECK((at(model, node, Field::r_y) + P3(std::cos(turn), std::sin(turn), 0.0)).norm() <=
-                  1e-14);
-            CHECK(at(model, node, Field::r_x)[2] ==
+            CHECK(
+                (model.value(node, Field::r_y) + P3(std::cos(turn), std::sin(turn), 0.0)).norm() <=
+                1e-14);
+            CHECK(model.value(node, Field::r_x)[2] ==
                   Approx(pitch / std::hypot(pitch, 2.0 * pi * radius)).margin(1e-15));
         }
         const double length = turns * std::hypot(pitch, 2.0 * pi * radius);
@@ -191,7 +183,7 @@ TEST_CASE("helix: nodes lie on it, tangents have its slope, y points to the axis
 TEST_CASE("spline: it passes through its points, smooth and without needless twist",
           "[model][curve]") {
     SECTION("points of a parabola give its tangents") {
-        Space model;
+        Model model;
         std::vector<P3> through;
         for (const double x : {0.0, 0.3, 0.5, 1.0}) through.emplace_back(x, 0.0, x * x);
         const auto beam = spline<Spatial>(model, steel(), square(), through, P3(0, 1, 0));
@@ -201,24 +193,25 @@ TEST_CASE("spline: it passes through its points, smooth and without needless twi
             check_frame(model, node);
             CHECK((model.position(node) - through[k]).norm() == 0.0);
             // a plane curve keeps the normal of its plane
-            CHECK((at(model, node, Field::r_y) - P3(0, 1, 0)).norm() <= 1e-14);
+            CHECK((model.value(node, Field::r_y) - P3(0, 1, 0)).norm() <= 1e-14);
         }
         // on an inner node between equal chords the secant is the tangent's direction
-        const P3 x = at(model, beam.node(1), Field::r_x);
+        const P3 x = model.value(beam.node(1), Field::r_x);
         CHECK(x[2] / x[0] == Approx(2.0 * 0.3).epsilon(0.1));
     }
     SECTION("a straight row of points is a straight beam") {
-        Space model;
+        Model model;
         const auto beam = spline<Spatial>(model, steel(), square(),
                                           {P3(0, 0, 0), P3(1, 1, 1), P3(3, 3, 3)}, P3(0, 0, 1));
         CHECK(total_length(model) == Approx(3.0 * std::sqrt(3.0)).epsilon(1e-14));
-        CHECK((at(model, beam.last(), Field::r_y) - at(model, beam.first(), Field::r_y)).norm() <=
-              1e-14);
+        CHECK(
+            (model.value(beam.last(), Field::r_y) - model.value(beam.first(), Field::r_y)).norm() <=
+            1e-14);
     }
     SECTION("points of a circle approach its length") {
         double error[2];
         for (int k = 0; k < 2; ++k) {
-            Space model;
+            Model model;
             std::vector<P3> through;
             const int elements = 16 << k;
             for (int n = 0; n <= elements; ++n) {
@@ -269,7 +262,7 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
     INFO("elements " << elements);
     SECTION("in space") {
         const auto tip = [&](bool welded, const auto& load) {
-            Space model;
+            Model model;
             const auto beam = straight_beam<Spatial>(model, steel(), rectangle(depth, depth),
                                                      {0, 0, 0}, {1, 0, 0}, elements, accurate());
             if (welded)
@@ -280,8 +273,8 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
             EigenLu solver;
             REQUIRE(solve_statics(model, solver).status == Status::converged);
             Vector<double, 9> all;
-            all << model.position(beam.last()), at(model, beam.last(), Field::r_y),
-                at(model, beam.last(), Field::r_z);
+            all << model.position(beam.last()), model.value(beam.last(), Field::r_y),
+                model.value(beam.last(), Field::r_z);
             return all;
         };
         const auto compare = [&](const auto& load) {
@@ -302,7 +295,7 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
     }
     SECTION("in the plane") {
         const auto tip = [&](bool welded) {
-            Plane model;
+            PlanarModel model;
             const auto beam = straight_beam<Planar>(model, steel(), rectangle(depth, depth), {0, 0},
                                                     {1, 0}, elements, accurate());
             if (welded)
@@ -319,11 +312,11 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
 }
 
 TEST_CASE("point_along: it lies on the centre line of curved elements", "[model][curve]") {
-    Space model;
+    Model model;
     const auto beam =
         spline<Spatial>(model, steel(), square(), {P3(0, 0, 0), P3(0.5, 0.3, 0), P3(0.7, 0.9, 0.3)},
                         P3(0, 0, 1), accurate());
-    const auto& group = model.template group<Spatial>();
+    const auto& group = model.group<Spatial>();
     for (const int k : beam.elements)
         for (const double xi : {0.0, 0.3, 0.5, 1.0}) {
             const MaterialPoint point = point_along<Spatial>(model, k, xi);
@@ -341,7 +334,7 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
     const double E = steel().young, G = steel().shear, I = square().moments().yy;
     const double J = square().torsion_constant(), P = 1.0;
     SECTION("in space, loaded across the plane") {
-        Space model;
+        Model model;
         const auto line = polyline<Spatial>(model, steel(), square(),
                                             {P3(0, 0, 0), P3(1, 0, 0), P3(1, 1, 0)}, 4, accurate());
         const auto& legs = line.members;
@@ -356,7 +349,7 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
         CHECK((model.position(legs[0].last()) - model.position(legs[1].first())).norm() <= 1e-14);
     }
     SECTION("in the plane, far bent") {
-        Plane model;
+        PlanarModel model;
         const auto line = polyline<Planar>(model, steel(), square(),
                                            {P2(0, 0), P2(1, 0), P2(1, 1), P2(2, 1)}, 4, accurate());
         const auto& legs = line.members;
@@ -368,8 +361,8 @@ TEST_CASE("polyline: a right angle yields as its two legs and keeps its corner",
         for (int k = 0; k < 2; ++k) {
             const auto& before = legs[static_cast<std::size_t>(k)];
             const auto& after = legs[static_cast<std::size_t>(k + 1)];
-            const P2 a = at(model, before.last(), Field::r_y),
-                     b = at(model, after.first(), Field::r_y);
+            const P2 a = model.value(before.last(), Field::r_y),
+                     b = model.value(after.first(), Field::r_y);
             CHECK(std::abs(a.dot(b)) <= 1e-5);  // the joint's own yielding
             CHECK(a[0] * b[1] - a[1] * b[0] == Approx(k == 0 ? 1.0 : -1.0).epsilon(0.01));
         }
@@ -384,65 +377,65 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
     const P3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
     struct Case {
         const char* what;
-        std::function<void(Space&)> build;
+        std::function<void(Model&)> build;
     };
     const Case cases[] = {
-        {"arc: no radius", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 4); }},
-        {"arc: negative radius", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, -1.0, 1.0, 4); }},
-        {"arc: no angle", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 0.0, 4); }},
-        {"arc: angle no number", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, nan, 4); }},
-        {"arc: no elements", [&](Space& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0); }},
+        {"arc: no radius", [&](Model& a) { arc<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 4); }},
+        {"arc: negative radius", [&](Model& a) { arc<Spatial>(a, m, s, o, x, y, -1.0, 1.0, 4); }},
+        {"arc: no angle", [&](Model& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 0.0, 4); }},
+        {"arc: angle no number", [&](Model& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, nan, 4); }},
+        {"arc: no elements", [&](Model& a) { arc<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0); }},
         {"arc: parallel directions",
-         [&](Space& a) { arc<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 4); }},
-        {"arc: no tangent", [&](Space& a) { arc<Spatial>(a, m, s, o, o, y, 1.0, 1.0, 4); }},
+         [&](Model& a) { arc<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 4); }},
+        {"arc: no tangent", [&](Model& a) { arc<Spatial>(a, m, s, o, o, y, 1.0, 1.0, 4); }},
         {"arc: start no number",
-         [&](Space& a) { arc<Spatial>(a, m, s, P3(nan, 0, 0), x, y, 1.0, 1.0, 4); }},
-        {"helix: no radius", [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 1.0, 4); }},
+         [&](Model& a) { arc<Spatial>(a, m, s, P3(nan, 0, 0), x, y, 1.0, 1.0, 4); }},
+        {"helix: no radius", [&](Model& a) { helix<Spatial>(a, m, s, o, x, y, 0.0, 1.0, 1.0, 4); }},
         {"helix: pitch no number",
-         [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, nan, 1.0, 4); }},
-        {"helix: no turns", [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0.0, 4); }},
+         [&](Model& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, nan, 1.0, 4); }},
+        {"helix: no turns", [&](Model& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 0.0, 4); }},
         {"helix: no elements",
-         [&](Space& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 1.0, 0); }},
+         [&](Model& a) { helix<Spatial>(a, m, s, o, x, y, 1.0, 1.0, 1.0, 0); }},
         {"helix: parallel directions",
-         [&](Space& a) { helix<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 1.0, 4); }},
-        {"spline: one point", [&](Space& a) { spline<Spatial>(a, m, s, {o}, y); }},
+         [&](Model& a) { helix<Spatial>(a, m, s, o, x, x, 1.0, 1.0, 1.0, 4); }},
+        {"spline: one point", [&](Model& a) { spline<Spatial>(a, m, s, {o}, y); }},
         {"spline: a point twice",
-         [&](Space& a) {
+         [&](Model& a) {
              spline<Spatial>(a, m, s, {o, x, x}, y);
          }},
         {"spline: no number",
-         [&](Space& a) {
+         [&](Model& a) {
              spline<Spatial>(a, m, s, {o, P3(nan, 0, 0)}, y);
          }},
         {"spline: y along it",
-         [&](Space& a) {
+         [&](Model& a) {
              spline<Spatial>(a, m, s, {o, x}, x);
          }},
-        {"polyline: one point", [&](Space& a) { polyline<Spatial>(a, m, s, {o}, 4); }},
+        {"polyline: one point", [&](Model& a) { polyline<Spatial>(a, m, s, {o}, 4); }},
         {"polyline: a point twice",
-         [&](Space& a) {
+         [&](Model& a) {
              polyline<Spatial>(a, m, s, {o, o}, 4);
          }},
         {"polyline: no elements",
-         [&](Space& a) {
+         [&](Model& a) {
              polyline<Spatial>(a, m, s, {o, x, y}, 0);
          }},
         {"beam_through: one point",
-         [&](Space& a) {
+         [&](Model& a) {
              beam_through<Spatial>(a, m, s, {{o, reference_slopes(x)}}, {1.0});
          }},
         {"beam_through: lengths that do not fit",
-         [&](Space& a) {
+         [&](Model& a) {
              beam_through<Spatial>(a, m, s, {{o, reference_slopes(x)}, {x, reference_slopes(x)}},
                                    {1.0, 1.0});
          }},
     };
     for (const Case& each : cases) {
         INFO(each.what);
-        Space model;
+        Model model;
         CHECK_THROWS_AS(each.build(model), InvalidArgument);
     }
-    Plane plane;
+    PlanarModel plane;
     CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 0.0, 1.0, 4), InvalidArgument);
     CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 1.0, 0.0, 4), InvalidArgument);
     CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(0, 0), 1.0, 1.0, 4), InvalidArgument);

@@ -36,7 +36,6 @@ Material material() { return Material::isotropic(2e9, 0.3, density); }
 Section section() { return rectangle(side, side); }
 
 /// Integrates a model to the given time and returns whether it got there.
-template <class Scene>
 bool run(Scene& model, double end, double step) {
     DynamicProblem problem(model);
     EigenLu solver;
@@ -50,8 +49,7 @@ bool run(Scene& model, double end, double step) {
 }
 
 /// Gives every node the same velocity.
-template <class Scene>
-void set_velocity(Scene& model, const Point& velocity) {
+void set_velocity(PlanarModel& model, const Point& velocity) {
     for (int node = 0; node < model.nodes(); ++node) model.set_rate({node}, Field::r, velocity);
 }
 

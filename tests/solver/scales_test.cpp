@@ -46,16 +46,13 @@ void check_scales(const Analysis& analysis, double base, long apart) {
     CHECK(checked == 11);
 }
 
-template <class Scene>
-void add_tip(const Scene& model, const Scale& scale, Outcome& outcome) {
-    const auto tip = model.position({model.nodes() - 1});
-    for (const double x : tip) outcome.values.push_back(x / scale.length);
+void add_tip(const ancf::Scene& model, const Scale& scale, Outcome& outcome) {
+    const int tip = model.coordinate({model.nodes() - 1}, ancf::Field::r);
+    for (int k = 0; k < model.dimension(); ++k)
+        outcome.values.push_back(model.state().q[tip + k] / scale.length);
 }
 
-template <class LinearSolver, class Make>
-Outcome statics(const Make& make, const Scale& scale) {
-    auto model = make(scale);
-    LinearSolver solver;
+Outcome statics(ancf::Scene&& model, ancf::LinearSolver&& solver, const Scale& scale) {
     const auto report = ancf::solve_statics(model, solver);
     CAPTURE(report.message);
     CHECK(report.status == Status::converged);
@@ -64,10 +61,8 @@ Outcome statics(const Make& make, const Scale& scale) {
     return outcome;
 }
 
-template <class LinearSolver, class Make>
-Outcome path(const Make& make, const Scale& scale, ancf::PathControl control) {
-    auto model = make(scale);
-    LinearSolver solver;
+Outcome path(ancf::Scene&& model, ancf::LinearSolver&& solver, const Scale& scale,
+             ancf::PathControl control) {
     ancf::PathOptions options;
     options.control = control;
     options.at = {{model.nodes() - 1}, ancf::Field::r};
@@ -84,10 +79,7 @@ Outcome path(const Make& make, const Scale& scale, ancf::PathControl control) {
     return outcome;
 }
 
-template <class LinearSolver, class Make>
-Outcome modes(const Make& make, const Scale& scale) {
-    const auto model = make(scale);
-    LinearSolver solver;
+Outcome modes(ancf::Scene&& model, ancf::LinearSolver&& solver, const Scale& scale) {
     const auto natural = ancf::natural_modes(model, solver);
     CHECK(natural.status == Status::converged);
     Outcome outcome{{natural.iterations}, {}};
@@ -101,18 +93,14 @@ Outcome modes(const Make& make, const Scale& scale) {
     return outcome;
 }
 
-const auto free_tip = [](const Scale& scale) { return cantilever(scale); };
-const auto linked = [](const Scale& scale) { return linkage(scale); };
-const auto welded = [](const Scale& scale) { return elbow(scale); };
-
 using Ldlt = ancf::EigenLdlt;
 using Lu = ancf::EigenLu;
 
 TEST_CASE("scales: statics take the same iterations in any units", "[statics][scales]") {
     const auto check = [](double base, long apart) {
-        check_scales([](const Scale& s) { return statics<Ldlt>(free_tip, s); }, base, apart);
-        check_scales([](const Scale& s) { return statics<Lu>(linked, s); }, base, apart);
-        check_scales([](const Scale& s) { return statics<Lu>(welded, s); }, base, apart);
+        check_scales([](const Scale& s) { return statics(cantilever(s), Ldlt(), s); }, base, apart);
+        check_scales([](const Scale& s) { return statics(linkage(s), Lu(), s); }, base, apart);
+        check_scales([](const Scale& s) { return statics(elbow(s), Lu(), s); }, base, apart);
     };
     check(2.0, 0);
     check(1e3, 1);
@@ -124,11 +112,11 @@ TEST_CASE("scales: paths take the same steps and iterations in any units", "[pat
         using Control = ancf::PathControl;
         for (const Control control :
              {Control::cylindrical, Control::spherical, Control::displacement})
-            check_scales([&](const Scale& s) { return path<Ldlt>(free_tip, s, control); }, base,
-                         apart);
+            check_scales([&](const Scale& s) { return path(cantilever(s), Ldlt(), s, control); },
+                         base, apart);
         const auto along = Control::cylindrical;
-        check_scales([&](const Scale& s) { return path<Lu>(linked, s, along); }, base, apart);
-        check_scales([&](const Scale& s) { return path<Lu>(welded, s, along); }, base, apart);
+        check_scales([&](const Scale& s) { return path(linkage(s), Lu(), s, along); }, base, apart);
+        check_scales([&](const Scale& s) { return path(elbow(s), Lu(), s, along); }, base, apart);
     };
     check(2.0, 0);
     check(1e9, 1);
@@ -137,9 +125,9 @@ TEST_CASE("scales: paths take the same steps and iterations in any units", "[pat
 TEST_CASE("scales: modes and buckling loads take the same iterations in any units",
           "[modal][scales]") {
     const auto check = [](double base, long apart) {
-        check_scales([](const Scale& s) { return modes<Ldlt>(free_tip, s); }, base, apart);
-        check_scales([](const Scale& s) { return modes<Lu>(linked, s); }, base, apart);
-        check_scales([](const Scale& s) { return modes<Lu>(welded, s); }, base, apart);
+        check_scales([](const Scale& s) { return modes(cantilever(s), Ldlt(), s); }, base, apart);
+        check_scales([](const Scale& s) { return modes(linkage(s), Lu(), s); }, base, apart);
+        check_scales([](const Scale& s) { return modes(elbow(s), Lu(), s); }, base, apart);
     };
     check(2.0, 0);
     check(1e9, 1);

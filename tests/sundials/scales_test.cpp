@@ -121,7 +121,7 @@ TEST_CASE("scales: IDA moves scenes alike in any units, in about as many steps",
 
 TEST_CASE("Ida: runs of any length reach their end and show the way", "[ida]") {
     const auto seen_in = [](double start, double duration) {
-        PlanarScene model = cantilever(Scale{});
+        ancf::PlanarModel model = cantilever(Scale{});
         model.state().time = start;
         ancf::DynamicProblem problem(model);
         ancf::Schedule schedule;

@@ -51,13 +51,10 @@ inline std::ostream& operator<<(std::ostream& out, const Scale& scale) {
             {down, 1.0, down}, {up, up, up},     {down, down, down}};
 }
 
-using PlanarScene = PlanarModel;
-using SpatialScene = Model;
-
 /// A slender steel cantilever in the plane, bent by a force at its tip.
-[[nodiscard]] inline PlanarScene cantilever(const Scale& scale, double force = 1000.0) {
+[[nodiscard]] inline PlanarModel cantilever(const Scale& scale, double force = 1000.0) {
     const double m = scale.length;
-    PlanarScene model;
+    PlanarModel model;
     const auto beam =
         straight_beam<CrossSectionBeam<2>>(model, scale.material(2.07e11, 0.3, 7850.0),
                                            rectangle(0.01 * m, 0.01 * m), {0.0, 0.0}, {m, 0.0}, 4);
@@ -68,9 +65,9 @@ using SpatialScene = Model;
 
 /// Three beams in the plane: welded to space, welded to the first, hinged to the second and tied to
 /// a place.
-[[nodiscard]] inline PlanarScene linkage(const Scale& scale, double force = 8000.0) {
+[[nodiscard]] inline PlanarModel linkage(const Scale& scale, double force = 8000.0) {
     const double m = scale.length;
-    PlanarScene model;
+    PlanarModel model;
     const Material steel = scale.material(2.07e11, 0.3, 7850.0);
     const Section section = rectangle(0.05 * m, 0.05 * m);
     const auto column =
@@ -88,9 +85,9 @@ using SpatialScene = Model;
 }
 
 /// Two beams in space, welded to space and to each other at a right angle.
-[[nodiscard]] inline SpatialScene elbow(const Scale& scale, double force = 20000.0) {
+[[nodiscard]] inline Model elbow(const Scale& scale, double force = 20000.0) {
     const double m = scale.length;
-    SpatialScene model;
+    Model model;
     const Material steel = scale.material(2.07e11, 0.3, 7850.0);
     const Section section = rectangle(0.08 * m, 0.04 * m);
     const auto first = straight_beam<CrossSectionBeam<3>>(model, steel, section, {0.0, 0.0, 0.0},

@@ -61,8 +61,7 @@ ancf::BasicModel<Element::dimension> chain(Shape shape, const char* rule, int el
 }
 
 /// Returns how many eigenvalues lie below `value` times the square of Euler's first frequency.
-template <class Scene>
-int below(const Scene& scene, double value) {
+int below(const ancf::Scene& scene, double value) {
     ancf::Assembly assembly(scene, ancf::Storage::lower);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());

@@ -31,7 +31,7 @@ public:
 
     /// @param nodes  number of nodes of the model
     ElementSchedule(const std::vector<Connection>& connections, int nodes,
-                    const Followed& followed);
+                    const Followed& followed = {});
 
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
     /// `place` counts the runs in the order in which they are added.

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/element/quadrature.hpp>
+#include <ancf/error.hpp>
+#include <ancf/model/builders/curve.hpp>
+
+#include <support/named_beam.hpp>
+
+#include <type_traits>
+
+namespace examples {
+
+namespace {
+
+/// Names an element type as a value.
+template <class T>
+struct ElementType {
+    using Element = T;
+};
+
+/// Calls visit(ElementType<...>) with the element that the options name.
+template <int Dimension, class Visit>
+auto with_element(const BeamOptions& options, const Visit& visit) {
+    using namespace ancf;
+    ancf::detail::require(options.is_planar() == (Dimension == 2), "--element ", options.element,
+                          " does not live in ", Dimension, " dimensions");
+    if (options.is_cable()) return visit(ElementType<Cable<Dimension>>{});
+    if (options.is_continuum()) return visit(ElementType<ContinuumBeam<Dimension>>{});
+    if constexpr (Dimension == 3) {
+        if (options.is_quintic()) return visit(ElementType<QuinticBeam<>>{});
+        if (options.element == "cross-section-pointwise")
+            return visit(ElementType<CrossSectionBeam<3, Projected, PointwiseShear>>{});
+        if (options.directors == "transported")
+            return visit(ElementType<CrossSectionBeam<3, Transported>>{});
+        if (options.directors == "geodesic")
+            return visit(ElementType<CrossSectionBeam<3, Geodesic>>{});
+    }
+    return visit(ElementType<CrossSectionBeam<Dimension>>{});
+}
+
+/// Returns the options of an element's constructor.
+template <class Options>
+Options element_options(const BeamOptions& beam) {
+    const ancf::Rule quadrature =
+        beam.rule == "cable" ? ancf::cable_rule() : ancf::Rule::named(beam.rule);
+    if constexpr (std::is_same_v<Options, ancf::ContinuumOptions>) {
+        const auto law = beam.element == "continuum-hooke"      ? ancf::ContinuumMaterial::hooke
+                         : beam.element == "continuum-enhanced" ? ancf::ContinuumMaterial::enhanced
+                                                                : ancf::ContinuumMaterial::diagonal;
+        return {quadrature, law};
+    } else if constexpr (std::is_same_v<Options, ancf::CableOptions>) {
+        return {quadrature, 1.0};
+    } else {
+        Options options;
+        options.rule = quadrature;
+        options.transverse = beam.transverse == "green" ? ancf::TransverseStrain::green
+                                                        : ancf::TransverseStrain::stretch;
+        options.section_model = beam.section_model == "paper" ? ancf::SectionModel::paper
+                                                              : ancf::SectionModel::saint_venant;
+        options.rotary_inertia = beam.rotary_inertia == "lumped" ? ancf::RotaryInertia::lumped
+                                                                 : ancf::RotaryInertia::consistent;
+        return options;
+    }
+}
+
+template <class Element>
+NamedBeam named(const ancf::Beam<Element>& beam) {
+    return {beam,
+            [beam](const ancf::Scene& scene, const ancf::Section& section, ancf::Surface& surface) {
+                surface.add(scene, beam, section, NamedBeam::stations);
+            },
+            [beam](const ancf::Scene& scene, const ancf::Section& section, int stations) {
+                return ancf::deformed_shape(scene, beam, section, stations);
+            }};
+}
+
+}  // namespace
+
+template <int Dimension>
+NamedBeam straight_beam(ancf::BasicModel<Dimension>& model, const BeamOptions& options,
+                        const ancf::Material& material, const ancf::Section& section,
+                        const ancf::Vector<double, Dimension>& from,
+                        const ancf::Vector<double, Dimension>& to, int elements) {
+    return with_element<Dimension>(options, [&](auto type) {
+        using Element = typename decltype(type)::Element;
+        return named(
+            ancf::straight_beam<Element>(model, material, section, from, to, elements,
+                                         element_options<typename Element::Options>(options)));
+    });
+}
+
+template <int Dimension>
+NamedBeam straight_beam(ancf::BasicModel<Dimension>& model, const BeamOptions& options,
+                        int elements) {
+    using Point = ancf::Vector<double, Dimension>;
+    return straight_beam<Dimension>(model, options, options.material(), options.section(),
+                                    Point::Zero(), options.geometry.length * Point::UnitX(),
+                                    elements);
+}
+
+template NamedBeam straight_beam(ancf::PlanarModel&, const BeamOptions&, int);
+template NamedBeam straight_beam(ancf::Model&, const BeamOptions&, int);
+template NamedBeam straight_beam(ancf::PlanarModel&, const BeamOptions&, const ancf::Material&,
+                                 const ancf::Section&, const ancf::Vector<double, 2>&,
+                                 const ancf::Vector<double, 2>&, int);
+template NamedBeam straight_beam(ancf::Model&, const BeamOptions&, const ancf::Material&,
+                                 const ancf::Section&, const ancf::Vector<double, 3>&,
+                                 const ancf::Vector<double, 3>&, int);
+
+NamedBeam arc(ancf::Model& model, const BeamOptions& options, double radius, double angle,
+              int elements) {
+    return with_element<3>(options, [&](auto type) {
+        using Element = typename decltype(type)::Element;
+        return named(ancf::arc<Element>(model, options.material(), options.section(), {0, 0, 0},
+                                        {1, 0, 0}, {0, 1, 0}, radius, angle, elements,
+                                        element_options<typename Element::Options>(options)));
+    });
+}
+
+void check(const BeamOptions& options) {
+    const auto check_in = [&options](auto dimension) {
+        with_element<dimension>(options, [&options](auto type) {
+            using Element = typename decltype(type)::Element;
+            static_cast<void>(Element(options.material(), options.section(),
+                                      options.geometry.length,
+                                      element_options<typename Element::Options>(options)));
+        });
+    };
+    options.is_planar() ? check_in(std::integral_constant<int, 2>{})
+                        : check_in(std::integral_constant<int, 3>{});
+}
+
+}  // namespace examples
