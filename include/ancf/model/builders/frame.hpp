@@ -57,6 +57,14 @@ struct FrameOptions {
     }
 };
 
+/// How a net is built.
+struct NetOptions {
+    double strain = 0.0;  ///< of the ropes as they are drawn: a net without any has no stiffness
+
+    /// @throws InvalidArgument for a strain that is not finite or not above -1.
+    void check() const;
+};
+
 /// A frame or a net as a builder added it to a model.
 template <class Element>
 struct Frame {
@@ -96,7 +104,8 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
                            const std::vector<Profile>& profiles,
                            const std::vector<typename BasicModel<Dimension>::Point>& points,
                            const std::vector<Member>& members,
-                           const Vector<double, Dimension>& y_axis, const Options&... options) {
+                           const Vector<double, Dimension>& y_axis, double strain,
+                           const Options&... options) {
     struct Made {
         int profile;
         double length;
@@ -109,7 +118,8 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         check_member(name, member, points.size(), profiles.size());
         const auto& from = points[static_cast<std::size_t>(member.first)];
         const auto& to = points[static_cast<std::size_t>(member.second)];
-        const double length = distance_apart<Dimension>(from, to) / member.elements;
+        const double length =
+            distance_apart<Dimension>(from, to) / member.elements / (1.0 + strain);
         int prototype = -1;
         for (const Made& other : made)
             if (other.profile == member.profile && std::abs(other.length - length) < 1e-12 * length)
@@ -122,9 +132,9 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         }
         Beam<Element>& beam = frame.members.emplace_back();
         beam.prototypes.push_back(prototype);
-        beam.nodes = add_nodes_between<Dimension>(
-            model, from, to, member_slopes(Vector<double, Dimension>(to - from), y_axis),
-            member.elements);
+        auto slopes = member_slopes(Vector<double, Dimension>(to - from), y_axis);
+        for (int k = 0; k < Dimension; ++k) slopes(k, 0) *= 1.0 + strain;
+        beam.nodes = add_nodes_between<Dimension>(model, from, to, slopes, member.elements);
         for (int k = 0; k < member.elements; ++k) connect_next(model, beam);
         model.attach(beam.first(), frame.joints[static_cast<std::size_t>(member.first)]);
         model.attach(beam.last(), frame.joints[static_cast<std::size_t>(member.second)]);
@@ -160,7 +170,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
                   "frame joins sections: cables have none, take net");
     frame_options.check();
     auto built = detail::add_members<Chosen>("frame", model, profiles, points, members,
-                                             frame_options.y_axis, element...);
+                                             frame_options.y_axis, 0.0, element...);
     std::vector<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
@@ -176,19 +186,22 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
 
 /// Adds a net of cables that are pinned to each other at points.
 ///
+/// A net without stress has no stiffness across its ropes: give it a strain or load it by steps.
 /// @param profiles, points, members, element  as of frame().
 /// @return  the knots and the cables, in the order given.
 /// @throws InvalidArgument as frame().
 template <class Element = void, int Dimension, class... Options>
 auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
          const std::vector<typename BasicModel<Dimension>::Point>& points,
-         const std::vector<Member>& members, const Options&... element) {
+         const std::vector<Member>& members, const NetOptions& net_options = {},
+         const Options&... element) {
     using Chosen = detail::named_element_t<Element, Dimension>;
     static_assert(!Chosen::fields.contains(Field::r_y),
                   "net pins cables: beams have sections, take frame");
+    net_options.check();
     return detail::add_members<Chosen>("net", model, profiles, points, members,
                                        Vector<double, Dimension>(Vector<double, Dimension>::Zero()),
-                                       element...);
+                                       net_options.strain, element...);
 }
 
 }  // namespace ancf
