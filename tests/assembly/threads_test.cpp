@@ -6,12 +6,14 @@
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -68,11 +70,35 @@ Evaluated evaluate_on(int threads, const Scene& scene, const VectorX& q) {
             std::vector<double>(tangent.valuePtr(), tangent.valuePtr() + tangent.nonZeros())};
 }
 
+/// A lattice: members attached to joints that several runs share.
+Scene make_lattice() {
+    constexpr int n = 9;
+    std::vector<Vector<double, 3>> points;
+    std::vector<Member> members;
+    const auto place = [](int i, int j, int k) { return i + n * (j + n * k); };
+    for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                points.emplace_back(i, j, k);
+                if (i > 0) members.push_back({place(i - 1, j, k), place(i, j, k)});
+                if (j > 0) members.push_back({place(i, j - 1, k), place(i, j, k)});
+                if (k > 0) members.push_back({place(i, j, k - 1), place(i, j, k)});
+            }
+    Scene scene;
+    const auto frame = ancf::frame<CrossSectionBeam<3>>(
+        scene, {{Material::isotropic(2e9, 0.3, 1200.0), rectangle(0.1, 0.2)}}, points, members);
+    scene.clamp(frame.joints[0]);
+    return scene;
+}
+
 TEST_CASE("Assembly: one, two and three threads give the same bits", "[assembly]") {
-    const Scene scene = make_scene();
+    const bool lattice = GENERATE(false, true);
+    CAPTURE(lattice);
+    const Scene scene = lattice ? make_lattice() : make_scene();
     test::Random random(11);
     VectorX q = scene.state().q;
     for (double& value : q) value += random.uniform(-0.01, 0.01);
+    scene.dependence().complete(q);
     const Evaluated serial = evaluate_on(1, scene, q);
     CHECK(serial.energy > 0.0);
     CHECK(serial.force.squaredNorm() > 0.0);
@@ -137,6 +163,23 @@ TEST_CASE("ElementSchedule: runs of one colour share no node and cover every ele
         CHECK(std::count(times.begin(), times.end(), 1) == count);
     }
 }
+
+#if defined(_OPENMP)
+TEST_CASE("ElementSchedule: two threads run", "[assembly]") {
+    const Scene scene = make_scene();
+    const ElementGroup& beams = *scene.groups()[0];
+    const ElementSchedule schedule(beams.connections, scene.layout().nodes());
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(2);
+    std::atomic<int> second{0};
+    static_cast<void>(schedule.sum([&](const ElementRun&, std::size_t) {
+        if (omp_get_thread_num() == 1) ++second;
+        return 0.0;
+    }));
+    omp_set_num_threads(before);
+    CHECK(second > 0);
+}
+#endif
 
 TEST_CASE("ElementSchedule: what an element throws reaches the caller", "[assembly]") {
     const Scene scene = make_scene();
