@@ -113,7 +113,8 @@ struct Lattice {
     }
 };
 
-void run(int nx, int ny, int nz, int elements, bool welds) {
+/// Returns whether five iterations came to rest.
+bool run(int nx, int ny, int nz, int elements, bool welds) {
     constexpr int iterations = 5;
     Lattice lattice{nx, ny, nz, elements, {}};
     auto start = Clock::now();
@@ -135,7 +136,7 @@ void run(int nx, int ny, int nz, int elements, bool welds) {
         assembled += since(start);
         if (fault) {
             std::printf("an element failed in iteration %d\n", k + 1);
-            return;
+            return false;
         }
         if (k == 0) {
             start = Clock::now();
@@ -148,7 +149,7 @@ void run(int nx, int ny, int nz, int elements, bool welds) {
         if (report.status != ancf::Status::converged) {
             std::printf("the factorisation of iteration %d is %s\n", k + 1,
                         std::string(to_string(report.status)).c_str());
-            return;
+            return false;
         }
         start = Clock::now();
         assembly.residual(residual);
@@ -168,6 +169,7 @@ void run(int nx, int ny, int nz, int elements, bool welds) {
                 assembled, factorised, solved, last,
                 static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0), welds ? "weld" : "");
     std::fflush(stdout);
+    return last < 1e-10;
 }
 
 }  // namespace
@@ -184,11 +186,11 @@ int main(int argc, char** argv) {
     std::printf("%17s %8s %9s %7s %8s %8s %8s %8s %8s %8s %7s\n", "joints", "members", "unknowns",
                 "10^6 nz", "build", "analyse", "evaluate", "factor", "solve", "last", "max GB");
     if (!joints.empty()) {
-        run(joints[0], joints[1], joints[2], elements, welds);
-        return 0;
+        return run(joints[0], joints[1], joints[2], elements, welds) ? 0 : 1;
     }
-    for (const int n : {3, 5, 7, 9}) run(n, n, n, elements, welds);
-    run(6, 6, 40, elements, welds);
-    run(30, 30, 2, elements, welds);
-    return 0;
+    bool good = true;
+    for (const int n : {3, 5, 7, 9}) good = run(n, n, n, elements, welds) && good;
+    good = run(6, 6, 40, elements, welds) && good;
+    good = run(30, 30, 2, elements, welds) && good;
+    return good ? 0 : 1;
 }
