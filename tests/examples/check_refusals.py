@@ -25,6 +25,8 @@ OTHERS = {  # further programs: options of a positive number, of a count, of one
     "bend45": ([], ["--elements", "--steps", "--max-iterations"], ["--element", "--rule", "--solver", "--clamp"]),
     "four_bar": (["--step", "--duration", "--output-interval"], ["--elements"], []),
     "hanging_chain": (["--span", "--length", "--stiffness"], ["--elements", "--steps"], ["--element", "--rule", "--solver"]),
+    "lattice": ([], ["--elements", "--steps", "--max-iterations"], ["--load", "--solver"]),
+    "net": ([], ["--along", "--across", "--elements", "--steps"], ["--solver"]),
     "princeton": ([], ["--elements", "--steps", "--max-iterations"], ["--rule", "--solver"]),
 }
 
@@ -104,6 +106,8 @@ def line_cases():
         yield program, ["--elements", "1", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
         yield program, ["--csv", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
     yield "cantilever", ["--force", "0,1,0", "--load-factor", "1"], ["--force", "--load-factor"]
+    for joints in ["2.5,3,3", "0,1,2", "1,1,1", "3,3"]:
+        yield "lattice", ["--joints", joints], ["--joints"]
 
 
 def element_cases():
