@@ -54,6 +54,7 @@ private:
     void set_rates(double h);
 
     static constexpr double floor = 1e-16;         // of corrections, relative
+    static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
     static constexpr double smallest_part = 1e-3;  // of a step that fails
 
     DynamicProblem& problem_;
@@ -187,6 +188,8 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         next_.lambda += 2.0 / (h * h) * solution_.tail(m);
         const double change = largest_ratio(correction, problem_.scales());
         if (!std::isfinite(change)) return Status::not_finite;
+        // what Newton's method found from there had energies of its own
+        if (change > farthest) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual
         if (change <= floor || (ratio > 0.3 && change <= 1e-11)) {
