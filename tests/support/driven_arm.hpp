@@ -94,8 +94,10 @@ struct Elbow {
     Scene model;
     Beam<Element> upper, beam;
 
-    explicit Elbow(Motion angle)
-        : upper(half_metre(Point(Point::Zero()))), beam(half_metre(Point(0.5 * Point::UnitX()))) {
+    /// @param young  Young's modulus, Pa.
+    explicit Elbow(Motion angle, double young = 1e9)
+        : upper(half_metre(Point(Point::Zero()), young)),
+          beam(half_metre(Point(0.5 * Point::UnitX()), young)) {
         model.clamp(upper.first());
         if constexpr (Dimension == 2)
             model.add(PlanarWeld(model, upper.last(), beam.first(), std::move(angle)));
@@ -131,9 +133,9 @@ struct Elbow {
     }
 
 private:
-    [[nodiscard]] Beam<Element> half_metre(const Point& from) {
+    [[nodiscard]] Beam<Element> half_metre(const Point& from, double young) {
         return straight_beam<Element>(
-            model, Material::isotropic(1e9, 0.3, 1000.0), rectangle(0.05, 0.05), from,
+            model, Material::isotropic(young, 0.3, 1000.0), rectangle(0.05, 0.05), from,
             Point(from + 0.5 * Point::UnitX()), 2, CrossSectionOptions::best());
     }
 };
