@@ -17,13 +17,14 @@
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
 
+#include <cmath>
 #include <string>
 
 namespace driven_joints_motion_test {
 
 using namespace ancf;
 
-enum class Kind { fixed, adaptive, energy_momentum };
+enum class Kind { fixed, adaptive };
 
 /// How an arm fared that was driven by an angle within a second.
 enum class Outcome { reached, refused };
@@ -35,17 +36,10 @@ Outcome drive(double angle, int steps, Kind kind) {
     DynamicProblem problem(arm.model);
     EigenLu solver;
     const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
-    DynamicsReport report;
-    if (kind == Kind::energy_momentum) {
-        EnergyMomentumOptions options;
-        options.step = 1.0 / steps;
-        report = EnergyMomentum(options).integrate(problem, solver, schedule);
-    } else {
-        GeneralizedAlphaOptions options;
-        options.step = 1.0 / steps;
-        if (kind == Kind::adaptive) options.tolerance = 1e-4;
-        report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
-    }
+    GeneralizedAlphaOptions options;
+    options.step = 1.0 / steps;
+    if (kind == Kind::adaptive) options.tolerance = 1e-4;
+    const DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
     if (report.status != Status::converged) {
         CHECK_FALSE(report.message.empty());
         CHECK(report.time < 1.0);
@@ -71,26 +65,83 @@ TEMPLATE_TEST_CASE("arms driven in steps of any length turn by the angle, or say
     CHECK(checked == 36);
 }
 
-TEMPLATE_TEST_CASE("energy-momentum turns arms in short steps, and says where steps are too long",
-                   "[constraint][dynamics]", test::DrivenArm, test::DrivenCrank) {
-    // Nothing damps what a coarse step excites, so Newton's method fails in long ones: of a second
-    // in 1, 2 and 4 steps but 0.1 rad and one other are refused, and 10 and 20 rad in 16.
-    for (const int steps : {1, 2, 4})
-        CHECK(drive<TestType>(0.1, steps, Kind::energy_momentum) == Outcome::reached);
-    for (const double angle : {0.1, 1.0, 1.7, 2.5, pi, 4.0, 2.0 * pi}) {
-        CAPTURE(angle);
-        CHECK(drive<TestType>(angle, 16, Kind::energy_momentum) == Outcome::reached);
-    }
+/// Drives an arm by the energy-momentum scheme and checks that its joint has turned by the angle,
+/// with all turns and in every part of the way.
+template <class Arm>
+DynamicsReport turn(double angle, int steps) {
+    const Motion motion = test::smooth_turn(angle);
+    Arm arm(motion);
+    DynamicProblem problem(arm.model);
+    EigenLu solver;
+    EnergyMomentumOptions options;
+    options.step = 1.0 / steps;
+    Schedule schedule = equal_intervals(0.0, 1.0, 1.0 / 128);
+    // half of what a step may turn; within a step the state lies between those of its ends
+    const double within = pi / 24.0;
+    double turned = 0.0, before = 0.0;
+    bool first = true;
+    schedule.observe = [&](const Snapshot& seen) {
+        const double now = arm.joint_angle(seen.state.q);
+        if (!first) turned += std::remainder(now - before, 2.0 * pi);
+        before = now;
+        first = false;
+        CHECK(std::abs(turned - motion.value(seen.state.time)) <= within);
+    };
+    const DynamicsReport report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    CHECK(report.status == Status::converged);
+    CHECK(std::abs(turned - angle) <= 1e-9);
+    CHECK(arm.off(angle) <= 1e-9);
+    CHECK(arm.wound() <= 0.5);
+    return report;
+}
+
+TEMPLATE_TEST_CASE("energy-momentum turns arms by any angle in steps of any length",
+                   "[constraint][dynamics]", test::DrivenArm, test::DrivenCrank, test::DrivenElbow,
+                   test::DrivenElbowInSpace) {
     int checked = 0;
-    for (const double angle : {1.0, 20.0})
-        for (const int steps : {1, 4}) {
+    for (const double angle : {0.1, 1.0, 1.7, 2.5, pi, 4.0, 2.0 * pi, 10.0, 20.0, -2.5})
+        for (const int steps : {1, 2, 4, 16}) {
             CAPTURE(angle, steps);
-            drive<TestType>(angle, steps, Kind::energy_momentum);  // refused; none ends elsewhere
+            const DynamicsReport report = turn<TestType>(angle, steps);
+            // at twice the mean rate pi/12 a part is the most; Newton's method asks for a few more
+            const double parts = 2.0 * std::abs(angle) / (pi / 12.0);
+            CHECK(static_cast<double>(report.steps) <= 16.0 + 8.0 * parts);
             ++checked;
         }
-    CHECK(checked == 4);
-    if (TestType::Element::dimension == 2)
-        CHECK(drive<TestType>(20.0, 256, Kind::energy_momentum) == Outcome::reached);
+    CHECK(checked == 40);
+}
+
+TEMPLATE_TEST_CASE("energy-momentum cuts a step by the turn of its joints, and no other",
+                   "[constraint][dynamics]", test::DrivenArm, test::DrivenElbow) {
+    // 0.25 rad a step at the most: below pi/12
+    CHECK(turn<TestType>(1.0, 8).steps < 20);
+    const DynamicsReport slow = turn<TestType>(0.2, 64);
+    CHECK(slow.steps == 64);
+    CHECK(slow.convergence_failures == 0);
+    // 2 pi rad/s at the most in 32 parts of pi/16
+    CHECK(turn<TestType>(pi, 1).smallest_step <= 1.0 / 32.0);
+}
+
+TEST_CASE("a beam that its motion crushes ends the run with the reason", "[constraint][dynamics]") {
+    // The driven beam pulls by 500 N at 0.5 m, the clamped one's E I/L is 100 N m.
+    for (const bool energy_momentum : {false, true}) {
+        CAPTURE(energy_momentum);
+        test::DrivenElbow arm(test::smooth_turn(20.0), 1e8);
+        DynamicProblem problem(arm.model);
+        EigenLu solver;
+        const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
+        EnergyMomentumOptions energy;
+        energy.step = 1.0 / 16.0;
+        GeneralizedAlphaOptions alpha;
+        alpha.step = 1.0 / 16.0;
+        const DynamicsReport report =
+            energy_momentum ? EnergyMomentum(energy).integrate(problem, solver, schedule)
+                            : GeneralizedAlpha(alpha).integrate(problem, solver, schedule);
+        CHECK(report.status != Status::converged);
+        CHECK_THAT(report.message, ContainsSubstring("Newton's method failed in the step from"));
+        CHECK(report.time > 0.5);
+        CHECK(report.time < 1.0);
+    }
 }
 
 TEST_CASE("a driven angle that jumps ends the motion and names the joint",

@@ -55,8 +55,14 @@ struct Driven {
         return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
     }
 
-    /// Returns how far the root is off an angle, but for whole turns. A joint to space turns its
-    /// node by the negative angle.
+    /// Returns the angle that the joint stands at in a state, rad, but for whole turns and for that
+    /// of the start. A joint to space turns its node by the negative angle.
+    [[nodiscard]] double joint_angle(const VectorX& q) const {
+        const int slope = model.layout().index({beam.first(), Field::r_y});
+        return -std::atan2(q[slope + 1], q[slope]);
+    }
+
+    /// Returns how far the root is off an angle, but for whole turns.
     [[nodiscard]] double off(double angle) const {
         Point wanted = Point::Zero();
         wanted[0] = std::sin(angle);
@@ -76,5 +82,65 @@ struct Driven {
 
 using DrivenArm = Driven<2>;
 using DrivenCrank = Driven<3>;
+
+/// Two beams of half a metre in a row, the first clamped, the second driven against its end. Three
+/// turns a second pull the clamped one by 500 N, so the material is ten times as stiff.
+template <int Dimension>
+struct Elbow {
+    using Element = CrossSectionBeam<Dimension>;
+    using Scene = BasicModel<Element::dimension>;
+    using Point = Vector<double, Dimension>;
+
+    Scene model;
+    Beam<Element> upper, beam;
+
+    /// @param young  Young's modulus, Pa.
+    explicit Elbow(Motion angle, double young = 1e9)
+        : upper(half_metre(Point(Point::Zero()), young)),
+          beam(half_metre(Point(0.5 * Point::UnitX()), young)) {
+        model.clamp(upper.first());
+        if constexpr (Dimension == 2)
+            model.add(PlanarWeld(model, upper.last(), beam.first(), std::move(angle)));
+        else
+            model.add(DrivenRevolute(model, upper.last(), beam.first(),
+                                     Vector<double, 3>(0.0, 0.0, 1.0), std::move(angle)));
+    }
+
+    /// Returns the angle that the joint stands at in a state, rad, but for whole turns.
+    [[nodiscard]] double joint_angle(const VectorX& q) const {
+        const auto heading = [&](NodeId node) {
+            const int slope = model.layout().index({node, Field::r_y});
+            return std::atan2(q[slope + 1], q[slope]);
+        };
+        return heading(beam.first()) - heading(upper.last());
+    }
+
+    /// Returns how far the joint is off an angle, but for whole turns.
+    [[nodiscard]] double off(double angle) const {
+        return std::abs(std::remainder(joint_angle(model.state().q) - angle, 2.0 * pi));
+    }
+
+    /// Returns the largest angle between the sections of neighbours.
+    [[nodiscard]] double wound() const {
+        double most = 0.0;
+        for (const Beam<Element>* part : {&upper, &beam})
+            for (int k = 0; k < 2; ++k) {
+                const Point a = model.value(part->node(k), Field::r_y);
+                const Point b = model.value(part->node(k + 1), Field::r_y);
+                most = std::max(most, std::abs(Driven<Dimension>::between(a, b)));
+            }
+        return most;
+    }
+
+private:
+    [[nodiscard]] Beam<Element> half_metre(const Point& from, double young) {
+        return straight_beam<Element>(
+            model, Material::isotropic(young, 0.3, 1000.0), rectangle(0.05, 0.05), from,
+            Point(from + 0.5 * Point::UnitX()), 2, CrossSectionOptions::best());
+    }
+};
+
+using DrivenElbow = Elbow<2>;
+using DrivenElbowInSpace = Elbow<3>;
 
 }  // namespace ancf::test

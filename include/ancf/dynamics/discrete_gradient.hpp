@@ -5,9 +5,9 @@
 /// Forces of a step that do exactly the work by which an energy changes, without moving momenta.
 ///
 /// With the middle e_m of a step, the change De and its part D that no rigid motion at e_m
-/// explains:
+/// explains, z the middle at the size of the ends and A the stretch to it (turn_stretch.hpp):
 ///
-///     f = grad U(e_m) + s W D,    s = (U(e_1) - U(e_0) - grad U(e_m).De)/(D.W D).
+///     f = A^-1 grad U(z) + s W D,    s = (U(e_1) - U(e_0) - A^-1 grad U(z).De)/(D.W D).
 ///
 /// f.De = U(e_1) - U(e_0), and s W D has neither a resultant nor a moment. docs/theory-dynamics.md.
 
@@ -33,7 +33,7 @@ struct StepForce {
 /// How much of the tangent is wanted.
 enum class StepTangent {
     none,
-    symmetric,  ///< K(e_m)/2: what a solver of symmetric matrices can take
+    symmetric,  ///< K(z)/2: what a solver of symmetric matrices can take
     exact       ///< with the derivative of s W D, unsymmetric
 };
 

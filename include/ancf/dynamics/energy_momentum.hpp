@@ -21,7 +21,8 @@ namespace ancf {
 
 /// How the energy-momentum method runs.
 struct EnergyMomentumOptions {
-    double step = 1e-3;         ///< s; where Newton's method fails a step is taken in shorter parts
+    double step = 1e-3;         ///< s; taken in shorter parts where Newton's method fails or a
+                                ///< joint is driven by more than pi/12 in it
     int max_iterations = 30;    ///< of Newton's method in a step
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
 

@@ -47,11 +47,15 @@ private:
     void recall(const Memory& memory);
     void remember();
     [[nodiscard]] bool advance(double target, double whole);
+    [[nodiscard]] int parts_for_turns(double target) const;
     [[nodiscard]] Status step(double h);
+    [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status evaluate(double h, bool matrix);
     void set_rates(double h);
 
-    static constexpr double floor = 1e-16;  // of corrections, relative
+    static constexpr double floor = 1e-16;         // of corrections, relative
+    static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
+    static constexpr double smallest_part = 1e-3;  // of a step that fails
 
     DynamicProblem& problem_;
     LinearSolver& solver_;
@@ -92,8 +96,29 @@ ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
     remember();
 }
 
-/// Moves now_ on to a time, in one step or, where Newton's method fails, in shorter ones.
+/// Returns into how many equal parts a step to a time is cut, so that no joint is driven by more
+/// than pi/12 in one: beyond that the step has other solutions, with energies of their own, that
+/// Newton's method may find. 1 where no number of parts is enough: the angle jumps.
+ANCF_INLINE int EnergyMomentumRun::parts_for_turns(double target) const {
+    constexpr double largest_turn = 0.25 * largest_driven_turn;
+    constexpr int most = 1024;
+    const auto& constraints = problem_.model().constraints();
+    for (int parts = 1; parts <= most; parts *= 2) {
+        const double width = (target - now_.time) / parts;
+        bool fits = true;
+        for (int k = 0; k < parts && fits; ++k) {
+            const double from = now_.time + k * width;
+            fits = !(driven_turn(constraints, from, from + width).angle > largest_turn);
+        }
+        if (fits) return parts;
+    }
+    return 1;
+}
+
+/// Moves now_ on to a time, in one step or, where a joint is driven far or Newton's method fails,
+/// in shorter ones.
 ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
+    whole /= parts_for_turns(target);
     double width = whole;
     while (now_.time < target) {
         const double rest = target - now_.time;
@@ -108,7 +133,7 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
         if (status != Status::converged) {
             if (turn.fits()) ++report_.convergence_failures;
             width *= 0.5;
-            if (width > whole * 1e-3) continue;
+            if (width > whole * smallest_part) continue;
             report_.status = status;
             report_.message = turn.fits()
                                   ? joined({"Newton's method failed in the step from ", now_.time,
@@ -129,21 +154,32 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
     return true;
 }
 
-/// Takes one step by Newton's method, until the corrections are round-off.
+/// Takes one step by Newton's method.
 ///
-/// The matrix at hand, of an earlier step or iterate, stays while it converges fast enough.
+/// A stiff body that has turned since the matrix at hand was made can be thrown far off by it: the
+/// step then starts again, with a matrix of its own.
 ANCF_INLINE Status EnergyMomentumRun::step(double h) {
-    const int n = problem_.size();
-    const int m = problem_.multipliers();
     full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
     system_.begin(now_.time, h, full_now_.q, full_now_.v);
+    if (linearised_width_ == h && iterate(h, false) == Status::converged) return Status::converged;
+    return iterate(h, true);
+}
+
+/// Iterates from the prediction until the corrections are round-off, with a new matrix or the one
+/// at hand.
+///
+/// A matrix, of an earlier step or iterate, stays while it converges fast enough.
+ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
     increment_ = h * (now_.v + 0.5 * h * acceleration_);
     next_.q = now_.q + increment_;
     next_.lambda = now_.lambda;
-    bool renew = linearised_width_ != h;
+    bool fresh = false;  // whether the matrix is of this step
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
+        fresh = fresh || renew;
         solver_.solve(rhs_, solution_);
         ++report_.iterations;
         const VectorX correction = solution_.head(n);
@@ -152,12 +188,15 @@ ANCF_INLINE Status EnergyMomentumRun::step(double h) {
         next_.lambda += 2.0 / (h * h) * solution_.tail(m);
         const double change = largest_ratio(correction, problem_.scales());
         if (!std::isfinite(change)) return Status::not_finite;
+        // what Newton's method found from there had energies of its own
+        if (change > farthest) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual
         if (change <= floor || (ratio > 0.3 && change <= 1e-11)) {
             set_rates(h);
             return Status::converged;
         }
+        if (!fresh && ratio > 1.0) return Status::diverged;
         // so slow that a new matrix is cheaper
         renew = k > 1 && (ratio > 0.9 || std::log(floor / change) / std::log(ratio) > 6.0);
         before = change;

@@ -37,6 +37,21 @@ public:
     /// Returns the turn of the rigid motion that fits a change best.
     [[nodiscard]] Vector<double, 3> turn_of(const double* change) const;
 
+    /// Returns that turn, without what hardly moves anything: a straight cable's about itself.
+    [[nodiscard]] Vector<double, 3> firm_turn_of(const double* change) const;
+
+    /// Writes the derivative of firm_turn_of(change) with respect to the later end, where the
+    /// configuration is the middle of both ends.
+    /// @param turn  firm_turn_of(change).
+    /// @param out   three components for each coordinate.
+    void derivative_of_firm_turn(const double* change, const Vector<double, 3>& turn,
+                                 double* out) const;
+
+    /// Returns a nodal vector; of positions relative to their centroid.
+    [[nodiscard]] const Vector<double, 3>& vector(int k) const {
+        return vectors_[static_cast<std::size_t>(k)].value;
+    }
+
     /// Writes a change without its rigid part: W-orthogonal to every rigid motion.
     void without(const double* change, double* rest) const;
 
@@ -56,6 +71,9 @@ private:
     };
 
     [[nodiscard]] Vector<double, 3> component(const double* x, std::size_t k) const;
+    [[nodiscard]] Vector<double, 3> moment_of(const double* change) const;
+    // Returns the mean of the positions.
+    [[nodiscard]] Vector<double, 3> shift_of(const double* change) const;
     // Writes a vector of x without the motion of a turn and a shift.
     void subtract(std::size_t k, const Vector<double, 3>& turn, const Vector<double, 3>& shift,
                   double* x) const;
@@ -63,7 +81,7 @@ private:
     int dimension_ = 3;
     double positions_ = 0.0;  // how many
     std::vector<NodalVector> vectors_;
-    SmallCholesky<3> inertia_;
+    SmallCholesky<3> inertia_, firm_inertia_;
 };
 
 }  // namespace ancf::detail

@@ -59,20 +59,57 @@ ANCF_INLINE void RigidModes::set(int dimension, int count, const double* e, cons
     const double floor = 1e-15 * (inertia(0, 0) + inertia(1, 1) + inertia(2, 2));
     for (int i = 0; i < 3; ++i) inertia(i, i) += floor > 0.0 ? floor : 1.0;
     inertia_ = SmallCholesky<3>(inertia);
+    // constant, so that it has no derivative
+    for (int i = 0; i < 3; ++i) inertia(i, i) += 1e-6 * slope_weight;
+    firm_inertia_ = SmallCholesky<3>(inertia);
 }
 
-ANCF_INLINE Vector<double, 3> RigidModes::turn_of(const double* change) const {
+ANCF_INLINE Vector<double, 3> RigidModes::moment_of(const double* change) const {
     Vector<double, 3> moment = Vector<double, 3>::Zero();
     for (std::size_t k = 0; k < vectors_.size(); ++k)
         moment += vectors_[k].weight * cross(vectors_[k].value, component(change, k));
-    return inertia_.solve(moment);
+    return moment;
 }
 
-ANCF_INLINE void RigidModes::without(const double* change, double* rest) const {
+ANCF_INLINE Vector<double, 3> RigidModes::shift_of(const double* change) const {
     Vector<double, 3> shift = Vector<double, 3>::Zero();
     for (std::size_t k = 0; k < vectors_.size(); ++k)
         if (vectors_[k].position) shift += component(change, k);
     if (positions_ > 0.0) shift /= positions_;
+    return shift;
+}
+
+ANCF_INLINE Vector<double, 3> RigidModes::turn_of(const double* change) const {
+    return inertia_.solve(moment_of(change));
+}
+
+ANCF_INLINE Vector<double, 3> RigidModes::firm_turn_of(const double* change) const {
+    return firm_inertia_.solve(moment_of(change));
+}
+
+ANCF_INLINE void RigidModes::derivative_of_firm_turn(const double* change,
+                                                     const Vector<double, 3>& turn,
+                                                     double* out) const {
+    const Vector<double, 3> shift = shift_of(change);
+    for (std::size_t k = 0; k < vectors_.size(); ++k) {
+        const NodalVector& vector = vectors_[k];
+        Vector<double, 3> left = component(change, k) - cross(turn, vector.value);
+        if (vector.position) left -= shift;
+        for (int i = 0; i < dimension_; ++i) {
+            // one vector alone changes, by d
+            Vector<double, 3> d = Vector<double, 3>::Zero();
+            d[i] = 1.0;
+            const Vector<double, 3> kept = d - 0.5 * cross(turn, d);
+            const Vector<double, 3> moment =
+                vector.weight * (cross(vector.value, kept) + 0.5 * cross(d, left));
+            const Vector<double, 3> rate = firm_inertia_.solve(moment);
+            for (int a = 0; a < 3; ++a) *out++ = rate[a];
+        }
+    }
+}
+
+ANCF_INLINE void RigidModes::without(const double* change, double* rest) const {
+    const Vector<double, 3> shift = shift_of(change);
     const Vector<double, 3> turn = turn_of(change);
     std::copy_n(change, static_cast<std::size_t>(dimension_) * vectors_.size(), rest);
     for (std::size_t k = 0; k < vectors_.size(); ++k) subtract(k, turn, shift, rest);
