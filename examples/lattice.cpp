@@ -29,7 +29,7 @@
 
 #include <array>
 #include <cmath>
-#include <iostream>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -48,7 +48,7 @@ struct Lattice {
     std::string load = "compression";
     double force = 200.0;  // N at each joint of the top
     bool csv = false;
-    std::string vtk;
+    std::string vtk, lines;
     examples::SolverOptions solver;
 
     void parse(int argc, char** argv);
@@ -73,6 +73,8 @@ void Lattice::parse(int argc, char** argv) {
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "the deformed lattice for ParaView: .vtp, .vtu or .vtk");
+    line.add_file("--lines", lines,
+                  "the members' centre lines: x, y, z; two empty lines after each");
     line.parse(argc, argv);
     for (const double number : joints)
         ancf::detail::require(number >= 1.0 && number <= 1000.0 && number == std::floor(number),
@@ -82,6 +84,7 @@ void Lattice::parse(int argc, char** argv) {
         static_cast<void>(ancf::vtk_format(vtk));
         examples::require_writable(vtk);
     }
+    if (!lines.empty()) examples::require_writable(lines);
 }
 
 std::vector<Point> Lattice::points() const {
@@ -115,6 +118,27 @@ Point Lattice::force_at(const Point& point) const {
     const double radius = std::hypot(x, y);
     if (radius == 0.0) return Point::Zero();
     return {-force * y / radius, force * x / radius, 0.0};
+}
+
+/// Writes five points of each element, member by member.
+void write_lines(const std::string& file, const ancf::Model& model,
+                 const ancf::Frame<Beam>& frame) {
+    constexpr int stations = 5;
+    std::ofstream out(file);
+    out.precision(9);
+    for (const auto& member : frame.members) {
+        for (const int index : member.elements) {
+            const Beam& element = model.group<Beam>().element(index);
+            const auto e = model.element_coordinates<Beam>(index);
+            for (int k = 0; k < stations; ++k) {
+                const Point at = element.position(e, static_cast<double>(k) / (stations - 1));
+                out << at[0] << ',' << at[1] << ',' << at[2] << '\n';
+            }
+        }
+        out << "\n\n";
+    }
+    out.close();
+    ancf::detail::require(!out.fail(), "cannot write ", file);
 }
 
 bool study(const Lattice& lattice) {
@@ -172,6 +196,7 @@ bool study(const Lattice& lattice) {
         for (const auto& member : frame.members) surface.add(model, member, section, 5);
         ancf::write_vtk(lattice.vtk, surface);
     }
+    if (!lattice.lines.empty()) write_lines(lattice.lines, model, frame);
     return good;
 }
 
