@@ -6,6 +6,6 @@
 load 'scripts/plots/lattice.inc'
 do for [n = 0:47] {
     k = n <= 24 ? n : 48 - n
-    set label 1 sprintf("%d N at each joint of the top", 50 * k) at screen 0.5, 0.03 center
+    set label 1 sprintf("%d N at each joint of the top", 200 * k) at screen 0.5, 0.03 center
     splot sprintf("%s/lattice-%d.csv", data, k) with lines linecolor rgb blue linewidth 1.5
 }
