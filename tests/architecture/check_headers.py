@@ -18,6 +18,7 @@ COMPONENTS = ["suitesparse", "sundials"]  # beside the layers: may include all o
 COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
           "version.hpp"]
 UMBRELLA = "ancf.hpp"
+MOST_PUBLIC = 119
 ABOVE = [UMBRELLA]  # include any layer, no header includes them
 DEFINITIONS = re.compile(r"#if !defined\(ANCF_COMPILED\)\n#include <ancf/([a-z_0-9/]+\.ipp)>.*\n#endif\n\Z")
 LICENCE = ("// SPDX-FileCopyrightText: 2026 The ancf authors\n"
@@ -98,6 +99,26 @@ def umbrella_findings(texts):
             yield f"include/ancf/{UMBRELLA}: does not reach {name}"
 
 
+def is_public(name, text):
+    """Whether a user has a reason to include a header: it declares something outside of ancf::detail, or gathers."""
+    if name.endswith(".ipp"):
+        return False
+    if "namespace " not in text:
+        return "IWYU pragma: export" in text
+    for namespace in ["ancf", *(f"ancf::{component}" for component in COMPONENTS)]:
+        for body in re.findall(rf"^namespace {namespace} {{\n(.*?)^}}  // namespace {namespace}$", text, re.S | re.M):
+            body = re.sub(r"namespace detail {.*?}  // namespace detail", "", body, flags=re.S)
+            if re.sub(r"//.*", "", body).strip():
+                return True
+    return False
+
+
+def count_findings(texts):
+    public = [name for name, text in texts.items() if is_public(name, text)]
+    if len(public) > MOST_PUBLIC:
+        yield f"include/ancf: {len(public)} public headers, at most {MOST_PUBLIC}: merge some, or put into ancf::detail"
+
+
 def findings(root):
     base = pathlib.Path(root) / "include" / "ancf"
     texts = {header.relative_to(base).as_posix(): header.read_text(encoding="utf-8")
@@ -108,6 +129,7 @@ def findings(root):
             for finding in rule:
                 yield f"include/ancf/{name}: {finding}"
     yield from umbrella_findings(texts)
+    yield from count_findings(texts)
     if not texts:
         yield f"no header found below {base}"
 
@@ -158,6 +180,9 @@ def self_test():
         failures.append("accepted: a header that leaves its definitions out")
     if not any("does not reach" in line for line in findings_of({**right, "output/g.hpp": opening})):
         failures.append("accepted: an umbrella that leaves a header out")
+    many = {f"model/h{k}.hpp": opening + "namespace ancf {\n\nclass A;\n\n}  // namespace ancf\n" for k in range(MOST_PUBLIC + 1)}
+    if not any("public headers" in line for line in findings_of(many)):
+        failures.append("accepted: too many public headers")
     if not findings_of({}):
         failures.append("accepted: a tree without headers")
     return failures
