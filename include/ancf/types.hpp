@@ -54,6 +54,15 @@ template <int Dimension>
     }
 }
 
+/// Returns a.b of two or three components, without conjugates.
+template <class S, int D>
+[[nodiscard]] inline S product(const Vector<S, D>& a, const Vector<S, D>& b) noexcept {
+    if constexpr (D == 3)
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    else
+        return a[0] * b[0] + a[1] * b[1];
+}
+
 }  // namespace detail
 
 /// Returns the vector product; unlike Eigen's it needs no header for geometry.
