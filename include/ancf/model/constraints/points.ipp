@@ -171,7 +171,7 @@ void FixedCoordinate<Dimension>::evaluate(const ConstraintState& at, ConstraintR
 template <int Dimension>
 Pin<Dimension>::Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
     : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
-    detail::require(place.allFinite(), "Pin: the place must be finite, got ",
+    detail::require(detail::all_finite(place), "Pin: the place must be finite, got ",
                     detail::components(place));
 }
 
@@ -246,7 +246,7 @@ Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& 
 
 template <int Dimension>
 void Distance<Dimension>::require_place(const Vector<double, Dimension>& place) {
-    detail::require(place.allFinite(), "Distance: the place must be finite, got ",
+    detail::require(detail::all_finite(place), "Distance: the place must be finite, got ",
                     detail::components(place));
 }
 

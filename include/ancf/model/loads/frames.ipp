@@ -18,7 +18,7 @@ namespace ancf {
 
 ANCF_INLINE Moment::Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment)
     : node_(node), moment_(moment), attachment_(attachment) {
-    detail::require(moment.allFinite(), "Moment: components must be finite, got ",
+    detail::require(detail::all_finite(moment), "Moment: components must be finite, got ",
                     detail::components(moment));
 }
 
@@ -73,7 +73,7 @@ ANCF_INLINE void Moment::evaluate(const LoadState& state, LoadResult& out) const
 
 ANCF_INLINE FollowerForce::FollowerForce(NodeId node, const VectorArgument<3>& force)
     : node_(node), force_(force) {
-    detail::require(force.allFinite(), "FollowerForce: components must be finite, got ",
+    detail::require(detail::all_finite(force), "FollowerForce: components must be finite, got ",
                     detail::components(force));
 }
 

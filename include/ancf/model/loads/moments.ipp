@@ -83,7 +83,7 @@ ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult&
 
 ANCF_INLINE TangentMoment::TangentMoment(NodeId node, const VectorArgument<3>& moment)
     : node_(node), moment_(moment) {
-    detail::require(moment.allFinite(), "TangentMoment: components must be finite, got ",
+    detail::require(detail::all_finite(moment), "TangentMoment: components must be finite, got ",
                     detail::components(moment));
 }
 
