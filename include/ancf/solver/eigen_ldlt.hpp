@@ -24,6 +24,9 @@ namespace ancf {
 /// For positive definite matrices, and for indefinite ones that are far from singular in every
 /// leading part of that order; saddle points are for EigenLu. `negative_pivots` counts the negative
 /// eigenvalues.
+///
+/// A template so that only a program that makes one compiles Eigen's factorisation.
+/// @tparam Ordering  Eigen's, of the unknowns
 template <class Ordering>
 class BasicEigenLdlt final : public LinearSolver {
 public:
@@ -63,7 +66,7 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-/// BasicEigenLdlt as it is usually ordered.
+/// The factorisation of a symmetric matrix, ordered by minimum degree.
 using EigenLdlt = BasicEigenLdlt<Eigen::AMDOrdering<int>>;
 
 #if defined(ANCF_COMPILED)

@@ -21,6 +21,9 @@ namespace ancf {
 
 /// L U of any square matrix with partial pivoting, columns ordered by COLAMD, rows scaled first:
 /// the order of pivots of a scene's tangent depends on no unit.
+///
+/// A template so that only a program that makes one compiles Eigen's factorisation.
+/// @tparam Ordering  Eigen's, of the columns
 template <class Ordering>
 class BasicEigenLu final : public LinearSolver {
 public:
@@ -63,7 +66,7 @@ private:
     double singular_rcond_ = default_singular_rcond;
 };
 
-/// BasicEigenLu as it is usually ordered.
+/// The factorisation of any square matrix, columns ordered by COLAMD.
 using EigenLu = BasicEigenLu<Eigen::COLAMDOrdering<int>>;
 
 #if defined(ANCF_COMPILED)
