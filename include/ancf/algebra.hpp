@@ -42,6 +42,9 @@ void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);
 /// Returns the largest |x_i|, 0 of none and NaN where an entry is NaN.
 [[nodiscard]] double largest_magnitude(const VectorX& x) noexcept;
 
+/// Returns x.y.
+[[nodiscard]] double dot(const VectorX& x, const VectorX& y) noexcept;
+
 /// Returns A x.
 [[nodiscard]] VectorX multiply(const MatrixX& A, const VectorX& x);
 
@@ -76,6 +79,11 @@ public:
 private:
     Matrix<double, Size> lower_;
 };
+
+/// Returns how many entries a compressed matrix stores.
+[[nodiscard]] inline int entries(const SparseMatrix& A) noexcept {
+    return A.outerIndexPtr()[A.outerSize()];
+}
 
 /// Adds scale A x, A compressed, x and out apart; of lower storage A holds the lower half alone.
 ///

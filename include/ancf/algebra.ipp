@@ -68,6 +68,13 @@ ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
     return largest;
 }
 
+ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept {
+    eigen_assert(x.size() == y.size());
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum += x[i] * y[i];
+    return sum;
+}
+
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
     VectorX out = VectorX::Zero(A.rows());
     for (Eigen::Index j = 0; j < A.cols(); ++j)
@@ -124,7 +131,7 @@ ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage 
 }
 
 ANCF_INLINE void symmetrise(SparseMatrix& A) {
-    const std::vector<double> values(A.valuePtr(), A.valuePtr() + A.nonZeros());
+    const std::vector<double> values(A.valuePtr(), A.valuePtr() + entries(A));
     // rows ascend, so the mirror images of a column's entries are met in their order
     std::vector<int> next(A.outerIndexPtr(), A.outerIndexPtr() + A.cols());
     for (int j = 0; j < static_cast<int>(A.cols()); ++j)
@@ -135,7 +142,7 @@ ANCF_INLINE void symmetrise(SparseMatrix& A) {
 }
 
 ANCF_INLINE bool all_finite(const SparseMatrix& matrix) noexcept {
-    for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
+    for (Eigen::Index k = 0; k < entries(matrix); ++k)
         if (!std::isfinite(matrix.valuePtr()[k])) return false;
     return true;
 }
@@ -176,7 +183,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
 ANCF_INLINE SparseMatrix lower_half(const SparseMatrix& A) {
     const auto size = static_cast<int>(A.cols());
     SparseMatrix lower(size, size);
-    lower.reserve(A.nonZeros());
+    lower.reserve(entries(A));
     for (int j = 0; j < size; ++j) {
         lower.startVec(j);
         for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k)

@@ -36,6 +36,15 @@
 #define ANCF_INLINE inline
 #endif
 
+/// Marks functions and constructors, declared and defined, whose definitions are heavy: a unit that
+/// includes them and does not call them does not compile what they call. A template without
+/// arguments, or a plain function with the compiled library.
+#if defined(ANCF_COMPILED)
+#define ANCF_LAZY
+#else
+#define ANCF_LAZY template <int...>
+#endif
+
 /// How many doubles a register of the target holds.
 #if defined(__GNUC__) && defined(__AVX512F__)
 #define ANCF_REGISTER_LANES 8

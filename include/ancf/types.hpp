@@ -54,6 +54,23 @@ template <int Dimension>
     }
 }
 
+/// True unless a component of a vector or matrix is a NaN or an infinity.
+template <class Plain>
+[[nodiscard]] bool all_finite(const Plain& x) noexcept {
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+        if (!std::isfinite(x.data()[k])) return false;
+    return true;
+}
+
+/// Returns a.b of two or three components, without conjugates.
+template <class S, int D>
+[[nodiscard]] inline S product(const Vector<S, D>& a, const Vector<S, D>& b) noexcept {
+    if constexpr (D == 3)
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    else
+        return a[0] * b[0] + a[1] * b[1];
+}
+
 }  // namespace detail
 
 /// Returns the vector product; unlike Eigen's it needs no header for geometry.

@@ -278,18 +278,18 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Req
     strain_energy_ = 0.0;
     if (request != Request::force) clear_values(cleared_first_);
     if (request == Request::tangent_and_damping) {
-        if (damping_.nonZeros() != tangent_.nonZeros()) damping_ = pattern_.matrix();
-        std::fill_n(damping_.valuePtr(), damping_.nonZeros(), 0.0);
+        if (detail::entries(damping_) != detail::entries(tangent_)) damping_ = pattern_.matrix();
+        std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_scale * gravity_;
-    load_potential_ = -external_.dot(at.q);
+    load_potential_ = -detail::dot(external_, at.q);
     add_loads(at, request);
     add_constraints(at, request);
-    if (std::isfinite(strain_energy_) && internal_.allFinite() && external_.allFinite() &&
-        constraint_.allFinite())
+    if (std::isfinite(strain_energy_) && detail::all_finite(internal_) &&
+        detail::all_finite(external_) && detail::all_finite(constraint_))
         return std::nullopt;
     return inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
 }
@@ -438,7 +438,7 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             const int size = static_cast<int>(coordinates.size());
             ++place;
             load_potential_ += scale * result.potential;
-            if (faulty_load_ < 0 && !(std::isfinite(scale) && result.force.allFinite()))
+            if (faulty_load_ < 0 && !(std::isfinite(scale) && detail::all_finite(result.force)))
                 faulty_load_ = place;
             if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
             for (int i = 0; i < size; ++i)
@@ -510,7 +510,7 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         violation_rate_.segment(first, equations) = result.rate;
         convection_.segment(first, equations) = result.convection;
         if (faulty_constraint_ < 0 &&
-            !(result.violation.allFinite() && result.jacobian.allFinite()))
+            !(detail::all_finite(result.violation) && detail::all_finite(result.jacobian)))
             faulty_constraint_ = static_cast<int>(k);
         for (Eigen::Index i = 0; i < size; ++i)
             for (int e = 0; e < equations; ++e)
@@ -608,17 +608,20 @@ ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) con
 namespace detail {
 
 /// Returns the least cosine of the angle between the slopes at the ends of an element.
-template <int Dimension>
-[[nodiscard]] double least_cosine(const Layout& layout, const ElementGroup& group,
-                                  const VectorX& q) {
+[[nodiscard]] ANCF_INLINE double least_cosine(const Layout& layout, const ElementGroup& group,
+                                              int dimension, const VectorX& q) {
     double least = 1.0;
-    const auto slope = [&](NodeId node) -> Vector<double, Dimension> {
-        return q.segment<Dimension>(layout.index({node, Field::r_x}));
-    };
     for (const Connection& connection : group.connections) {
-        const auto first = slope(connection.first), second = slope(connection.second);
-        const double lengths = first.norm() * second.norm();
-        if (lengths > 0.0) least = std::min(least, first.dot(second) / lengths);
+        const double* a = q.data() + layout.index({connection.first, Field::r_x});
+        const double* b = q.data() + layout.index({connection.second, Field::r_x});
+        double aa = 0.0, ab = 0.0, bb = 0.0;
+        for (int i = 0; i < dimension; ++i) {
+            aa += a[i] * a[i];
+            ab += a[i] * b[i];
+            bb += b[i] * b[i];
+        }
+        const double lengths = std::sqrt(aa) * std::sqrt(bb);
+        if (lengths > 0.0) least = std::min(least, ab / lengths);
     }
     return least;
 }
@@ -630,10 +633,8 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
     double least = 1.0;
     for (const auto& group : model_.groups()) {
         if (!group->fields().contains(Field::r_x)) continue;
-        const Layout& layout = model_.layout();
         least =
-            std::min(least, model_.dimension() == 2 ? detail::least_cosine<2>(layout, *group, q)
-                                                    : detail::least_cosine<3>(layout, *group, q));
+            std::min(least, detail::least_cosine(model_.layout(), *group, model_.dimension(), q));
     }
     return std::acos(std::max(least, -1.0));
 }

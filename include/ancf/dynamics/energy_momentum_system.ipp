@@ -132,13 +132,13 @@ ANCF_INLINE bool EnergyMomentumSystem::evaluate(const VectorX& q1, const VectorX
     change_ = q1 - q0_;
     force_.setZero(q1.size());
     violation_.setZero(problem_.multipliers());
-    if (matrix) std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+    if (matrix) std::fill_n(matrix_.valuePtr(), detail::entries(matrix_), 0.0);
     add_elements(q1, matrix);
     add_loads(q1, matrix);
     add_constraints(q1, lambda, matrix);
     numbering_.dependence().carry(force_);
     if (matrix)
-        for (Eigen::Index k = 0; k < matrix_.nonZeros(); ++k)
+        for (Eigen::Index k = 0; k < detail::entries(matrix_); ++k)
             matrix_.valuePtr()[k] += problem_.mass().valuePtr()[k];
     add_inertia(v1);
     VectorX free;
@@ -146,7 +146,7 @@ ANCF_INLINE bool EnergyMomentumSystem::evaluate(const VectorX& q1, const VectorX
     rhs.resize(numbering_.unknowns());
     rhs.head(problem_.size()) = -0.5 * h_ * h_ * free;
     rhs.tail(problem_.multipliers()) = -violation_;
-    return rhs.allFinite();
+    return detail::all_finite(rhs);
 }
 
 ANCF_INLINE void EnergyMomentumSystem::add_inertia(const VectorX& v1) {

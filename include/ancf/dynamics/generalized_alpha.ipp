@@ -112,7 +112,7 @@ ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, Li
       gamma_(0.5 + af_ - am_),
       offset_(am_ - af_),
       system_(problem.mass()),
-      stiff_(static_cast<std::size_t>(system_.nonZeros())) {
+      stiff_(static_cast<std::size_t>(detail::entries(system_))) {
     beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
     beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
     gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
@@ -313,7 +313,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
     double* system = system_.valuePtr();
     const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
     const char* stiff = stiff_.data();
-    for (Eigen::Index k = 0; k < system_.nonZeros(); ++k)
+    for (Eigen::Index k = 0; k < detail::entries(system_); ++k)
         system[k] =
             mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
     ++report_.jacobians;

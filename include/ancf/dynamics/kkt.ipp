@@ -35,7 +35,7 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
 
 ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
     const double* first = matrix.valuePtr();
-    const double* last = first + matrix.nonZeros();
+    const double* last = first + detail::entries(matrix);
     if (std::equal(first, last, factorised_.begin(), factorised_.end())) return Status::converged;
     factorised_.clear();
     if (!detail::all_finite(matrix)) return Status::not_finite;
@@ -50,7 +50,7 @@ ANCF_INLINE Status KktSystem::solve(const VectorX& b, VectorX& x) {
     for (;;) {
         const double error = refine(b, x);
         if (error <= 1e-13) return Status::converged;
-        if (!x.allFinite() || share_ < smallest_share)
+        if (!detail::all_finite(x) || share_ < smallest_share)
             return error <= 1e-10 ? Status::converged : Status::singular;
         share_ *= 1e-3;
         if (!factorize_shifted()) return Status::singular;
@@ -98,7 +98,7 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
         rest[part(i)] = std::max(rest[part(i)], scales_[i] * std::abs(residual[i]));
         size[part(i)] = std::max(size[part(i)], scales_[i] * terms[i]);
     }
-    if (!residual.allFinite()) return std::numeric_limits<double>::infinity();
+    if (!detail::all_finite(residual)) return std::numeric_limits<double>::infinity();
     double ratio = 0.0;
     for (int k = 0; k < 2; ++k)
         if (size[k] > 0.0) ratio = std::max(ratio, rest[k] / size[k]);

@@ -10,6 +10,7 @@
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
+#include <ancf/solver/convergence.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -88,31 +89,9 @@ ANCF_INLINE void DynamicProblem::list_driven() {
     }
 }
 
-namespace detail {
-
-/// Returns the diagonal of the box that holds the nodes, m; zero where there is none.
-template <int Dimension>
-[[nodiscard]] double diagonal_of_nodes(const Layout& layout, const VectorX& q) {
-    Vector<double, Dimension> low, high;
-    low.setConstant(std::numeric_limits<double>::infinity());
-    high = -low;
-    for (int node = 0; node < layout.nodes(); ++node) {
-        if (!layout.fields(node).contains(Field::r)) continue;
-        for (int i = 0; i < Dimension; ++i) {
-            low[i] = std::min(low[i], q[layout.first(node) + i]);
-            high[i] = std::max(high[i], q[layout.first(node) + i]);
-        }
-    }
-    high -= low;
-    return high.allFinite() ? high.norm() : 0.0;
-}
-
-}  // namespace detail
-
 ANCF_INLINE void DynamicProblem::measure() {
-    double length = model_.dimension() == 2
-                        ? detail::diagonal_of_nodes<2>(model_.layout(), full_q_)
-                        : detail::diagonal_of_nodes<3>(model_.layout(), full_q_);
+    double length = detail::diagonal_of(model_.layout(), model_.dimension(), full_q_);
+    if (!std::isfinite(length)) length = 0.0;
     for (const auto& group : model_.groups())
         for (int k = 0; k < group->prototype_count(); ++k)
             length = std::max(length, group->length(k));
@@ -262,7 +241,7 @@ ANCF_INLINE Start DynamicProblem::start() {
         start.message = std::move(message);
         return start;
     };
-    if (!state.q.allFinite() || !state.v.allFinite())
+    if (!detail::all_finite(state.q) || !detail::all_finite(state.v))
         return refuse(Status::not_finite, "the initial state is not finite");
     if (const auto fault = assembly_.inspect(state.q))
         return refuse(fault->status, assembly_.describe(*fault) + " at the start");
@@ -290,9 +269,9 @@ ANCF_INLINE Status DynamicProblem::factorize_kkt() {
 }
 
 ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
-    if (!b.allFinite()) return Status::not_finite;
+    if (!detail::all_finite(b)) return Status::not_finite;
     const Status status = kkt_.solve(b, x);
-    return x.allFinite() ? status : Status::not_finite;
+    return detail::all_finite(x) ? status : Status::not_finite;
 }
 
 ANCF_INLINE Status DynamicProblem::accelerations(double t, const VectorX& q, const VectorX& v,
@@ -405,15 +384,15 @@ ANCF_INLINE Energies DynamicProblem::energies() const {
     Energies result;
     result.strain = assembly_.strain_energy();
     result.potential = assembly_.load_potential();
-    result.load_power = assembly_.external_force().dot(full_v_);
-    result.constraint_power = lambda_.dot(assembly_.violation_rate());
+    result.load_power = detail::dot(assembly_.external_force(), full_v_);
+    result.constraint_power = detail::dot(lambda_, assembly_.violation_rate());
     if (driven_.empty()) {
         VectorX v;
         numbering().gather_free(full_v_, v);
-        result.kinetic = 0.5 * v.dot(detail::multiply(compact_mass_, Storage::full, v));
+        result.kinetic = 0.5 * detail::dot(v, detail::multiply(compact_mass_, Storage::full, v));
         return result;
     }
-    result.kinetic = 0.5 * full_v_.dot(assembly_.mass_product(full_v_));
+    result.kinetic = 0.5 * detail::dot(full_v_, assembly_.mass_product(full_v_));
     VectorX acceleration = full_a_;
     VectorX change;
     solve_mass(force_, change);
@@ -440,8 +419,8 @@ ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double 
 }
 
 ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
-    if (out.nonZeros() != mass_.nonZeros()) out = mass_;
-    std::fill_n(out.valuePtr(), out.nonZeros(), 0.0);
+    if (detail::entries(out) != detail::entries(mass_)) out = mass_;
+    std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
     constraints_.add_velocity_level(assembly_.pattern(), mu, out);
 }
 
@@ -662,7 +641,7 @@ ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) 
     const double shift = 1e-12 * square;
     SparseMatrix shifted = tangent();
     if (options_.storage == Storage::full) detail::symmetrise(shifted);  // following loads
-    for (Eigen::Index k = 0; k < shifted.nonZeros(); ++k)
+    for (Eigen::Index k = 0; k < detail::entries(shifted); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     KktSystem system;
     system.analyze(shifted, size(), blocks(numbering().unknowns()));

@@ -11,6 +11,8 @@
 
 #include <ancf/types.hpp>
 
+#include <cmath>
+
 namespace ancf::detail {
 
 using ancf::cross;  // not hidden by the overload below
@@ -22,6 +24,12 @@ struct Vec3 {
     S& operator[](int k) noexcept { return v[k]; }
     const S& operator[](int k) const noexcept { return v[k]; }
 };
+
+/// Returns three components of any vector, from one on.
+template <class S, class V>
+inline Vec3<S> vec3(const V& v, int first = 0) {
+    return {{S(v[first]), S(v[first + 1]), S(v[first + 2])}};
+}
 
 template <class S>
 inline Vec3<S> operator+(const Vec3<S>& a, const Vec3<S>& b) noexcept {
@@ -36,6 +44,11 @@ inline Vec3<S> operator-(const Vec3<S>& a, const Vec3<S>& b) noexcept {
 template <class T, class S>
 inline Vec3<S> operator*(const T& factor, const Vec3<S>& a) noexcept {
     return {{factor * a[0], factor * a[1], factor * a[2]}};
+}
+
+template <class S, class T>
+inline Vec3<S> operator/(const Vec3<S>& a, const T& divisor) noexcept {
+    return {{a[0] / divisor, a[1] / divisor, a[2] / divisor}};
 }
 
 /// Adds factor * b.
@@ -54,13 +67,44 @@ inline Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) noexcept {
     return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-/// A 3 x 3 block, column by column.
+/// Returns the length, of a complex vector continued.
 template <class S>
-struct Block {
-    S v[9];
+inline S length(const Vec3<S>& a) noexcept {
+    using std::sqrt;
+    return sqrt(dot(a, a));
+}
 
-    S& operator()(int row, int column) noexcept { return v[3 * column + row]; }
-    const S& operator()(int row, int column) const noexcept { return v[3 * column + row]; }
+/// A small matrix, square unless told otherwise, column by column.
+template <class S, int Rows = 3, int Columns = Rows>
+struct Block {
+    S v[Rows * Columns];
+
+    S& operator()(int row, int column) noexcept { return v[Rows * column + row]; }
+    const S& operator()(int row, int column) const noexcept { return v[Rows * column + row]; }
 };
+
+/// Returns a b.
+template <class A, class B>
+inline auto operator*(const Block<A>& a, const Block<B>& b) noexcept {
+    Block<decltype(a.v[0] * b.v[0])> out;
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+            out(i, j) = a(i, 0) * b(0, j) + a(i, 1) * b(1, j) + a(i, 2) * b(2, j);
+    return out;
+}
+
+/// Returns factor a.
+template <class T, class S>
+inline auto scaled(const T& factor, const Block<S>& a) noexcept {
+    Block<decltype(factor * a.v[0])> out;
+    for (int k = 0; k < 9; ++k) out.v[k] = factor * a.v[k];
+    return out;
+}
+
+/// Returns the matrix [a]x of the vector product.
+template <class S>
+inline Block<S> cross_block(const Vec3<S>& a) noexcept {
+    return {{S(0), a[2], -a[1], -a[2], S(0), a[0], a[1], -a[0], S(0)}};
+}
 
 }  // namespace ancf::detail

@@ -112,12 +112,12 @@ public:
         return prototype(k).energy(copied(e));
     }
     void force(int k, const double* e, double* out) const override {
-        Eigen::Map<Coordinates>{out} = prototype(k).force(copied(e));
+        copy(prototype(k).force(copied(e)), out);
     }
     double evaluate(int k, const double* e, double* force, double* tangent) const override {
         const auto result = prototype(k).evaluate(copied(e));
-        Eigen::Map<Coordinates>{force} = result.force;
-        Eigen::Map<Matrix<double, Element::dofs>>{tangent} = result.tangent;
+        copy(result.force, force);
+        copy(result.tangent, tangent);
         return result.energy;
     }
     [[nodiscard]] bool admissible(int k, const double* e) const override {
@@ -132,13 +132,11 @@ public:
             return false;
         }
     }
-    void mass(int k, double* out) const override {
-        Eigen::Map<Matrix<double, Element::dofs>>{out} = prototype(k).mass();
-    }
+    void mass(int k, double* out) const override { copy(prototype(k).mass(), out); }
     void gravity(int k, const double* acceleration, double* out) const override {
-        const Vector<double, Element::dimension> g =
-            Eigen::Map<const Vector<double, Element::dimension>>{acceleration};
-        Eigen::Map<Coordinates>{out} = prototype(k).gravity(g);
+        Vector<double, Element::dimension> g;
+        std::copy_n(acceleration, Element::dimension, g.data());
+        copy(prototype(k).gravity(g), out);
     }
     void torsion_stiffness(int k, double (&out)[2]) const override {
         out[0] = out[1] = 0.0;
@@ -157,7 +155,15 @@ private:
         return prototypes[static_cast<std::size_t>(k)];
     }
     [[nodiscard]] static Coordinates copied(const double* e) {
-        return Eigen::Map<const Coordinates>{e};
+        Coordinates own;
+        std::copy_n(e, Element::dofs, own.data());
+        return own;
+    }
+    static void copy(const Coordinates& from, double* to) {
+        std::copy_n(from.data(), Element::dofs, to);
+    }
+    static void copy(const Matrix<double, Element::dofs>& from, double* to) {
+        std::copy_n(from.data(), Element::dofs * Element::dofs, to);
     }
 
     double add_element(int index, const GroupTarget& target) const;

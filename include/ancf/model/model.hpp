@@ -127,8 +127,9 @@ private:
         for (int k = 0; k < Dimension; ++k) of[first + k] = vector[k];
     }
     static void check_finite(const char* call, NodeId node, Field field, const Point& value) {
-        detail::require(value.allFinite(), "Model::", call, ": ", to_string(field), " of node ",
-                        node.index, " must be finite, got ", detail::components(value));
+        detail::require(detail::all_finite(value), "Model::", call, ": ", to_string(field),
+                        " of node ", node.index, " must be finite, got ",
+                        detail::components(value));
     }
 };
 
@@ -138,11 +139,14 @@ using PlanarModel = BasicModel<2>;  ///< a model in the plane
 template <int Dimension>
 NodeId BasicModel<Dimension>::add_node(const Argument& position, const Slopes& slopes,
                                        const Point& curvature) {
-    detail::require(position.allFinite(), "Model::add_node: the position must be finite, got ",
+    detail::require(detail::all_finite(position),
+                    "Model::add_node: the position must be finite, got ",
                     detail::components(position));
-    detail::require(slopes.allFinite(), "Model::add_node: slopes must be finite, got (by columns) ",
+    detail::require(detail::all_finite(slopes),
+                    "Model::add_node: slopes must be finite, got (by columns) ",
                     detail::components(slopes));
-    detail::require(curvature.allFinite(), "Model::add_node: the curvature must be finite, got ",
+    detail::require(detail::all_finite(curvature),
+                    "Model::add_node: the curvature must be finite, got ",
                     detail::components(curvature));
     std::array<double, 3 * field_count> vectors = {};
     for (int i = 0; i < Dimension; ++i) {
@@ -157,7 +161,8 @@ NodeId BasicModel<Dimension>::add_node(const Argument& position, const Slopes& s
 
 template <int Dimension>
 void BasicModel<Dimension>::set_gravity(const Argument& gravity, Amplitude amplitude) {
-    detail::require(gravity.allFinite(), "Model::set_gravity: components must be finite, got ",
+    detail::require(detail::all_finite(gravity),
+                    "Model::set_gravity: components must be finite, got ",
                     detail::components(gravity));
     std::array<double, 3> components = {};
     for (int k = 0; k < Dimension; ++k) components[static_cast<std::size_t>(k)] = gravity[k];

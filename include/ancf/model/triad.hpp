@@ -22,9 +22,10 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/error.hpp>
-#include <ancf/types.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace ancf::detail {
@@ -41,115 +42,84 @@ inline void require_slope(const char* user, Field field, int dimension) {
 /// A frame with its spin map at given slopes.
 template <class Scalar>
 struct Triad {
-    Matrix<Scalar, 3> axes;     ///< columns t, n, c; n and c zero for a tangent
-    Matrix<Scalar, 3, 6> spin;  ///< w = spin (dp, da); only the first `width` columns are there
-    int width = 0;              ///< 0 of space, 3 of a tangent, 6 of two slopes
-    bool across = false;        ///< the two slopes are a section's
-    double share = 0.5;         ///< of a section: what p takes of a moment about t
-    Scalar lam{}, nu{}, al{};   ///< of a section |p|, |a| and s
-    Vector<Scalar, 3> u, w;     ///< of a section
+    using Vec = Vec3<Scalar>;
+
+    std::array<Vec, 3> axes = {};  ///< t, n, c; n and c zero for a tangent
+    std::array<Vec, 6> spin = {};  ///< w = sum_k spin_k d(p, a)_k, of the first `width` components
+    int width = 0;                 ///< 0 of space, 3 of a tangent, 6 of two slopes
+    bool across = false;           ///< the two slopes are a section's
+    double share = 0.5;            ///< of a section: what p takes of a moment about t
+    Scalar lam{}, nu{}, al{};      ///< of a section |p|, |a| and s
+    Vec u = {}, w = {};            ///< of a section
 
     /// The frame of two slopes.
-    static Triad of_slopes(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a) {
-        using std::sqrt;
-        Triad f;
-        f.lam = sqrt(Scalar(p.transpose() * p));
-        const Vector<Scalar, 3> t = p / f.lam;
-        const Scalar along = a.transpose() * t;
-        const Vector<Scalar, 3> normal = a - along * t;
-        f.nu = sqrt(Scalar(normal.transpose() * normal));
-        const Vector<Scalar, 3> n = normal / f.nu;
-        const Vector<Scalar, 3> c = cross(t, n);
+    static Triad of_slopes(const Vec& p, const Vec& a) {
+        Triad f = of_tangent(p);
+        const Vec& t = f.axes[0];
+        const Scalar along = dot(a, t);
+        const Vec normal = a - along * t;
+        f.nu = length(normal);
+        f.axes[1] = normal / f.nu;
+        f.axes[2] = cross(t, f.axes[1]);
         f.al = along / f.nu;
         f.width = 6;
-        const Matrix<Scalar, 3> turn = cross_matrix(t);
-        for (int i = 0; i < 3; ++i) {
-            f.axes(i, 0) = t[i];
-            f.axes(i, 1) = n[i];
-            f.axes(i, 2) = c[i];
-            for (int k = 0; k < 3; ++k) {
-                f.spin(i, k) = (turn(i, k) - f.al * t[i] * c[k]) / f.lam;
-                f.spin(i, 3 + k) = t[i] * c[k] / f.nu;
-            }
+        for (int k = 0; k < 3; ++k) {
+            const Scalar c = f.axes[2][k];
+            f.spin[k] = f.spin[k] - f.al * c / f.lam * t;
+            f.spin[3 + k] = c / f.nu * t;
         }
         return f;
     }
 
-    /// The frame of (p, a).
-    static Triad of_slopes(const Vector<Scalar, 6>& slopes) {
-        return of_slopes({slopes[0], slopes[1], slopes[2]}, {slopes[3], slopes[4], slopes[5]});
-    }
-
     /// The frame of a section with slopes p and a across, r_y and r_z.
     /// @param share  of p in a moment about t, 0 to 1
-    static Triad of_section(const Vector<Scalar, 3>& p, const Vector<Scalar, 3>& a, double share) {
+    static Triad of_section(const Vec& p, const Vec& a, double share) {
         using std::atan;
         using std::cos;
         using std::sin;
-        using std::sqrt;
         Triad f;
         f.width = 6;
         f.across = true;
         f.share = share;
-        f.lam = sqrt(Scalar(p.transpose() * p));
-        f.nu = sqrt(Scalar(a.transpose() * a));
+        f.lam = length(p);
+        f.nu = length(a);
         f.u = p / f.lam;
         f.w = a / f.nu;
-        const Vector<Scalar, 3> normal = cross(f.u, f.w);
-        f.al = sqrt(Scalar(normal.transpose() * normal));
-        const Vector<Scalar, 3> t = normal / f.al;
-        const Scalar lack = atan(Scalar(f.u.transpose() * f.w) / f.al);
+        const Vec normal = cross(f.u, f.w);
+        f.al = length(normal);
+        const Vec t = normal / f.al, tu = cross(t, f.u), tw = cross(t, f.w);
+        const Scalar lack = atan(dot(f.u, f.w) / f.al);
         const Scalar cosine = cos((1.0 - share) * lack), sine = sin((1.0 - share) * lack);
-        const Vector<Scalar, 3> tu = cross(t, f.u), tw = cross(t, f.w);
-        for (int i = 0; i < 3; ++i) {
-            f.axes(i, 0) = t[i];
-            f.axes(i, 1) = cosine * f.u[i] - sine * tu[i];
-            f.axes(i, 2) = cosine * tu[i] + sine * f.u[i];
-            for (int k = 0; k < 3; ++k) {
-                f.spin(i, k) = (share * t[i] * tu[k] - f.w[i] * t[k] / f.al) / f.lam;
-                f.spin(i, 3 + k) = ((1.0 - share) * t[i] * tw[k] + f.u[i] * t[k] / f.al) / f.nu;
-            }
+        f.axes = {t, cosine * f.u - sine * tu, cosine * tu + sine * f.u};
+        for (int k = 0; k < 3; ++k) {
+            f.spin[k] = (share * tu[k] * t - t[k] / f.al * f.w) / f.lam;
+            f.spin[3 + k] = ((1.0 - share) * tw[k] * t + t[k] / f.al * f.u) / f.nu;
         }
         return f;
     }
 
     /// The direction of one slope.
-    static Triad of_tangent(const Vector<Scalar, 3>& p) {
-        using std::sqrt;
+    static Triad of_tangent(const Vec& p) {
         Triad f;
-        f.lam = sqrt(Scalar(p.transpose() * p));
-        const Vector<Scalar, 3> t = p / f.lam;
+        f.lam = length(p);
         f.width = 3;
-        f.axes.setZero();
-        const Matrix<Scalar, 3> turn = cross_matrix(t);
-        for (int i = 0; i < 3; ++i) {
-            f.axes(i, 0) = t[i];
-            for (int k = 0; k < 3; ++k) f.spin(i, k) = turn(i, k) / f.lam;
-        }
+        const Vec t = f.axes[0] = p / f.lam;
+        f.spin[0] = Vec{{Scalar(0), t[2], -t[1]}} / f.lam;
+        f.spin[1] = Vec{{-t[2], Scalar(0), t[0]}} / f.lam;
+        f.spin[2] = Vec{{t[1], -t[0], Scalar(0)}} / f.lam;
         return f;
     }
 
     /// A frame that rests.
-    static Triad at_rest(const Matrix<double, 3>& axes) {
+    static Triad at_rest(const std::array<Vec3<double>, 3>& axes) {
         Triad f;
-        f.axes = axes.template cast<Scalar>();
+        for (int k = 0; k < 3; ++k) f.axes[k] = vec3<Scalar>(axes[k]);
         return f;
     }
 
-    /// Returns spin^T m: what a moment (global components) is on (dp, da), zero beyond `width`.
-    [[nodiscard]] Vector<Scalar, 6> on_slopes(const Vector<Scalar, 3>& moment) const {
-        Vector<Scalar, 6> out = Vector<Scalar, 6>::Zero();
-        for (int k = 0; k < width; ++k)
-            out[k] = spin(0, k) * moment[0] + spin(1, k) * moment[1] + spin(2, k) * moment[2];
-        return out;
-    }
-
     /// Returns R v: global components of a vector given in the frame.
-    [[nodiscard]] Vector<Scalar, 3> in_space(const Vector<double, 3>& v) const {
-        Vector<Scalar, 3> out;
-        for (int k = 0; k < 3; ++k)
-            out[k] = axes(k, 0) * v[0] + axes(k, 1) * v[1] + axes(k, 2) * v[2];
-        return out;
+    [[nodiscard]] Vec in_space(const Vec3<double>& v) const {
+        return v[0] * axes[0] + v[1] * axes[1] + v[2] * axes[2];
     }
 };
 
@@ -157,28 +127,29 @@ struct Triad {
 ///
 ///     spin^T m = ((f m_t t x u - m.w/s t)/|p|,  ((1 - f) m_t t x w + m.u/s t)/|a|),
 ///     ds = (u.w) dth,  dth = (t x w).dw - (t x u).du
-[[nodiscard]] inline Matrix<double, 6> section_spin_derivative(const Triad<double>& f,
-                                                               const Vector<double, 3>& m) {
-    using Vec = Vector<double, 3>;
-    const Vec t = f.axes.col(0), tu = cross(t, f.u), tw = cross(t, f.w);
+[[nodiscard]] inline Block<double, 6> section_spin_derivative(const Triad<double>& f,
+                                                              const Vec3<double>& m) {
+    using Vec = Vec3<double>;
+    const Vec &t = f.axes[0], tu = cross(t, f.u), tw = cross(t, f.w);
     const double share_p = f.share, share_a = 1.0 - f.share, s = f.al;
-    const double twist_p = share_p * m.dot(t), twist_a = share_a * m.dot(t);
-    const double by_u = m.dot(f.u) / s, by_w = m.dot(f.w) / s, cosine = f.u.dot(f.w);
+    const double twist_p = share_p * dot(m, t), twist_a = share_a * dot(m, t);
+    const double by_u = dot(m, f.u) / s, by_w = dot(m, f.w) / s, cosine = dot(f.u, f.w);
     const Vec on_p = (twist_p * tu - by_w * t) / f.lam, on_a = (twist_a * tw + by_u * t) / f.nu;
-    Matrix<double, 6> out;
+    Block<double, 6> out;
     for (int k = 0; k < 6; ++k) {  // by p_k, then by a_k
         const bool first = k < 3;
-        const Vec unit = Vec::Unit(k % 3), zero = Vec::Zero();
         const double d_p = first ? f.u[k] : 0.0, d_a = first ? 0.0 : f.w[k - 3];
-        const Vec du = first ? Vec((unit - d_p * f.u) / f.lam) : zero;
-        const Vec dw = first ? zero : Vec((unit - d_a * f.w) / f.nu);
-        const Vec dt = cross(Vec(f.spin.col(k)), t);
-        const double growth = cosine * (tw.dot(dw) - tu.dot(du)) / s;  // ds/s
-        const double d_twist = m.dot(dt);
+        Vec du = {}, dw = {};
+        (first ? du : dw)[k % 3] = 1.0;
+        du = (du - d_p * f.u) / f.lam;
+        dw = (dw - d_a * f.w) / f.nu;
+        const Vec dt = cross(f.spin[k], t);
+        const double growth = cosine * (dot(tw, dw) - dot(tu, du)) / s;  // ds/s
+        const double d_twist = dot(m, dt);
         const Vec by_p = share_p * d_twist * tu + twist_p * (cross(dt, f.u) + cross(t, du)) -
-                         (m.dot(dw) / s - by_w * growth) * t - by_w * dt;
+                         (dot(m, dw) / s - by_w * growth) * t - by_w * dt;
         const Vec by_a = share_a * d_twist * tw + twist_a * (cross(dt, f.w) + cross(t, dw)) +
-                         (m.dot(du) / s - by_u * growth) * t + by_u * dt;
+                         (dot(m, du) / s - by_u * growth) * t + by_u * dt;
         for (int i = 0; i < 3; ++i) {
             out(i, k) = (by_p[i] - d_p * on_p[i]) / f.lam;
             out(3 + i, k) = (by_a[i] - d_a * on_a[i]) / f.nu;
@@ -191,29 +162,29 @@ struct Triad {
 /// `width` rows and columns are there.
 ///
 ///     spin^T m = ((m x t)/lam - (al m_t/lam) c,  (m_t/nu) c),    m_t = m.t
-[[nodiscard]] inline Matrix<double, 6> spin_derivative(const Triad<double>& f,
-                                                       const Vector<double, 3>& m) {
-    using Vec = Vector<double, 3>;
+[[nodiscard]] inline Block<double, 6> spin_derivative(const Triad<double>& f,
+                                                      const Vec3<double>& m) {
+    using Vec = Vec3<double>;
     if (f.across) return section_spin_derivative(f, m);
-    Matrix<double, 6> out = Matrix<double, 6>::Zero();
+    Block<double, 6> out = {};
     if (f.width == 0) return out;
-    const Vec t = f.axes.col(0), n = f.axes.col(1), c = f.axes.col(2);
+    const auto& [t, n, c] = f.axes;
     const Vec mt = cross(m, t);
-    const double twist = m.dot(t), bent = f.al * twist / f.lam;
+    const double twist = dot(m, t), bent = f.al * twist / f.lam;
     for (int k = 0; k < f.width; ++k) {  // by p_k, then by a_k
-        const Vec spin = f.spin.col(k), dt = cross(spin, t);
+        const Vec dt = cross(f.spin[k], t);
         const double d_lam = k < 3 ? t[k] : 0.0;
         Vec by_p = (cross(m, dt) - d_lam / f.lam * mt) / f.lam;
         if (f.width == 6) {
-            const Vec dc = cross(spin, c);
-            const double d_twist = m.dot(dt), u_n = n.dot(dt);
+            const Vec dc = cross(f.spin[k], c);
+            const double d_twist = dot(m, dt), u_n = dot(n, dt);
             // d(a.t) with a = al nu t + nu n
             const double d_along = (k < 3 ? 0.0 : t[k - 3]) + f.nu * u_n;
             const double d_nu = (k < 3 ? 0.0 : n[k - 3]) - f.al * f.nu * u_n;
             const double d_al = (d_along - f.al * d_nu) / f.nu;
             const double d_bent = (f.al * d_twist + twist * d_al - bent * d_lam) / f.lam;
             const double d_turn = (d_twist - twist / f.nu * d_nu) / f.nu;
-            by_p -= d_bent * c + bent * dc;
+            by_p = by_p - d_bent * c - bent * dc;
             for (int i = 0; i < 3; ++i) out(3 + i, k) = d_turn * c[i] + twist / f.nu * dc[i];
         }
         for (int i = 0; i < 3; ++i) out(i, k) = by_p[i];

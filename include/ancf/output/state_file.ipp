@@ -29,7 +29,7 @@ namespace ancf {
 namespace detail {
 
 ANCF_INLINE void write_column(std::ostream& out, const std::string& head, const VectorX& values) {
-    require(values.allFinite(), "write_state: ", head, " is not finite");
+    require(detail::all_finite(values), "write_state: ", head, " is not finite");
     out << head << ' ' << values.size() << '\n';
     for (const double value : values) out << number_text(value) << '\n';
 }

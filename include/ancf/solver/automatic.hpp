@@ -32,7 +32,7 @@ namespace ancf {
 class Automatic final : public LinearSolver {
 public:
     /// The general solver is EigenLdlt.
-    Automatic();
+    ANCF_LAZY Automatic();
 
     /// Takes the two solvers, with the options they were given.
     /// @throws InvalidArgument unless the general one reads the lower half of symmetric matrices.

@@ -13,7 +13,7 @@
 
 namespace ancf {
 
-ANCF_INLINE Automatic::Automatic() : general_(std::make_unique<EigenLdlt>()) {}
+ANCF_LAZY Automatic::Automatic() : general_(std::make_unique<EigenLdlt>()) {}
 
 ANCF_INLINE Automatic::Automatic(std::unique_ptr<LinearSolver> general, BlockTridiagonal chain)
     : chain_(std::move(chain)), general_(std::move(general)) {

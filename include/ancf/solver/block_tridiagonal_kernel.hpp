@@ -13,6 +13,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/fixed_column.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -52,8 +53,8 @@ public:
                                                 const SparseMatrix& matrix, double* panels,
                                                 double* roots, double* probe) noexcept {
         Work work;
-        work.carry.setZero();
-        Column rest = Column::Zero();
+        for (Column& column : work.carry) column = Column::zero();
+        Column rest = Column::zero();
         PivotSummary summary;
         for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
             load(layout, matrix, block, panels);
@@ -74,7 +75,7 @@ public:
     /// Replaces a probe by L^-1 of it and returns its energy.
     static double probe_energy(const BlockLayout& layout, const double* panels,
                                double* probe) noexcept {
-        Column rest = Column::Zero();
+        Column rest = Column::zero();
         PivotSummary summary;
         for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
             double* z = probe + layout.start(block);
@@ -86,7 +87,7 @@ public:
 
     /// Solves L D L^T x = x in place.
     static void solve(const BlockLayout& layout, const double* panels, double* x) noexcept {
-        Column carry = Column::Zero();
+        Column carry = Column::zero();
         for (int block = 0; block < layout.blocks(); ++block)
             forward(panels + static_cast<std::ptrdiff_t>(block) * panel_size, layout.size(block),
                     carry, x + layout.start(block));
@@ -94,19 +95,14 @@ public:
     }
 
 private:
-    using Column = Eigen::Array<double, N, 1>;
-    using Square = Eigen::Array<double, N, N>;
+    using Column = FixedColumn<double, N>;
+    using Square = Column[N];
 
     struct Work {
         Square scaled;       // L d of the diagonal block
         Square next_scaled;  // and of the next block's rows
         Square carry;        // to add to the next diagonal block
     };
-
-    static Eigen::Map<Column> view(double* first) noexcept { return Eigen::Map<Column>(first); }
-    static Eigen::Map<const Column> view(const double* first) noexcept {
-        return Eigen::Map<const Column>(first);
-    }
 
     static void load(const BlockLayout& layout, const SparseMatrix& matrix, int block,
                      double* panel) noexcept {
@@ -118,8 +114,8 @@ private:
             // Column j starts at row j; what is read before it lands above the diagonal, unused.
             for (int j = 0; j < N; ++j) {
                 const double* column = values + outer[j] - j;
-                view(panel + j * N) = view(column);
-                view(below + j * N) = view(column + N);
+                Column::at(column).store(panel + j * N);
+                Column::at(column + N).store(below + j * N);
             }
             return;
         }
@@ -148,20 +144,20 @@ private:
     // Column by column: what the columns before it leave of this one, divided by its pivot.
     static void eliminate(double* panel, Work& work) noexcept {
         double* below = panel + square_size;
-        for (int j = 0; j < N; ++j) view(panel + j * N) += work.carry.col(j);
         for (int j = 0; j < N; ++j) {
-            Column column = view(panel + j * N);
-            Column next = view(below + j * N);
+            Column column = Column::at(panel + j * N);
+            column += work.carry[j];
+            Column next = Column::at(below + j * N);
             for (int k = 0; k < j; ++k) {
-                const double factor = work.scaled(j, k);
-                column -= view(panel + k * N) * factor;
-                next -= view(below + k * N) * factor;
+                const double factor = work.scaled[k][j];
+                column.subtract(panel + k * N, factor);
+                next.subtract(below + k * N, factor);
             }
-            work.scaled.col(j) = column;
-            work.next_scaled.col(j) = next;
-            const double inverse = 1.0 / work.scaled(j, j);
-            view(panel + j * N) = column * inverse;
-            view(below + j * N) = next * inverse;
+            work.scaled[j] = column;
+            work.next_scaled[j] = next;
+            const double inverse = 1.0 / work.scaled[j][j];
+            (column * inverse).store(panel + j * N);
+            (next * inverse).store(below + j * N);
             panel[j * N + j] = inverse;
         }
         for (int j = 1; j < N; ++j)
@@ -184,9 +180,9 @@ private:
     static void update(const double* panel, Work& work) noexcept {
         const double* below = panel + square_size;
         for (int c = 0; c < N; ++c) {
-            Column column = Column::Zero();
-            for (int k = 0; k < N; ++k) column -= view(below + k * N) * work.next_scaled(c, k);
-            work.carry.col(c) = column;
+            Column column = Column::zero();
+            for (int k = 0; k < N; ++k) column.subtract(below + k * N, work.next_scaled[k][c]);
+            work.carry[c] = column;
         }
     }
 
@@ -194,45 +190,34 @@ private:
     static void forward(const double* panel, int size, Column& carry, double* y) noexcept {
         const double* below = panel + square_size;
         Column rest = carry;
-        Column next = Column::Zero();
+        Column next = Column::zero();
         for (int j = 0; j < size; ++j) rest[j] += y[j];
         for (int j = 0; j < size; ++j) {
             const double solved = rest[j];
             y[j] = solved;
-            rest -= view(panel + j * N) * solved;
-            next -= view(below + j * N) * solved;
+            rest.subtract(panel + j * N, solved);
+            next.subtract(below + j * N, solved);
         }
         carry = next;
     }
 
     static void backward(const BlockLayout& layout, const double* panels, double* x) noexcept {
-        Column next = Column::Zero();
+        Column next = Column::zero();
         for (int block = layout.blocks() - 1; block >= 0; --block) {
             const double* panel = panels + static_cast<std::ptrdiff_t>(block) * panel_size;
             const double* below = panel + square_size;
             const int size = layout.size(block);
             double* y = x + layout.start(block);
-            Column rest = Column::Zero();
+            Column rest = Column::zero();
             for (int j = 0; j < size; ++j)
-                rest[j] = y[j] * panel[j * N + j] - sum(view(below + j * N) * next);
+                rest[j] = y[j] * panel[j * N + j] - dot(Column::at(below + j * N), next);
             for (int j = size - 1; j >= 0; --j) {
                 const double solved = rest[j];
                 y[j] = solved;
-                rest -= view(panel + j * N) * solved;
+                rest.subtract(panel + j * N, solved);
                 next[j] = solved;
             }
             for (int j = size; j < N; ++j) next[j] = 0.0;
-        }
-    }
-
-    // Folded to four lanes first: one short reduction for any width.
-    static double sum(const Column& terms) noexcept {
-        if constexpr (N % 4 == 0) {
-            Eigen::Array4d four = terms.template head<4>();
-            for (int i = 4; i < N; i += 4) four += terms.template segment<4>(i);
-            return four.sum();
-        } else {
-            return terms.sum();
         }
     }
 };

@@ -18,6 +18,13 @@
 
 namespace ancf {
 
+namespace detail {
+
+/// Returns the diagonal of the box around all positions, m; 0 of none.
+[[nodiscard]] double diagonal_of(const Layout& layout, int dimension, const VectorX& q);
+
+}  // namespace detail
+
 /// Measures residuals and corrections of one scene.
 class ConvergenceMonitor {
 public:

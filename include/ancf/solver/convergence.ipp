@@ -20,23 +20,18 @@ namespace ancf {
 
 namespace detail {
 
-/// Returns the diagonal of the box around all positions.
-template <int Dimension>
-[[nodiscard]] double diagonal_of(const Layout& layout, const VectorX& q) {
-    Vector<double, Dimension> low, high;
-    for (int k = 0; k < Dimension; ++k) {
-        low[k] = std::numeric_limits<double>::infinity();
-        high[k] = -low[k];
-    }
-    for (int node = 0; node < layout.nodes(); ++node) {
-        if (!layout.fields(node).contains(Field::r)) continue;
-        for (int k = 0; k < Dimension; ++k) {
-            low[k] = std::min(low[k], q[layout.first(node) + k]);
-            high[k] = std::max(high[k], q[layout.first(node) + k]);
+ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const VectorX& q) {
+    double square = 0.0;
+    for (int k = 0; k < dimension; ++k) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (int node = 0; node < layout.nodes(); ++node) {
+            if (!layout.fields(node).contains(Field::r)) continue;
+            low = std::min(low, q[layout.first(node) + k]);
+            high = std::max(high, q[layout.first(node) + k]);
         }
+        if (high > low) square += (high - low) * (high - low);
     }
-    for (int k = 0; k < Dimension; ++k) high[k] -= low[k];
-    return high.norm();
+    return std::sqrt(square);
 }
 
 }  // namespace detail
@@ -64,9 +59,7 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
     const VectorX& q = model.state().q;
     detail::require(q.size() == layout.size(), "the state has ", q.size(),
                     " coordinates, the model has ", layout.size());
-    const double diagonal = model.dimension() == 2 ? detail::diagonal_of<2>(layout, q)
-                                                   : detail::diagonal_of<3>(layout, q);
-    size_ = std::max(diagonal, element_size_);
+    size_ = std::max(detail::diagonal_of(layout, model.dimension(), q), element_size_);
 }
 
 template <class Entry>

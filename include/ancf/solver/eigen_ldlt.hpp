@@ -8,10 +8,11 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
+
+#include <Eigen/OrderingMethods>
 
 #include <memory>
 #include <string_view>
@@ -23,12 +24,16 @@ namespace ancf {
 /// For positive definite matrices, and for indefinite ones that are far from singular in every
 /// leading part of that order; saddle points are for EigenLu. `negative_pivots` counts the negative
 /// eigenvalues.
-class EigenLdlt final : public LinearSolver {
+///
+/// A template so that only a program that makes one compiles Eigen's factorisation.
+/// @tparam Ordering  Eigen's, of the unknowns
+template <class Ordering>
+class BasicEigenLdlt final : public LinearSolver {
 public:
-    EigenLdlt() = default;
+    BasicEigenLdlt() = default;
 
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit EigenLdlt(double singular_rcond) : singular_rcond_(singular_rcond) {
+    explicit BasicEigenLdlt(double singular_rcond) : singular_rcond_(singular_rcond) {
         detail::require_singular_rcond(singular_rcond);
     }
 
@@ -36,14 +41,14 @@ public:
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
     /// @throws InvalidArgument unless square, compressed and lower.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
+    void analyze(const SparseMatrix& lower) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
+    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
+    void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "eigen-ldlt"; }
@@ -60,6 +65,13 @@ private:
     detail::SolverStage stage_;
     double singular_rcond_ = default_singular_rcond;
 };
+
+/// The factorisation of a symmetric matrix, ordered by minimum degree.
+using EigenLdlt = BasicEigenLdlt<Eigen::AMDOrdering<int>>;
+
+#if defined(ANCF_COMPILED)
+extern template class BasicEigenLdlt<Eigen::AMDOrdering<int>>;
+#endif
 
 }  // namespace ancf
 

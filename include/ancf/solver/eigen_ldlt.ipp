@@ -9,17 +9,21 @@
 #include <ancf/algebra.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
 namespace ancf {
 
-struct EigenLdlt::Factors
-    : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> {};
+template <class Ordering>
+struct BasicEigenLdlt<Ordering>::Factors
+    : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering> {};
 
-ANCF_INLINE void EigenLdlt::Free::operator()(Factors* factors) const noexcept { delete factors; }
+template <class Ordering>
+void BasicEigenLdlt<Ordering>::Free::operator()(Factors* factors) const noexcept {
+    delete factors;
+}
 
-ANCF_INLINE void EigenLdlt::analyze(const SparseMatrix& lower) {
+template <class Ordering>
+void BasicEigenLdlt<Ordering>::analyze(const SparseMatrix& lower) {
     detail::require_storage(name(), lower, storage());
     stage_.reset();
     ldlt_.reset(new Factors);
@@ -27,7 +31,8 @@ ANCF_INLINE void EigenLdlt::analyze(const SparseMatrix& lower) {
     stage_.analysed(lower);
 }
 
-ANCF_INLINE FactorReport EigenLdlt::factorize(const SparseMatrix& lower) {
+template <class Ordering>
+FactorReport BasicEigenLdlt<Ordering>::factorize(const SparseMatrix& lower) {
     stage_.begin_factorisation(name(), lower);
     FactorReport report;
     if (!detail::all_finite(lower)) {
@@ -42,7 +47,8 @@ ANCF_INLINE FactorReport EigenLdlt::factorize(const SparseMatrix& lower) {
     return stage_.finished(report);
 }
 
-ANCF_INLINE FactorReport EigenLdlt::examine(const SparseMatrix& lower) const {
+template <class Ordering>
+FactorReport BasicEigenLdlt<Ordering>::examine(const SparseMatrix& lower) const {
     FactorReport report;
     report.negative_pivots = 0;
     const auto& pivots = ldlt_->vectorD();
@@ -58,9 +64,14 @@ ANCF_INLINE FactorReport EigenLdlt::examine(const SparseMatrix& lower) const {
     return report;
 }
 
-ANCF_INLINE void EigenLdlt::solve(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void BasicEigenLdlt<Ordering>::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
     x = b.size() > 0 ? VectorX(ldlt_->solve(b)) : b;
 }
+
+#if defined(ANCF_SOURCE)
+template class BasicEigenLdlt<Eigen::AMDOrdering<int>>;
+#endif
 
 }  // namespace ancf

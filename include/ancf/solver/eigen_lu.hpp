@@ -8,10 +8,11 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
+
+#include <Eigen/OrderingMethods>
 
 #include <memory>
 #include <string_view>
@@ -20,12 +21,16 @@ namespace ancf {
 
 /// L U of any square matrix with partial pivoting, columns ordered by COLAMD, rows scaled first:
 /// the order of pivots of a scene's tangent depends on no unit.
-class EigenLu final : public LinearSolver {
+///
+/// A template so that only a program that makes one compiles Eigen's factorisation.
+/// @tparam Ordering  Eigen's, of the columns
+template <class Ordering>
+class BasicEigenLu final : public LinearSolver {
 public:
-    EigenLu() = default;
+    BasicEigenLu() = default;
 
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit EigenLu(double singular_rcond) : singular_rcond_(singular_rcond) {
+    explicit BasicEigenLu(double singular_rcond) : singular_rcond_(singular_rcond) {
         detail::require_singular_rcond(singular_rcond);
     }
 
@@ -33,14 +38,14 @@ public:
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
 
     /// @throws InvalidArgument unless square and compressed.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
+    void analyze(const SparseMatrix& matrix) override;
 
     /// Factorises in the pattern analysed.
     /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
+    [[nodiscard]] FactorReport factorize(const SparseMatrix& matrix) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
+    void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "eigen-lu"; }
@@ -60,6 +65,13 @@ private:
     detail::SolverStage stage_;
     double singular_rcond_ = default_singular_rcond;
 };
+
+/// The factorisation of any square matrix, columns ordered by COLAMD.
+using EigenLu = BasicEigenLu<Eigen::COLAMDOrdering<int>>;
+
+#if defined(ANCF_COMPILED)
+extern template class BasicEigenLu<Eigen::COLAMDOrdering<int>>;
+#endif
 
 }  // namespace ancf
 

@@ -9,7 +9,6 @@
 #include <ancf/algebra.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
@@ -17,11 +16,16 @@
 
 namespace ancf {
 
-struct EigenLu::Factors : Eigen::SparseLU<SparseMatrix, Eigen::COLAMDOrdering<int>> {};
+template <class Ordering>
+struct BasicEigenLu<Ordering>::Factors : Eigen::SparseLU<SparseMatrix, Ordering> {};
 
-ANCF_INLINE void EigenLu::Free::operator()(Factors* factors) const noexcept { delete factors; }
+template <class Ordering>
+void BasicEigenLu<Ordering>::Free::operator()(Factors* factors) const noexcept {
+    delete factors;
+}
 
-ANCF_INLINE void EigenLu::analyze(const SparseMatrix& matrix) {
+template <class Ordering>
+void BasicEigenLu<Ordering>::analyze(const SparseMatrix& matrix) {
     detail::require_storage(name(), matrix, storage());
     stage_.reset();
     lu_.reset(new Factors);
@@ -30,7 +34,8 @@ ANCF_INLINE void EigenLu::analyze(const SparseMatrix& matrix) {
     stage_.analysed(matrix);
 }
 
-ANCF_INLINE FactorReport EigenLu::factorize(const SparseMatrix& matrix) {
+template <class Ordering>
+FactorReport BasicEigenLu<Ordering>::factorize(const SparseMatrix& matrix) {
     stage_.begin_factorisation(name(), matrix);
     FactorReport report;
     if (!detail::all_finite(matrix)) {
@@ -52,7 +57,8 @@ ANCF_INLINE FactorReport EigenLu::factorize(const SparseMatrix& matrix) {
     return stage_.finished(report);
 }
 
-ANCF_INLINE void EigenLu::scale_rows(const SparseMatrix& matrix) {
+template <class Ordering>
+void BasicEigenLu<Ordering>::scale_rows(const SparseMatrix& matrix) {
     // entries of a row compare where each unknown is measured by its own scale
     const VectorX scales = detail::unit_scales(matrix);
     row_scale_ = VectorX::Zero(matrix.rows());
@@ -64,12 +70,14 @@ ANCF_INLINE void EigenLu::scale_rows(const SparseMatrix& matrix) {
     scaled_ = row_scale_.asDiagonal() * matrix;
 }
 
-ANCF_INLINE void EigenLu::substitute(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void BasicEigenLu<Ordering>::substitute(const VectorX& b, VectorX& x) const {
     const VectorX scaled = row_scale_.cwiseProduct(b);
     x = lu_->solve(scaled);
 }
 
-ANCF_INLINE void EigenLu::solve(const VectorX& b, VectorX& x) const {
+template <class Ordering>
+void BasicEigenLu<Ordering>::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
     if (b.size() > 0) {
         substitute(b, x);
@@ -77,5 +85,9 @@ ANCF_INLINE void EigenLu::solve(const VectorX& b, VectorX& x) const {
         x = b;
     }
 }
+
+#if defined(ANCF_SOURCE)
+template class BasicEigenLu<Eigen::COLAMDOrdering<int>>;
+#endif
 
 }  // namespace ancf

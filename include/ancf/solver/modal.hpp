@@ -70,8 +70,8 @@ struct ModalReport {
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
 ///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
-[[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
-                                        const ModalOptions& options = {});
+ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
+                                                  const ModalOptions& options = {});
 
 /// Returns the load factors at which the stresses of a load make the tangent singular; negative
 /// ones are of the reversed load.
@@ -84,8 +84,8 @@ struct ModalReport {
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
-[[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
-                                         const ModalOptions& options = {});
+ANCF_LAZY [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
+                                                   const ModalOptions& options = {});
 
 }  // namespace ancf
 

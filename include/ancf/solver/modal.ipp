@@ -118,7 +118,7 @@ template <class Value>
                                    const ModalOptions& options, const Value& value) {
     ModalReport report;
     const Numbering& numbering = assembly.numbering();
-    Subspace space(A, B, solver);
+    Subspace<MatrixX> space(A, B, solver);
     report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
                               options.max_iterations);
     report.iterations = space.iterations;
@@ -150,8 +150,8 @@ ANCF_INLINE void ModalOptions::check() const {
     detail::require_positive("ModalOptions: tolerance", tolerance);
 }
 
-ANCF_INLINE ModalReport natural_modes(const Scene& model, LinearSolver& solver,
-                                      const ModalOptions& options) {
+ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
+                                    const ModalOptions& options) {
     options.check();
     Assembly assembly(model, solver.storage());
     const State& state = model.state();
@@ -178,8 +178,8 @@ ANCF_INLINE ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                               assembly, A, solver);
 }
 
-ANCF_INLINE ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
-                                       const ModalOptions& options) {
+ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
+                                     const ModalOptions& options) {
     options.check();
     Assembly assembly(model, solver.storage());
     detail::Deflected deflected(model, assembly);

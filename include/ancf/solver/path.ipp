@@ -74,7 +74,7 @@ public:
         require(options.direction.size() == 0 || options.direction.size() == rest_.size(),
                 "PathOptions: direction needs ", rest_.size(), " coordinates, got ",
                 options.direction.size());
-        require(options.direction.allFinite(), "PathOptions: direction must be finite");
+        require(detail::all_finite(options.direction), "PathOptions: direction must be finite");
         solver_.analyze(assembly_.tangent());
     }
 
@@ -397,7 +397,8 @@ private:
                     : product(du, du) + psi_ * psi_ * df * df - control.length * control.length;
             const double change = (row.dot(by_residual) - violated) / (row.dot(by_load) + slope);
             const VectorX step = change * by_load - by_residual;
-            if (!step.allFinite() || !std::isfinite(change)) return Outcome::of(Status::not_finite);
+            if (!detail::all_finite(step) || !std::isfinite(change))
+                return Outcome::of(Status::not_finite);
             du += step;
             df += change;
             correction = std::max(monitor_.correction(step), psi_ * std::abs(change));

@@ -19,8 +19,7 @@ ANCF_INLINE std::vector<std::string> solver_names() {
     return {"automatic", "block-tridiagonal", "eigen-ldlt", "eigen-lu"};
 }
 
-ANCF_INLINE std::unique_ptr<LinearSolver> solver_named(std::string_view name,
-                                                       double singular_rcond) {
+ANCF_LAZY std::unique_ptr<LinearSolver> solver_named(std::string_view name, double singular_rcond) {
     if (name == "eigen-ldlt") return std::make_unique<EigenLdlt>(singular_rcond);
     if (name == "eigen-lu") return std::make_unique<EigenLu>(singular_rcond);
     if (name == "block-tridiagonal") return std::make_unique<BlockTridiagonal>(singular_rcond);

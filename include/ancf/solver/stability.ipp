@@ -99,7 +99,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     std::vector<std::vector<GradientEntry>> gradients(
         static_cast<std::size_t>(assembly.numbering().multipliers()));
     std::vector<MatrixEntry> entries;
-    entries.reserve(static_cast<std::size_t>(tangent.nonZeros()));
+    entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
     for (int column = 0; column < free; ++column)
         for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];
              ++k) {

@@ -15,6 +15,10 @@
 namespace ancf::detail {
 
 /// Largest eigenvalues of B x = th A x by subspace iteration with Rayleigh's quotients.
+///
+/// A template so that only a program that asks for modes compiles the eigenvalue solver.
+/// @tparam Dense  MatrixX
+template <class Dense>
 class Subspace {
 public:
     /// @param solver  has A factorised.
@@ -29,12 +33,12 @@ public:
     /// Returns |B x - th A x|/(th |A x|) of mode k.
     [[nodiscard]] double residual(Eigen::Index k) const;
 
-    VectorX values;   ///< by falling magnitude
-    MatrixX vectors;  ///< columns, x^T A x = 1
+    VectorX values;  ///< by falling magnitude
+    Dense vectors;   ///< columns, x^T A x = 1
     int iterations = 0;
 
 private:
-    [[nodiscard]] MatrixX product(const SparseMatrix& matrix, const MatrixX& x) const;
+    [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const;
     // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
     [[nodiscard]] VectorX noise(Eigen::Index count) const;
     // Solves the problem on the span of the vectors; those that add nothing are left out. Returns

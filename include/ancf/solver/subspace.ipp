@@ -20,15 +20,16 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE Subspace::Subspace(const SparseMatrix& A, const SparseMatrix& B,
-                               const LinearSolver& solver)
+template <class Dense>
+Subspace<Dense>::Subspace(const SparseMatrix& A, const SparseMatrix& B, const LinearSolver& solver)
     : A_(A), B_(B), magnitude_(A.cwiseAbs()), solver_(solver) {}
 
-ANCF_INLINE Status Subspace::run(int free, int count, double tolerance, int max_iterations) {
+template <class Dense>
+Status Subspace<Dense>::run(int free, int count, double tolerance, int max_iterations) {
     const Eigen::Index size = A_.rows();
     const auto width = std::min<Eigen::Index>(2 * count + 8, free);
     // a fixed mixture of all modes: results repeat bit for bit
-    MatrixX start(size, width);
+    Dense start(size, width);
     const VectorX scales = unit_scales(A_);
     double state = 0.5;
     for (Eigen::Index k = 0; k < start.size(); ++k) {
@@ -39,7 +40,7 @@ ANCF_INLINE Status Subspace::run(int free, int count, double tolerance, int max_
     VectorX last = VectorX::Zero(count);
     for (iterations = 0; iterations < max_iterations;) {
         ++iterations;
-        const MatrixX image = product(B_, vectors);
+        const Dense image = product(B_, vectors);
         VectorX column;
         for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
             solver_.solve(image.col(k), column);
@@ -60,31 +61,35 @@ ANCF_INLINE Status Subspace::run(int free, int count, double tolerance, int max_
     return Status::max_iterations;
 }
 
-ANCF_INLINE double Subspace::residual(Eigen::Index k) const {
+template <class Dense>
+double Subspace<Dense>::residual(Eigen::Index k) const {
     const VectorX Ax = product(A_, vectors.col(k));
     return (product(B_, vectors.col(k)) - values[k] * Ax).norm() /
            (std::abs(values[k]) * Ax.norm());
 }
 
-ANCF_INLINE MatrixX Subspace::product(const SparseMatrix& matrix, const MatrixX& x) const {
+template <class Dense>
+Dense Subspace<Dense>::product(const SparseMatrix& matrix, const Dense& x) const {
     if (solver_.storage() == Storage::lower) return matrix.selfadjointView<Eigen::Lower>() * x;
     return matrix * x;
 }
 
-ANCF_INLINE VectorX Subspace::noise(Eigen::Index count) const {
-    const MatrixX x = vectors.leftCols(count).cwiseAbs();
+template <class Dense>
+VectorX Subspace<Dense>::noise(Eigen::Index count) const {
+    const Dense x = vectors.leftCols(count).cwiseAbs();
     return std::numeric_limits<double>::epsilon() *
            x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
 }
 
-ANCF_INLINE bool Subspace::reduce(int count) {
-    const MatrixX a = vectors.transpose() * product(A_, vectors);
+template <class Dense>
+bool Subspace<Dense>::reduce(int count) {
+    const Dense a = vectors.transpose() * product(A_, vectors);
     // of unit diagonal: columns differ by the ratio of the eigenvalues
     const VectorX diagonal = a.diagonal();
     if (!(diagonal.minCoeff() > 0.0)) return false;
     const VectorX scale = diagonal.cwiseSqrt().cwiseInverse();
-    const MatrixX unit = scale.asDiagonal() * a * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixX> metric(unit);
+    const Dense unit = scale.asDiagonal() * a * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Dense> metric(unit);
     const VectorX& weights = metric.eigenvalues();
     const double least = 1e-13 * weights[weights.size() - 1];
     const double round_off = noise(diagonal.size()).cwiseQuotient(diagonal).sum();
@@ -92,16 +97,16 @@ ANCF_INLINE bool Subspace::reduce(int count) {
     Eigen::Index first = 0;
     while (first < weights.size() && weights[first] <= least) ++first;
     const Eigen::Index rank = weights.size() - first;
-    const MatrixX basis = vectors * (scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
-                                     weights.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
-    const MatrixX b = basis.transpose() * product(B_, basis);
-    const Eigen::SelfAdjointEigenSolver<MatrixX> reduced(0.5 * (b + b.transpose()));
+    const Dense basis = vectors * (scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
+                                   weights.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
+    const Dense b = basis.transpose() * product(B_, basis);
+    const Eigen::SelfAdjointEigenSolver<Dense> reduced(0.5 * (b + b.transpose()));
     std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
     std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
         return std::abs(reduced.eigenvalues()[i]) > std::abs(reduced.eigenvalues()[j]);
     });
-    MatrixX sorted(rank, rank);
+    Dense sorted(rank, rank);
     values.resize(rank);
     for (Eigen::Index k = 0; k < rank; ++k) {
         const Eigen::Index from = order[static_cast<std::size_t>(k)];
@@ -111,5 +116,9 @@ ANCF_INLINE bool Subspace::reduce(int count) {
     vectors = basis * sorted;
     return rank >= std::min<Eigen::Index>(count, 1);
 }
+
+#if defined(ANCF_SOURCE)
+template class Subspace<MatrixX>;
+#endif
 
 }  // namespace ancf::detail

@@ -26,7 +26,7 @@ namespace ancf::suitesparse {
 /// @param name            one of solver_names()
 /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
 /// @throws InvalidArgument for any other name, and a singular_rcond outside of [0, 1).
-[[nodiscard]] std::unique_ptr<LinearSolver> solver_named(
+ANCF_LAZY [[nodiscard]] std::unique_ptr<LinearSolver> solver_named(
     std::string_view name, double singular_rcond = default_singular_rcond);
 
 }  // namespace ancf::suitesparse

@@ -22,8 +22,7 @@ ANCF_INLINE std::vector<std::string> solver_names() {
     return names;
 }
 
-ANCF_INLINE std::unique_ptr<LinearSolver> solver_named(std::string_view name,
-                                                       double singular_rcond) {
+ANCF_LAZY std::unique_ptr<LinearSolver> solver_named(std::string_view name, double singular_rcond) {
     if (name == "cholmod" || name == "cholmod-simplicial") {
         CholmodOptions options;
         if (name == "cholmod-simplicial") options.mode = CholmodMode::simplicial;

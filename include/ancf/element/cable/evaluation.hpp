@@ -79,7 +79,7 @@ Cable<Dimension, Measure>::Cable(const Material& material, const Section& sectio
       mass_weights_(line.template mass<2>(material.density, section.mass_moments())) {
     detail::require(options.compression >= 0.0 && options.compression <= 1.0,
                     "compression must lie in [0, 1], got ", options.compression);
-    detail::require(reference.allFinite(),
+    detail::require(detail::all_finite(reference),
                     "the reference coordinates of a cable must be finite, got ",
                     detail::components(reference));
     detail::require_points(options.rule, StrainGroup::axial, "axial", 3);

@@ -156,14 +156,6 @@ template <class T, class S, int D>
     return result;
 }
 
-template <class S, int D>
-[[nodiscard]] inline S product(const Vector<S, D>& a, const Vector<S, D>& b) noexcept {
-    if constexpr (D == 3)
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    else
-        return a[0] * b[0] + a[1] * b[1];
-}
-
 /// Adds the energy of the axial strain at a station: gradient n u, Hessian k u u^T + n P P^T (x) I,
 /// P the weights of p and u = P (x) p.
 /// @param soft  1 less the ratio of the stiffness in compression to that in tension

@@ -36,7 +36,7 @@ template <class Scalar>
 
 template <int Dimension, class Measure>
 bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept {
-    if (!e.allFinite()) return false;
+    if (!detail::all_finite(e)) return false;
     const auto line = detail::line_of<Dimension>(e);
     const auto stretched = [](const Point& p) { return p.squaredNorm() > 1e-12; };
     for (const auto& at : axial_)

@@ -55,7 +55,7 @@ template <int Components>
 
 template <int Dimension>
 bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
-    return e.allFinite() && detail::upright<Dimension>(e, line_.parameter_length());
+    return detail::all_finite(e) && detail::upright<Dimension>(e, line_.parameter_length());
 }
 
 template <int Dimension>

@@ -313,7 +313,7 @@ CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
     : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
-    detail::require(reference.allFinite(),
+    detail::require(detail::all_finite(reference),
                     "the reference coordinates of an element must be finite, got ",
                     detail::components(reference));
     set_up(material, section);
@@ -397,7 +397,7 @@ template <int Dimension, class Directors, class Shear, class Measure, class Line
 bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
     const Coordinates& e) const noexcept {
     using namespace detail;
-    if (!e.allFinite() || !upright<3, Line>(e, line_.parameter_length())) return false;
+    if (!detail::all_finite(e) || !upright<3, Line>(e, line_.parameter_length())) return false;
     NodalVectors<double, Line::vectors> nodes;
     nodal_vectors(e, nodes);
     constexpr double smallest = 1e-6;  // length, and sine of the angle between slope and tangent

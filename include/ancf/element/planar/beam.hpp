@@ -233,7 +233,7 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
     : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
-    detail::require(reference.allFinite(),
+    detail::require(detail::all_finite(reference),
                     "the reference coordinates of an element must be finite, got ",
                     detail::components(reference));
     set_up(material, section);
@@ -289,7 +289,7 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinat
 template <class Directors, class Measure>
 bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
     const Coordinates& e) const noexcept {
-    if (!e.allFinite() || !detail::upright<2>(e, line_.parameter_length())) return false;
+    if (!detail::all_finite(e) || !detail::upright<2>(e, line_.parameter_length())) return false;
     constexpr double smallest = 1e-6;
     for (const detail::PlanarStation<double>& station : kernel_.stations) {
         const auto& weight = station.shape.p;

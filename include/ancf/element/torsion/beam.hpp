@@ -197,7 +197,7 @@ inline TorsionBeam::TorsionBeam(const Material& material, const Section& section
     : line_((detail::require_positive("length", length), length), reference),
       reference_(reference),
       options_(options) {
-    detail::require(reference.allFinite(),
+    detail::require(detail::all_finite(reference),
                     "the reference coordinates of an element must be finite, got ",
                     detail::components(reference));
     set_up(material, section);
@@ -250,7 +250,7 @@ inline void TorsionBeam::set_up(const Material& material, const Section& section
 }
 
 inline bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
-    if (!e.allFinite()) return false;
+    if (!detail::all_finite(e)) return false;
     constexpr double smallest = 1e-6, least = 0.5 * smallest * smallest;
     for (int node = 0; node < 2; ++node) {
         const Vector<double, 3> g = e.segment<3>(9 * node + 3), a = e.segment<3>(9 * node + 6);

@@ -196,7 +196,8 @@ template <class Element>
 void add_line_load(BasicModel<Element::dimension>& model, const Beam<Element>& beam,
                    const VectorArgument<Element::dimension>& force_per_length,
                    const Amplitude& amplitude = {}) {
-    detail::require(force_per_length.allFinite(), "add_line_load: components must be finite, got ",
+    detail::require(detail::all_finite(force_per_length),
+                    "add_line_load: components must be finite, got ",
                     detail::components(force_per_length));
     const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {

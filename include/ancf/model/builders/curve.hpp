@@ -41,16 +41,19 @@ struct Curve {
 };
 
 // The curves of the builders below.
-[[nodiscard]] Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<double, 3>& tangent,
-                                 const Vector<double, 3>& normal, double radius, double angle,
-                                 int elements);
-[[nodiscard]] Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<double, 2>& tangent,
-                                 double radius, double angle, int elements);
-[[nodiscard]] Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<double, 3>& axis,
-                                   const Vector<double, 3>& outward, double radius, double pitch,
-                                   double turns, int elements);
-[[nodiscard]] Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
-                                    const Vector<double, 3>& y_axis);
+ANCF_LAZY [[nodiscard]] Curve<3> arc_curve(const Vector<double, 3>& from,
+                                           const Vector<double, 3>& tangent,
+                                           const Vector<double, 3>& normal, double radius,
+                                           double angle, int elements);
+ANCF_LAZY [[nodiscard]] Curve<2> arc_curve(const Vector<double, 2>& from,
+                                           const Vector<double, 2>& tangent, double radius,
+                                           double angle, int elements);
+ANCF_LAZY [[nodiscard]] Curve<3> helix_curve(const Vector<double, 3>& centre,
+                                             const Vector<double, 3>& axis,
+                                             const Vector<double, 3>& outward, double radius,
+                                             double pitch, double turns, int elements);
+ANCF_LAZY [[nodiscard]] Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
+                                              const Vector<double, 3>& y_axis);
 
 /// Adds the nodes of a curve.
 template <int Dimension>

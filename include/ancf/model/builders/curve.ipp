@@ -19,9 +19,9 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<double, 3>& tangent,
-                               const Vector<double, 3>& normal, double radius, double angle,
-                               int elements) {
+ANCF_LAZY Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<double, 3>& tangent,
+                             const Vector<double, 3>& normal, double radius, double angle,
+                             int elements) {
     require_positive("arc: radius", radius);
     require_positive("arc: angle", angle);
     require(elements >= 1, "arc: at least one element is needed, got ", elements);
@@ -39,8 +39,8 @@ ANCF_INLINE Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<doubl
     return {std::move(points), {radius * angle / elements}};
 }
 
-ANCF_INLINE Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<double, 2>& tangent,
-                               double radius, double angle, int elements) {
+ANCF_LAZY Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<double, 2>& tangent,
+                             double radius, double angle, int elements) {
     require_positive("arc: radius", radius);
     require(std::isfinite(angle) && angle != 0.0, "arc: the angle must not be zero, got ", angle);
     require(elements >= 1, "arc: at least one element is needed, got ", elements);
@@ -58,9 +58,9 @@ ANCF_INLINE Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<doubl
     return {std::move(points), {radius * std::abs(angle) / elements}};
 }
 
-ANCF_INLINE Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<double, 3>& axis,
-                                 const Vector<double, 3>& outward, double radius, double pitch,
-                                 double turns, int elements) {
+ANCF_LAZY Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<double, 3>& axis,
+                               const Vector<double, 3>& outward, double radius, double pitch,
+                               double turns, int elements) {
     require_positive("helix: radius", radius);
     require_finite("helix: pitch", pitch);
     require_positive("helix: turns", turns);
@@ -83,8 +83,8 @@ ANCF_INLINE Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<d
     return {std::move(points), {2.0 * pi * turns * per_radian / elements}};
 }
 
-ANCF_INLINE Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
-                                  const Vector<double, 3>& y_axis) {
+ANCF_LAZY Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
+                                const Vector<double, 3>& y_axis) {
     const std::size_t count = through.size();
     require(count >= 2, "spline: at least two points are needed, got ", count);
     std::vector<double> chords;

@@ -7,9 +7,10 @@
 
 #pragma once
 
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/triad.hpp>
-#include <ancf/types.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -22,31 +23,24 @@ namespace ancf::detail {
 /// w_B).
 template <class Scalar>
 struct FrameForm {
-    Scalar value;
-    Vector<Scalar, 3> moment;
+    Scalar value{};
+    Vec3<Scalar> moment{};
 
-    FrameForm(const Matrix<Scalar, 3>& coefficients, const Triad<Scalar>& a,
-              const Triad<Scalar>& b) {
-        value = Scalar(0.0);
-        moment.setZero();
+    FrameForm(const Block<Scalar>& coefficients, const Triad<Scalar>& a, const Triad<Scalar>& b) {
         for (int i = 0; i < 3; ++i) {
-            const Vector<Scalar, 3> axis = a.axes.col(i);
-            Vector<Scalar, 3> x;
-            for (int k = 0; k < 3; ++k)
-                x[k] = b.axes(k, 0) * coefficients(i, 0) + b.axes(k, 1) * coefficients(i, 1) +
-                       b.axes(k, 2) * coefficients(i, 2);
-            value += axis[0] * x[0] + axis[1] * x[1] + axis[2] * x[2];
-            moment += cross(axis, x);
+            const Vec3<Scalar> x = coefficients(i, 0) * b.axes[0] + coefficients(i, 1) * b.axes[1] +
+                                   coefficients(i, 2) * b.axes[2];
+            value += dot(a.axes[i], x);
+            moment = moment + cross(a.axes[i], x);
         }
     }
 
     /// Returns dg/d(slopes of A, slopes of B).
-    [[nodiscard]] Vector<Scalar, 12> gradient(const Triad<Scalar>& a,
-                                              const Triad<Scalar>& b) const {
-        Vector<Scalar, 12> row = Vector<Scalar, 12>::Zero();
-        const Vector<Scalar, 6> of_a = a.on_slopes(moment), of_b = b.on_slopes(moment);
-        for (int k = 0; k < a.width; ++k) row[k] = of_a[k];
-        for (int k = 0; k < b.width; ++k) row[a.width + k] = -of_b[k];
+    [[nodiscard]] std::array<Scalar, 12> gradient(const Triad<Scalar>& a,
+                                                  const Triad<Scalar>& b) const {
+        std::array<Scalar, 12> row = {};
+        for (int k = 0; k < a.width; ++k) row[k] = dot(a.spin[k], moment);
+        for (int k = 0; k < b.width; ++k) row[a.width + k] = -dot(b.spin[k], moment);
         return row;
     }
 };
@@ -56,17 +50,17 @@ struct FrameForm {
 ///
 ///     H_AA = O_A^T S O_A + d(O_A^T m),  H_BB = O_B^T S^T O_B - d(O_B^T m),  H_AB = -O_A^T S^T O_B,
 ///     S = sum_i A_i x_i^T - (sum_i A_i.x_i) I
-[[nodiscard]] inline Matrix<double, 12> frame_form_hessian(const Matrix<double, 3>& coefficients,
-                                                           const Triad<double>& a,
-                                                           const Triad<double>& b) {
+[[nodiscard]] inline Block<double, 12> frame_form_hessian(const Block<double>& coefficients,
+                                                          const Triad<double>& a,
+                                                          const Triad<double>& b) {
     const FrameForm<double> form(coefficients, a, b);
-    Matrix<double, 3> s;
+    Block<double> s;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             s(i, j) = i == j ? -form.value : 0.0;
             for (int k = 0; k < 3; ++k)
                 for (int l = 0; l < 3; ++l)
-                    s(i, j) += a.axes(i, k) * coefficients(k, l) * b.axes(j, l);
+                    s(i, j) += a.axes[k][i] * coefficients(k, l) * b.axes[l][j];
         }
     // O_X^T S O_Y, or with S^T
     const auto product = [&s](const Triad<double>& x, int i, const Triad<double>& y, int j,
@@ -74,12 +68,12 @@ struct FrameForm {
         double sum = 0.0;
         for (int k = 0; k < 3; ++k)
             for (int l = 0; l < 3; ++l)
-                sum += x.spin(k, i) * (transposed ? s(l, k) : s(k, l)) * y.spin(l, j);
+                sum += x.spin[i][k] * (transposed ? s(l, k) : s(k, l)) * y.spin[j][l];
         return sum;
     };
-    Matrix<double, 12> h = Matrix<double, 12>::Zero();
-    const Matrix<double, 6> by_a = spin_derivative(a, form.moment);
-    const Matrix<double, 6> by_b = spin_derivative(b, form.moment);
+    Block<double, 12> h = {};
+    const Block<double, 6> by_a = spin_derivative(a, form.moment);
+    const Block<double, 6> by_b = spin_derivative(b, form.moment);
     const int n = a.width;
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) h(i, j) = product(a, i, a, j, false) + by_a(i, j);
@@ -92,36 +86,35 @@ struct FrameForm {
 
 /// Returns the rotation by an angle about the unit axis of k = [axis]x.
 template <class Scalar>
-[[nodiscard]] Matrix<Scalar, 3> rotation_about(const Matrix<double, 3>& k, const Scalar& angle) {
+[[nodiscard]] Block<Scalar> rotation_about(const Block<double>& k, const Scalar& angle) {
     using std::cos;
     using std::sin;
     const Scalar sine = sin(angle), versine = Scalar(1.0) - cos(angle);
-    Matrix<Scalar, 3> turn;
+    const Block<double> square = k * k;
+    Block<Scalar> turn;
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const double square = k(i, 0) * k(0, j) + k(i, 1) * k(1, j) + k(i, 2) * k(2, j);
-            turn(i, j) = Scalar(i == j ? 1.0 : 0.0) + sine * k(i, j) + versine * square;
-        }
+        for (int j = 0; j < 3; ++j)
+            turn(i, j) = Scalar(i == j ? 1.0 : 0.0) + sine * k(i, j) + versine * square(i, j);
     return turn;
 }
 
 /// Coefficients of the bilinear forms of a joint.
 template <class Scalar>
 struct Forms {
-    std::vector<Matrix<Scalar, 3>> sines;
-    Matrix<Scalar, 3> cosine = Matrix<Scalar, 3>::Zero();
+    std::vector<Block<Scalar>> sines;
+    Block<Scalar> cosine = {};
 };
 
 /// Returns the forms whose values are the axis times the sine of the turn of R_A^T R_B against Q,
 /// and its cosine + 1/2.
 template <class Scalar>
-[[nodiscard]] Forms<Scalar> turn_forms(const Matrix<Scalar, 3>& relative) {
+[[nodiscard]] Forms<Scalar> turn_forms(const Block<Scalar>& relative) {
     Forms<Scalar> forms;
-    forms.sines.assign(3, Matrix<Scalar, 3>::Zero());
+    forms.sines.resize(3);
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 2) % 3;
         const int j = (k + 1) % 3;
-        Matrix<Scalar, 3>& sine = forms.sines[static_cast<std::size_t>(k)];
+        Block<Scalar>& sine = forms.sines[static_cast<std::size_t>(k)];
         for (int l = 0; l < 3; ++l) {
             sine(i, l) = Scalar(0.5) * relative(j, l);
             sine(j, l) = Scalar(-0.5) * relative(i, l);
@@ -133,13 +126,13 @@ template <class Scalar>
 
 /// Derivatives of a bilinear form: by the slopes, and by time without what accelerations make.
 struct FormCourse {
-    Vector<double, 12> gradient;
-    Matrix<double, 12> hessian;
+    std::array<double, 12> gradient;
+    Block<double, 12> hessian;
     double speed = 0.0, bend = 0.0;  ///< first and second
 
     /// Of coefficients at rest, with the slopes' rates v.
-    FormCourse(const Matrix<double, 3>& coefficients, const Triad<double>& a,
-               const Triad<double>& b, const Vector<double, 12>& v)
+    FormCourse(const Block<double>& coefficients, const Triad<double>& a, const Triad<double>& b,
+               const std::array<double, 12>& v)
         : gradient(FrameForm<double>(coefficients, a, b).gradient(a, b)),
           hessian(frame_form_hessian(coefficients, a, b)) {
         for (int j = 0; j < 12; ++j) {
@@ -149,10 +142,10 @@ struct FormCourse {
     }
 
     /// Adds what moving coefficients make: g_t, and 2 (g_t)_q v + g_tt.
-    void move(const Matrix<double, 3>& rate, const Matrix<double, 3>& acceleration,
-              const Triad<double>& a, const Triad<double>& b, const Vector<double, 12>& v) {
+    void move(const Block<double>& rate, const Block<double>& acceleration, const Triad<double>& a,
+              const Triad<double>& b, const std::array<double, 12>& v) {
         const FrameForm<double> form(rate, a, b);
-        const Vector<double, 12> by_slopes = form.gradient(a, b);
+        const std::array<double, 12> by_slopes = form.gradient(a, b);
         speed += form.value;
         for (int i = 0; i < 12; ++i) bend += 2.0 * by_slopes[i] * v[i];
         bend += FrameForm<double>(acceleration, a, b).value;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
 #include <ancf/model/model.hpp>
@@ -20,6 +21,7 @@
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,9 +63,9 @@ enum class SideKind {
 struct JointSide {
     SideKind kind;
     FrameAt at = NodeId{};
-    Matrix<double, 3> axes = Matrix<double, 3>::Identity();  ///< at the start; for space always
-    Vector<double, 3> place = Vector<double, 3>::Zero();     ///< at the start
-    double share = 0.5;                                      ///< of r_y in a section's torque
+    std::array<Vec3<double>, 3> axes = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};  ///< at the start
+    Vec3<double> place = {};                                                       ///< at the start
+    double share = 0.5;  ///< of r_y in a section's torque
 
     [[nodiscard]] int vectors() const noexcept {
         return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;
@@ -113,13 +115,13 @@ protected:
     FrameJoint(std::string what, JointSide a, JointSide b, bool positions);
 
     /// Adds the equation sum C_ij A_i.B_j = constant.
-    void add_form(const Matrix<double, 3>& coefficients, double constant = 0.0);
+    void add_form(const Block<double>& coefficients, double constant = 0.0);
 
     /// Tells the cosine of the angle that the equations are the sine of.
-    void hold_angle(const Matrix<double, 3>& cosine);
+    void hold_angle(const Block<double>& cosine);
 
     /// Holds the frames' relative turn at that of the start, further turned about an axis of A.
-    void hold_turn(const Vector<double, 3>& axis_in_a, std::optional<Motion> angle);
+    void hold_turn(const Vec3<double>& axis_in_a, std::optional<Motion> angle);
 
     [[nodiscard]] const JointSide& a() const noexcept { return a_; }
     [[nodiscard]] const JointSide& b() const noexcept { return b_; }
@@ -144,13 +146,13 @@ private:
     std::string what_;
     JointSide a_, b_;
     bool pinned_;
-    std::vector<Matrix<double, 3>> sines_;                  // forms at the start
-    Matrix<double, 3> cosine_ = Matrix<double, 3>::Zero();  // form at the start
-    std::vector<double> constants_;                         // of the sines
+    std::vector<Block<double>> sines_;  // forms at the start
+    Block<double> cosine_ = {};         // form at the start
+    std::vector<double> constants_;     // of the sines
     double cosine_constant_ = 0.0;
-    bool angular_ = false;  // the sines are of an angle that has the cosine
-    Matrix<double, 3> relative_ = Matrix<double, 3>::Identity();  // R_A^T R_B at the start
-    Matrix<double, 3> turn_ = Matrix<double, 3>::Zero();          // [axis]x in A
+    bool angular_ = false;         // the sines are of an angle that has the cosine
+    Block<double> relative_ = {};  // R_A^T R_B at the start
+    Block<double> turn_ = {};      // [axis]x in A
     std::optional<Motion> angle_;
 };
 

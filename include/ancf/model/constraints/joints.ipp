@@ -37,8 +37,8 @@ namespace detail {
 
 /// Returns the frame of two slopes of a side.
 template <class Scalar>
-[[nodiscard]] Triad<Scalar> triad_of(const JointSide& side, const Vector<Scalar, 3>& p,
-                                     const Vector<Scalar, 3>& a) {
+[[nodiscard]] Triad<Scalar> triad_of(const JointSide& side, const Vec3<Scalar>& p,
+                                     const Vec3<Scalar>& a) {
     return side.kind == SideKind::section ? Triad<Scalar>::of_section(p, a, side.share)
                                           : Triad<Scalar>::of_slopes(p, a);
 }
@@ -48,9 +48,14 @@ template <class Scalar>
 [[nodiscard]] Triad<Scalar> triad_of(const JointSide& side, const DynamicVector<Scalar>& q,
                                      int first) {
     if (side.kind == SideKind::space) return Triad<Scalar>::at_rest(side.axes);
-    const Vector<Scalar, 3> p = q.template segment<3>(first);
+    const auto p = vec3<Scalar>(q, first);
     if (side.kind == SideKind::tangent) return Triad<Scalar>::of_tangent(p);
-    return triad_of<Scalar>(side, p, Vector<Scalar, 3>(q.template segment<3>(first + 3)));
+    return triad_of(side, p, vec3<Scalar>(q, first + 3));
+}
+
+/// Whether every component of a frame is a number.
+ANCF_INLINE bool all_finite(const std::array<Vec3<double>, 3>& axes) {
+    return std::isfinite(dot(axes[0], axes[0]) + dot(axes[1], axes[1]) + dot(axes[2], axes[2]));
 }
 
 ANCF_INLINE std::string JointSide::name() const {
@@ -65,58 +70,57 @@ ANCF_INLINE JointSide JointSide::frame(const BasicModel<3>& model, const FrameAt
         side.at.second = Field::r_z;
         side.share = model.layout().torsion_share(at.node);
     }
-    const Vector<double, 3> p = model.value(at.node, side.at.first);
-    const Vector<double, 3> a = model.value(at.node, side.at.second);
-    side.axes = triad_of<double>(side, p, a).axes;
-    side.place = model.position(at.node);
-    require(side.axes.allFinite(), "a joint needs a frame: the slopes of node ", at.node.index,
+    side.axes = triad_of(side, vec3<double>(model.value(at.node, side.at.first)),
+                         vec3<double>(model.value(at.node, side.at.second)))
+                    .axes;
+    side.place = vec3<double>(model.position(at.node));
+    require(all_finite(side.axes), "a joint needs a frame: the slopes of node ", at.node.index,
             " are parallel or of no length");
     return side;
 }
 
 ANCF_INLINE JointSide JointSide::tangent(const BasicModel<3>& model, NodeId node) {
     JointSide side{SideKind::tangent, node};
-    side.axes = Triad<double>::of_tangent(model.value(node, Field::r_x)).axes;
-    require(side.axes.allFinite(), "a joint needs a tangent: r_x of node ", node.index,
+    side.axes = Triad<double>::of_tangent(vec3<double>(model.value(node, Field::r_x))).axes;
+    require(all_finite(side.axes), "a joint needs a tangent: r_x of node ", node.index,
             " has no length");
     return side;
 }
 
 ANCF_INLINE JointSide JointSide::space(const BasicModel<3>& model, NodeId at) {
     JointSide side{SideKind::space, NodeId{}};
-    side.place = model.position(at);
+    side.place = vec3<double>(model.position(at));
     return side;
 }
 
 /// Returns two unit vectors normal to a unit vector and to each other.
-ANCF_INLINE std::array<Vector<double, 3>, 2> normals_of(const Vector<double, 3>& axis) {
+ANCF_INLINE std::array<Vec3<double>, 2> normals_of(const Vec3<double>& axis) {
     int smallest = 0;
     for (int k = 1; k < 3; ++k)
         if (std::abs(axis[k]) < std::abs(axis[smallest])) smallest = k;
-    Vector<double, 3> other = Vector<double, 3>::Zero();
+    Vec3<double> other = {};
     other[smallest] = 1.0;
-    const Vector<double, 3> normal = cross(axis, other), u = normal / normal.norm();
+    const Vec3<double> normal = cross(axis, other), u = normal / length(normal);
     return {u, cross(axis, u)};
 }
 
-ANCF_INLINE Vector<double, 3> unit_axis(const char* joint, const Vector<double, 3>& axis) {
-    const double length = axis.norm();
-    require(std::isfinite(length) && length > 0.0, joint, ": the axis must have a length, got ",
+ANCF_INLINE Vec3<double> unit_axis(const char* joint, const Vector<double, 3>& axis) {
+    const auto v = vec3<double>(axis);
+    const double size = length(v);
+    require(std::isfinite(size) && size > 0.0, joint, ": the axis must have a length, got ",
             detail::components(axis));
-    return axis / length;
+    return v / size;
 }
 
 /// Returns R^T v: the components of v in a frame.
-ANCF_INLINE Vector<double, 3> turned_back(const Matrix<double, 3>& axes,
-                                          const Vector<double, 3>& v) {
-    Vector<double, 3> out;
-    for (int k = 0; k < 3; ++k) out[k] = axes(0, k) * v[0] + axes(1, k) * v[1] + axes(2, k) * v[2];
-    return out;
+ANCF_INLINE Vec3<double> turned_back(const std::array<Vec3<double>, 3>& axes,
+                                     const Vec3<double>& v) {
+    return {{dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}};
 }
 
 /// Returns u v^T.
-ANCF_INLINE Matrix<double, 3> outer(const Vector<double, 3>& u, const Vector<double, 3>& v) {
-    Matrix<double, 3> out;
+ANCF_INLINE Block<double> outer(const Vec3<double>& u, const Vec3<double>& v) {
+    Block<double> out;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) out(i, j) = u[i] * v[j];
     return out;
@@ -150,11 +154,11 @@ struct FrameJoint::At {
     /// Returns the derivatives of the sines and, where the factor varies, of the cosine after them.
     [[nodiscard]] std::vector<FormCourse> courses(const FrameJoint& joint,
                                                   const ConstraintState& at) const {
-        Vector<double, 12> v = Vector<double, 12>::Zero();
+        std::array<double, 12> v = {};
         for (int k = 0; k < a.width + b.width; ++k) v[k] = at.v[joint.first_slope() + k];
         const Forms<double> now = joint.forms(at.time);
         std::vector<FormCourse> out;
-        for (const Matrix<double, 3>& form : now.sines) out.emplace_back(form, a, b, v);
+        for (const Block<double>& form : now.sines) out.emplace_back(form, a, b, v);
         if (factor.varies) out.emplace_back(now.cosine, a, b, v);
         if (!joint.angle_) return out;
         const Forms<double> rates = joint.form_rates(at.time),
@@ -172,23 +176,23 @@ ANCF_INLINE FrameJoint::FrameJoint(std::string what, JointSide a, JointSide b, b
             "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
 }
 
-ANCF_INLINE void FrameJoint::add_form(const Matrix<double, 3>& coefficients, double constant) {
+ANCF_INLINE void FrameJoint::add_form(const Block<double>& coefficients, double constant) {
     sines_.push_back(coefficients);
     constants_.push_back(constant);
 }
 
-ANCF_INLINE void FrameJoint::hold_angle(const Matrix<double, 3>& cosine) {
+ANCF_INLINE void FrameJoint::hold_angle(const Block<double>& cosine) {
     cosine_ = cosine;
     angular_ = true;
 }
 
-ANCF_INLINE void FrameJoint::hold_turn(const Vector<double, 3>& axis_in_a,
-                                       std::optional<Motion> angle) {
-    relative_ = a_.axes.transpose() * b_.axes;
-    turn_ = cross_matrix(axis_in_a);
+ANCF_INLINE void FrameJoint::hold_turn(const Vec3<double>& axis_in_a, std::optional<Motion> angle) {
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) relative_(i, j) = dot(a_.axes[i], b_.axes[j]);
+    turn_ = cross_block(axis_in_a);
     angle_ = std::move(angle);
     const Forms<double> held = turn_forms<double>(relative_);
-    for (const Matrix<double, 3>& form : held.sines) add_form(form);
+    for (const Block<double>& form : held.sines) add_form(form);
     hold_angle(held.cosine);
     cosine_constant_ = 0.5;
 }
@@ -212,11 +216,11 @@ template <class Scalar>
 Forms<Scalar> FrameJoint::forms(const Scalar& time) const {
     if (angle_) {
         const Scalar angle = continued(angle_->value, angle_->rate, time);
-        return turn_forms<Scalar>(rotation_about(turn_, angle) * relative_.template cast<Scalar>());
+        return turn_forms<Scalar>(rotation_about(turn_, angle) * relative_);
     }
     Forms<Scalar> out;
-    for (const Matrix<double, 3>& form : sines_) out.sines.push_back(form.template cast<Scalar>());
-    out.cosine = cosine_.template cast<Scalar>();
+    for (const Block<double>& form : sines_) out.sines.push_back(scaled(Scalar(1.0), form));
+    out.cosine = scaled(Scalar(1.0), cosine_);
     return out;
 }
 
@@ -224,16 +228,14 @@ template <class Scalar>
 Forms<Scalar> FrameJoint::form_rates(const Scalar& time) const {
     const Scalar angle = continued(angle_->value, angle_->rate, time);
     const Scalar speed = continued(angle_->rate, angle_->acceleration, time);
-    return turn_forms<Scalar>(speed * turn_.template cast<Scalar>() * rotation_about(turn_, angle) *
-                              relative_.template cast<Scalar>());
+    return turn_forms<Scalar>(scaled(speed, turn_) * rotation_about(turn_, angle) * relative_);
 }
 
 ANCF_INLINE Forms<double> FrameJoint::form_accelerations(double time) const {
     const double speed = angle_->rate(time);
-    const Matrix<double, 3> bend =
-        angle_->acceleration(time) * turn_ + speed * speed * turn_ * turn_;
-    const Matrix<double, 3> turned = rotation_about(turn_, angle_->value(time)) * relative_;
-    return turn_forms<double>(bend * turned);
+    Block<double> bend = scaled(speed * speed, turn_ * turn_);
+    for (int k = 0; k < 9; ++k) bend.v[k] += angle_->acceleration(time) * turn_.v[k];
+    return turn_forms<double>(bend * rotation_about(turn_, angle_->value(time)) * relative_);
 }
 
 template <class Scalar>
@@ -262,10 +264,10 @@ DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
     }
     const int width = 3 * (a_.vectors() + b_.vectors());
     const At<Scalar> at(*this, q, time);
-    const Vector<Scalar, 12> of_cosine = at.cosine.gradient(at.a, at.b);
+    const std::array<Scalar, 12> of_cosine = at.cosine.gradient(at.a, at.b);
     int row = positions();
     for (const FrameForm<Scalar>& sine : at.sines) {
-        const Vector<Scalar, 12> of_sine = sine.gradient(at.a, at.b);
+        const std::array<Scalar, 12> of_sine = sine.gradient(at.a, at.b);
         for (int k = 0; k < width; ++k)
             g(row, first_slope() + k) =
                 at.factor.value * of_sine[k] + sine.value * at.factor.first * of_cosine[k];
@@ -313,7 +315,7 @@ ANCF_INLINE void FrameJoint::evaluate(const ConstraintState& at, ConstraintResul
         const double s = here.sines[k].value, force = at.multipliers[row];
         out.convection[row] += factor.first * (2.0 * c.speed * forms[k].speed + s * c.bend) +
                                factor.second * s * c.speed * c.speed;
-        const Vector<double, 12>& by_q = forms[k].gradient;
+        const std::array<double, 12>& by_q = forms[k].gradient;
         for (int j = 0; j < width; ++j)
             for (int i = 0; i < width; ++i)
                 out.stiffness(first + i, first + j) +=
@@ -344,9 +346,9 @@ ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a,
 }
 
 ANCF_INLINE void Revolute::hold(const Vector<double, 3>& axis) {
-    const Vector<double, 3> unit = detail::unit_axis("Revolute", axis);
-    const Vector<double, 3> w = detail::turned_back(a().axes, unit);
-    for (const Vector<double, 3>& normal : detail::normals_of(unit))
+    const detail::Vec3<double> unit = detail::unit_axis("Revolute", axis);
+    const detail::Vec3<double> w = detail::turned_back(a().axes, unit);
+    for (const detail::Vec3<double>& normal : detail::normals_of(unit))
         add_form(detail::outer(w, detail::turned_back(b().axes, normal)));
     hold_angle(detail::outer(w, detail::turned_back(b().axes, unit)));
 }
@@ -354,13 +356,13 @@ ANCF_INLINE void Revolute::hold(const Vector<double, 3>& axis) {
 ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b)
     : FrameJoint("weld", detail::JointSide::frame(model, a), detail::JointSide::frame(model, b),
                  true) {
-    hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+    hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
 }
 
 ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a)
     : FrameJoint("weld", detail::JointSide::frame(model, a),
                  detail::JointSide::space(model, a.node), true) {
-    hold_turn(Vector<double, 3>::UnitX(), std::nullopt);
+    hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
 }
 
 ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
@@ -402,12 +404,12 @@ ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a,
 
 ANCF_INLINE void Universal::hold(const Vector<double, 3>& axis_of_a,
                                  const Vector<double, 3>& axis_of_b) {
-    const Vector<double, 3> u = detail::unit_axis("Universal", axis_of_a);
-    const Vector<double, 3> w = detail::unit_axis("Universal", axis_of_b);
-    detail::require(cross(u, w).norm() > 1e-3, "Universal: the axes must not be parallel, got ",
+    const detail::Vec3<double> u = detail::unit_axis("Universal", axis_of_a);
+    const detail::Vec3<double> w = detail::unit_axis("Universal", axis_of_b);
+    detail::require(length(cross(u, w)) > 1e-3, "Universal: the axes must not be parallel, got ",
                     detail::components(axis_of_a), " and ", detail::components(axis_of_b));
     add_form(detail::outer(detail::turned_back(a().axes, u), detail::turned_back(b().axes, w)),
-             u.dot(w));
+             dot(u, w));
 }
 
 ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, const FrameAt& frame,
@@ -424,10 +426,10 @@ ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, NodeId ta
 }
 
 ANCF_INLINE void AlignedTangent::hold() {
-    const Vector<double, 3> t = b().axes.col(0);
-    for (const Vector<double, 3>& normal : detail::normals_of(t))
-        add_form(detail::outer(detail::turned_back(a().axes, normal), {1.0, 0.0, 0.0}));
-    hold_angle(detail::outer(detail::turned_back(a().axes, t), {1.0, 0.0, 0.0}));
+    const detail::Vec3<double> t = b().axes[0];
+    for (const detail::Vec3<double>& normal : detail::normals_of(t))
+        add_form(detail::outer(detail::turned_back(a().axes, normal), {{1.0, 0.0, 0.0}}));
+    hold_angle(detail::outer(detail::turned_back(a().axes, t), {{1.0, 0.0, 0.0}}));
 }
 
 }  // namespace ancf

@@ -34,7 +34,7 @@ ANCF_INLINE Field planar_slope(const BasicModel<2>& model, NodeId node,
 /// Returns the angle of a slope, rad.
 ANCF_INLINE double planar_heading(const BasicModel<2>& model, NodeId node, Field slope) {
     const Vector<double, 2> p = model.value(node, slope);
-    require(p.norm() > 0.0, "PlanarWeld: ", to_string(slope), " of node ", node.index,
+    require(span(p) > 0.0, "PlanarWeld: ", to_string(slope), " of node ", node.index,
             " has no length");
     return std::atan2(p[1], p[0]);
 }
@@ -91,12 +91,14 @@ PlanarWeld::Held<Scalar> PlanarWeld::held(const DynamicVector<Scalar>& q,
     using std::cos;
     using std::sin;
     using std::sqrt;
-    const Vector<Scalar, 2> a = q.template segment<2>(place_of_a());
-    Vector<Scalar, 2> b(Scalar(1.0), Scalar(0.0));
-    if (!to_space_) b = q.template segment<2>(6);
-    const Scalar lengths = sqrt(Scalar(a.transpose() * a) * Scalar(b.transpose() * b));
+    const int at = place_of_a();
+    const Scalar a[2] = {q[at], q[at + 1]};
+    Scalar b[2] = {Scalar(1.0), Scalar(0.0)};
+    if (!to_space_)
+        for (int k = 0; k < 2; ++k) b[k] = q[6 + k];
+    const Scalar lengths = sqrt((a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]));
     const Scalar sine = (a[0] * b[1] - a[1] * b[0]) / lengths;
-    const Scalar cosine = Scalar(a.transpose() * b) / lengths;
+    const Scalar cosine = (a[0] * b[0] + a[1] * b[1]) / lengths;
     const Scalar target = start_ + detail::continued(angle_.value, angle_.rate, time);
     const Scalar s = sine * cos(target) - cosine * sin(target),
                  c = cosine * cos(target) + sine * sin(target);
@@ -109,10 +111,9 @@ template <class Scalar>
 DynamicVector<Scalar> PlanarWeld::angle_gradient(const DynamicVector<Scalar>& q) const {
     DynamicVector<Scalar> d = DynamicVector<Scalar>::Zero(q.size());
     const auto add = [&](int at, double sign) {
-        const Vector<Scalar, 2> p = q.template segment<2>(at);
-        const Scalar square = p.transpose() * p;
-        d[at] = -sign * p[1] / square;
-        d[at + 1] = sign * p[0] / square;
+        const Scalar square = q[at] * q[at] + q[at + 1] * q[at + 1];
+        d[at] = -sign * q[at + 1] / square;
+        d[at + 1] = sign * q[at] / square;
     };
     add(place_of_a(), -1.0);
     if (!to_space_) add(6, 1.0);
@@ -153,7 +154,9 @@ DynamicMatrix<Scalar> PlanarWeld::jacobian(const DynamicVector<Scalar>& q,
         g(k, k) = Scalar(1.0);
         if (!to_space_) g(k, 2 + k) = Scalar(-1.0);
     }
-    g.row(2) = held(q, time).first * angle_gradient(q).transpose();
+    const Scalar slope = held(q, time).first;
+    const DynamicVector<Scalar> gradient = angle_gradient(q);
+    for (Eigen::Index k = 0; k < q.size(); ++k) g(2, k) = slope * gradient[k];
     return g;
 }
 
@@ -171,12 +174,16 @@ ANCF_INLINE void PlanarWeld::evaluate(const ConstraintState& at, ConstraintResul
     const Held<double> now = held(at.q, at.time);
     const VectorX gradient = angle_gradient(at.q);
     const MatrixX curvature = angle_hessian(at.q);
-    out.stiffness =
-        at.multipliers[2] * (now.first * curvature + now.second * gradient * gradient.transpose());
-    const VectorX bent = curvature * at.v;  // named: within the product g++ 12 warns
-    const double speed = gradient.dot(at.v) - angle_.rate(at.time);
-    out.convection[2] =
-        now.first * (at.v.dot(bent) - angle_.acceleration(at.time)) + now.second * speed * speed;
+    double speed = -angle_.rate(at.time), bend = -angle_.acceleration(at.time);
+    for (Eigen::Index j = 0; j < at.q.size(); ++j) {
+        speed += gradient[j] * at.v[j];
+        for (Eigen::Index i = 0; i < at.q.size(); ++i) {
+            bend += at.v[i] * curvature(i, j) * at.v[j];
+            out.stiffness(i, j) = at.multipliers[2] * (now.first * curvature(i, j) +
+                                                       now.second * gradient[i] * gradient[j]);
+        }
+    }
+    out.convection[2] = now.first * bend + now.second * speed * speed;
 }
 
 #if defined(ANCF_SOURCE)

@@ -76,7 +76,9 @@ template <class Scalar>
 Vector<Scalar, Dimension> PointPair<Dimension>::difference(const DynamicVector<Scalar>& q,
                                                            const Scalar& time) const {
     Vector<Scalar, Dimension> d = moved(q);
-    if (path_) d -= continued(path_->value, path_->rate, time);
+    if (!path_) return d;
+    const Vector<Scalar, Dimension> place = continued(path_->value, path_->rate, time);
+    for (int i = 0; i < Dimension; ++i) d[i] -= place[i];
     return d;
 }
 
@@ -169,7 +171,7 @@ void FixedCoordinate<Dimension>::evaluate(const ConstraintState& at, ConstraintR
 template <int Dimension>
 Pin<Dimension>::Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
     : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
-    detail::require(place.allFinite(), "Pin: the place must be finite, got ",
+    detail::require(detail::all_finite(place), "Pin: the place must be finite, got ",
                     detail::components(place));
 }
 
@@ -244,7 +246,7 @@ Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& 
 
 template <int Dimension>
 void Distance<Dimension>::require_place(const Vector<double, Dimension>& place) {
-    detail::require(place.allFinite(), "Distance: the place must be finite, got ",
+    detail::require(detail::all_finite(place), "Distance: the place must be finite, got ",
                     detail::components(place));
 }
 
@@ -253,9 +255,10 @@ template <class Scalar>
 Vector<Scalar, Dimension> Distance<Dimension>::direction(const DynamicVector<Scalar>& q,
                                                          const Scalar& time) const {
     using std::sqrt;
-    const Vector<Scalar, Dimension> d = points_.difference(q, time);
-    const Scalar square = d.transpose() * d;
-    return d / sqrt(square);
+    Vector<Scalar, Dimension> d = points_.difference(q, time);
+    const Scalar length = sqrt(detail::product(d, d));
+    for (int i = 0; i < Dimension; ++i) d[i] /= length;
+    return d;
 }
 
 template <int Dimension>
@@ -264,9 +267,8 @@ DynamicVector<Scalar> Distance<Dimension>::violation(const DynamicVector<Scalar>
                                                      const Scalar& time) const {
     using std::sqrt;
     const Vector<Scalar, Dimension> d = points_.difference(q, time);
-    const Scalar square = d.transpose() * d;
     return DynamicVector<Scalar>::Constant(
-        1, sqrt(square) - detail::continued(length_.value, length_.rate, time));
+        1, sqrt(detail::product(d, d)) - detail::continued(length_.value, length_.rate, time));
 }
 
 template <int Dimension>
@@ -285,7 +287,7 @@ template <int Dimension>
 template <class Scalar>
 DynamicVector<Scalar> Distance<Dimension>::rate(const DynamicVector<Scalar>& q,
                                                 const Scalar& time) const {
-    const Scalar along = direction(q, time).transpose() * points_.drift(time);
+    const Scalar along = detail::product(direction(q, time), points_.template drift<Scalar>(time));
     return DynamicVector<Scalar>::Constant(
         1, along - detail::continued(length_.rate, length_.acceleration, time));
 }
@@ -295,20 +297,23 @@ void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& 
     out.violation = violation(at.q, at.time);
     out.jacobian = jacobian(at.q, at.time);
     out.rate = rate(at.q, at.time);
-    const Vector<double, Dimension> d = points_.difference(at.q, at.time);
-    const double distance = d.norm();
-    const Vector<double, Dimension> n = d / distance;
-    const Matrix<double, Dimension> curvature =
-        (Matrix<double, Dimension>::Identity() - n * n.transpose()) / distance;
-    const std::vector<double>& weights = points_.weights();
-    const int count = static_cast<int>(weights.size());
-    for (int i = 0; i < count; ++i)
-        for (int j = 0; j < count; ++j)
-            out.stiffness.template block<Dimension, Dimension>(Dimension * i, Dimension * j) =
-                at.multipliers[0] * weights[static_cast<std::size_t>(i)] *
-                weights[static_cast<std::size_t>(j)] * curvature;
-    const Vector<double, Dimension> speed = points_.moved(at.v) + points_.drift(at.time);
-    out.convection[0] = speed.dot(curvature * speed) + n.dot(points_.drift_rate(at.time)) -
+    const Vector<double, Dimension> d = points_.difference(at.q, at.time),
+                                    n = direction(at.q, at.time);
+    const double distance = detail::product(d, n);
+    const double* weight = points_.weights().data();
+    for (int i = 0; i < at.q.size(); ++i)
+        for (int j = 0; j < at.q.size(); ++j) {
+            const int row = i % Dimension, column = j % Dimension;
+            const double curvature = ((row == column ? 1.0 : 0.0) - n[row] * n[column]) / distance;
+            out.stiffness(i, j) =
+                at.multipliers[0] * weight[i / Dimension] * weight[j / Dimension] * curvature;
+        }
+    Vector<double, Dimension> speed = points_.drift(at.time);
+    const Vector<double, Dimension> moved = points_.moved(at.v);
+    for (int i = 0; i < Dimension; ++i) speed[i] += moved[i];
+    const double along = detail::product(n, speed);
+    out.convection[0] = (detail::product(speed, speed) - along * along) / distance +
+                        detail::product(n, points_.drift_rate(at.time)) -
                         length_.acceleration(at.time);
 }
 

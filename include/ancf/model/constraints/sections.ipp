@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/constraints/sections.hpp>
 #include <ancf/types.hpp>
 
@@ -22,11 +23,11 @@ ANCF_INLINE std::string RigidSection::name() const {
 template <class Scalar>
 DynamicVector<Scalar> RigidSection::violation(const DynamicVector<Scalar>& q,
                                               const Scalar& /*time*/) const {
-    const Vector<Scalar, 3> y = q.template head<3>(), z = q.template tail<3>();
+    const auto y = detail::vec3<Scalar>(q), z = detail::vec3<Scalar>(q, 3);
     DynamicVector<Scalar> g(3);
-    g[0] = Scalar(0.5) * (Scalar(y.transpose() * y) - Scalar(1.0));
-    g[1] = Scalar(0.5) * (Scalar(z.transpose() * z) - Scalar(1.0));
-    g[2] = y.transpose() * z;
+    g[0] = Scalar(0.5) * (dot(y, y) - Scalar(1.0));
+    g[1] = Scalar(0.5) * (dot(z, z) - Scalar(1.0));
+    g[2] = dot(y, z);
     return g;
 }
 
@@ -50,8 +51,10 @@ DynamicVector<Scalar> RigidSection::rate(const DynamicVector<Scalar>& /*q*/,
 ANCF_INLINE void RigidSection::evaluate(const ConstraintState& at, ConstraintResult& out) const {
     out.violation = violation(at.q, at.time);
     out.jacobian = jacobian(at.q, at.time);
-    const Vector<double, 3> dy = at.v.head<3>(), dz = at.v.tail<3>();
-    out.convection << dy.squaredNorm(), dz.squaredNorm(), 2.0 * dy.dot(dz);
+    const auto dy = detail::vec3<double>(at.v), dz = detail::vec3<double>(at.v, 3);
+    out.convection[0] = dot(dy, dy);
+    out.convection[1] = dot(dz, dz);
+    out.convection[2] = 2.0 * dot(dy, dz);
     for (int k = 0; k < 3; ++k) {
         out.stiffness(k, k) = at.multipliers[0];
         out.stiffness(3 + k, 3 + k) = at.multipliers[1];

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/loads/forces.hpp>
@@ -17,19 +18,21 @@ namespace ancf {
 template <int Dimension>
 Force<Dimension>::Force(NodeId node, const VectorArgument<Dimension>& force)
     : node_(node), force_(force) {
-    detail::require(force.allFinite(), "Force: components must be finite, got ",
+    detail::require(detail::all_finite(force), "Force: components must be finite, got ",
                     detail::components(force));
 }
 
 template <int Dimension>
 void Force<Dimension>::evaluate(const LoadState& state, LoadResult& out) const {
-    out.force = force_;
-    out.potential = -force_.dot(state.q);
+    for (int i = 0; i < Dimension; ++i) {
+        out.force[i] = force_[i];
+        out.potential -= force_[i] * state.q[i];
+    }
 }
 
 ANCF_INLINE GeneralisedForce::GeneralisedForce(Coupling coupling, VectorX force)
     : coupling_(std::move(coupling)), force_(std::move(force)) {
-    detail::require(force_.allFinite(), "GeneralisedForce: components must be finite, got ",
+    detail::require(detail::all_finite(force_), "GeneralisedForce: components must be finite, got ",
                     detail::components(force_));
 }
 
@@ -37,7 +40,7 @@ ANCF_INLINE void GeneralisedForce::evaluate(const LoadState& state, LoadResult& 
     detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
                     " coordinates are coupled, got ", force_.size(), " force components");
     out.force = force_;
-    out.potential = -force_.dot(state.q);
+    out.potential = -detail::dot(force_, state.q);
 }
 
 #if defined(ANCF_SOURCE)

@@ -18,7 +18,7 @@ namespace ancf {
 
 ANCF_INLINE Moment::Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment)
     : node_(node), moment_(moment), attachment_(attachment) {
-    detail::require(moment.allFinite(), "Moment: components must be finite, got ",
+    detail::require(detail::all_finite(moment), "Moment: components must be finite, got ",
                     detail::components(moment));
 }
 
@@ -38,55 +38,60 @@ ANCF_INLINE void Moment::settle(const Layout& layout) {
 template <class Scalar>
 struct Moment::At {
     detail::Triad<Scalar> frame;
-    Vector<Scalar, 3> moment;
+    detail::Vec3<Scalar> moment;
 
-    At(const Moment& load, const Vector<Scalar, 6>& slopes) {
-        const Vector<Scalar, 3> first = slopes.template head<3>(),
-                                second = slopes.template tail<3>();
+    template <class Slopes>
+    At(const Moment& load, const Slopes& slopes) {
+        const auto first = detail::vec3<Scalar>(slopes), second = detail::vec3<Scalar>(slopes, 3);
         frame = load.on_section_ ? detail::Triad<Scalar>::of_section(first, second, load.share_)
                                  : detail::Triad<Scalar>::of_slopes(first, second);
-        moment = load.attachment_ == Attachment::frame
-                     ? frame.in_space(load.moment_)
-                     : Vector<Scalar, 3>(load.moment_.template cast<Scalar>());
+        const auto given = detail::vec3<double>(load.moment_);
+        moment = load.attachment_ == Attachment::frame ? frame.in_space(given)
+                                                       : detail::vec3<Scalar>(given);
     }
 };
 
 template <class Scalar>
 Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
     const At<Scalar> at(*this, slopes);
-    return at.frame.on_slopes(at.moment);
+    Vector<Scalar, 6> out;
+    for (int k = 0; k < 6; ++k) out[k] = dot(at.frame.spin[k], at.moment);
+    return out;
 }
 
 ANCF_INLINE void Moment::evaluate(const LoadState& state, LoadResult& out) const {
     const At<double> at(*this, state.q);
-    out.force = at.frame.on_slopes(at.moment);
-    out.stiffness = detail::spin_derivative(at.frame, at.moment);
-    if (attachment_ == Attachment::space) return;
-    for (int j = 0; j < 6; ++j) {  // the moment turns too: dm = w x m
-        const Vector<double, 3> spin = at.frame.spin.col(j), turned = cross(spin, at.moment);
-        const Vector<double, 6> column = at.frame.on_slopes(turned);
-        for (int i = 0; i < 6; ++i) out.stiffness(i, j) += column[i];
+    const auto& spin = at.frame.spin;
+    const detail::Block<double, 6> by_slopes = detail::spin_derivative(at.frame, at.moment);
+    for (int j = 0; j < 6; ++j) {
+        out.force[j] = dot(spin[j], at.moment);
+        detail::Vec3<double> turned = {};  // the moment turns too: dm = w x m
+        if (attachment_ == Attachment::frame) turned = cross(spin[j], at.moment);
+        for (int i = 0; i < 6; ++i) out.stiffness(i, j) = by_slopes(i, j) + dot(spin[i], turned);
     }
 }
 
 ANCF_INLINE FollowerForce::FollowerForce(NodeId node, const VectorArgument<3>& force)
     : node_(node), force_(force) {
-    detail::require(force.allFinite(), "FollowerForce: components must be finite, got ",
+    detail::require(detail::all_finite(force), "FollowerForce: components must be finite, got ",
                     detail::components(force));
 }
 
 template <class Scalar>
 Vector<Scalar, 3> FollowerForce::force(const Vector<Scalar, 6>& slopes) const {
-    return detail::Triad<Scalar>::of_slopes(slopes).in_space(force_);
+    const auto frame = detail::Triad<Scalar>::of_slopes(detail::vec3<Scalar>(slopes),
+                                                        detail::vec3<Scalar>(slopes, 3));
+    const auto f = frame.in_space(detail::vec3<double>(force_));
+    return {f[0], f[1], f[2]};
 }
 
 ANCF_INLINE void FollowerForce::evaluate(const LoadState& state, LoadResult& out) const {
-    const Vector<double, 6> slopes = state.q.tail<6>();
-    const auto frame = detail::Triad<double>::of_slopes(slopes);
-    const Vector<double, 3> f = frame.in_space(force_);
+    const auto frame = detail::Triad<double>::of_slopes(detail::vec3<double>(state.q, 3),
+                                                        detail::vec3<double>(state.q, 6));
+    const auto f = frame.in_space(detail::vec3<double>(force_));
     for (int k = 0; k < 3; ++k) out.force[k] = f[k];
     for (int j = 0; j < 6; ++j) {  // df = w x f
-        const Vector<double, 3> turned = cross(Vector<double, 3>(frame.spin.col(j)), f);
+        const detail::Vec3<double> turned = cross(frame.spin[j], f);
         for (int i = 0; i < 3; ++i) out.stiffness(i, 3 + j) = turned[i];
     }
 }

@@ -24,23 +24,23 @@ ANCF_INLINE SlopeMoment::SlopeMoment(NodeId node, Field slope, const VectorArgum
     const double length = detail::span(axis);
     detail::require(std::isfinite(length) && length > 0.0,
                     "SlopeMoment: the axis must have a length, got ", detail::components(axis));
-    axis_ /= length;
+    for (int k = 0; k < 3; ++k) axis_[k] /= length;
     detail::require_finite("SlopeMoment: moment", moment);
 }
 
 template <class Scalar>
 Vector<Scalar, 3> SlopeMoment::force(const Vector<Scalar, 3>& slope) const {
-    const Vector<Scalar, 3> n = axis_.cast<Scalar>();
-    const Vector<Scalar, 3> ap = slope - Scalar(n.transpose() * slope) * n;
-    return moment_ / Scalar(ap.transpose() * ap) * cross(n, ap);
+    const auto n = detail::vec3<Scalar>(axis_), a = detail::vec3<Scalar>(slope);
+    const auto ap = a - dot(n, a) * n, f = moment_ / dot(ap, ap) * cross(n, ap);
+    return {f[0], f[1], f[2]};
 }
 
 ANCF_INLINE void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
-    const Vector<double, 3> slope = state.q, ap = slope - axis_.dot(slope) * axis_;
-    const double square = ap.squaredNorm(), scale = moment_ / square;
-    const Vector<double, 3> turned = cross(axis_, ap);
+    const auto n = detail::vec3<double>(axis_), slope = detail::vec3<double>(state.q);
+    const auto ap = slope - dot(n, slope) * n, turned = cross(n, ap);
+    const double square = dot(ap, ap), scale = moment_ / square;
     // ap and turned are normal to the axis: n x dap - 2 turned (ap.dap)/|ap|^2
-    const Matrix<double, 3> turn = cross_matrix(axis_);
+    const auto turn = detail::cross_block(n);
     for (int i = 0; i < 3; ++i) {
         out.force[i] = scale * turned[i];
         for (int j = 0; j < 3; ++j)
@@ -49,9 +49,10 @@ ANCF_INLINE void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) 
     // the angle from the global axis e that leans least along n: ap.e and ap.(n x e)
     int across = 0;
     for (int i = 1; i < 3; ++i)
-        if (std::abs(axis_[i]) < std::abs(axis_[across])) across = i;
-    const Vector<double, 3> ahead = turn.col(across);
-    out.potential = -moment_ * std::atan2(ap.dot(ahead), ap[across]);
+        if (std::abs(n[i]) < std::abs(n[across])) across = i;
+    detail::Vec3<double> zero_angle = {};
+    zero_angle[across] = 1.0;
+    out.potential = -moment_ * std::atan2(dot(ap, cross(n, zero_angle)), ap[across]);
     out.period = 2.0 * pi * std::abs(moment_);
 }
 
@@ -63,38 +64,41 @@ ANCF_INLINE PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, doubl
 
 template <class Scalar>
 Vector<Scalar, 2> PlanarSlopeMoment::force(const Vector<Scalar, 2>& slope) const {
-    return moment_ / Scalar(slope.transpose() * slope) * Vector<Scalar, 2>(-slope[1], slope[0]);
+    const Scalar scale = moment_ / (slope[0] * slope[0] + slope[1] * slope[1]);
+    return {-scale * slope[1], scale * slope[0]};
 }
 
 ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
-    const Vector<double, 2> slope = state.q;
-    const double x = slope[0];
-    const double y = slope[1];
-    const double scale = moment_ / (slope.squaredNorm() * slope.squaredNorm());
-    out.force = force(slope);
-    out.stiffness << 2.0 * scale * x * y, scale * (y * y - x * x), scale * (y * y - x * x),
-        -2.0 * scale * x * y;
+    const double x = state.q[0];
+    const double y = state.q[1];
+    const double square = x * x + y * y, scale = moment_ / (square * square);
+    out.force[0] = -moment_ / square * y;
+    out.force[1] = moment_ / square * x;
+    out.stiffness(0, 0) = 2.0 * scale * x * y;
+    out.stiffness(1, 1) = -out.stiffness(0, 0);
+    out.stiffness(0, 1) = out.stiffness(1, 0) = scale * (y * y - x * x);
     out.potential = -moment_ * std::atan2(y, x);
     out.period = 2.0 * pi * std::abs(moment_);
 }
 
 ANCF_INLINE TangentMoment::TangentMoment(NodeId node, const VectorArgument<3>& moment)
     : node_(node), moment_(moment) {
-    detail::require(moment.allFinite(), "TangentMoment: components must be finite, got ",
+    detail::require(detail::all_finite(moment), "TangentMoment: components must be finite, got ",
                     detail::components(moment));
 }
 
 template <class Scalar>
 Vector<Scalar, 3> TangentMoment::force(const Vector<Scalar, 3>& slope) const {
-    return cross(Vector<Scalar, 3>(moment_.cast<Scalar>()), slope) /
-           Scalar(slope.transpose() * slope);
+    const auto a = detail::vec3<Scalar>(slope),
+               f = cross(detail::vec3<Scalar>(moment_), a) / dot(a, a);
+    return {f[0], f[1], f[2]};
 }
 
 ANCF_INLINE void TangentMoment::evaluate(const LoadState& state, LoadResult& out) const {
-    const Vector<double, 3> slope = state.q;
-    const double square = slope.squaredNorm();
-    const Vector<double, 3> turned = cross(moment_, slope);
-    const Matrix<double, 3> turn = cross_matrix(moment_);
+    const auto slope = detail::vec3<double>(state.q), m = detail::vec3<double>(moment_);
+    const double square = dot(slope, slope);
+    const auto turned = cross(m, slope);
+    const auto turn = detail::cross_block(m);
     for (int i = 0; i < 3; ++i) {
         out.force[i] = turned[i] / square;
         for (int j = 0; j < 3; ++j)
