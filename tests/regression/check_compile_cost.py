@@ -7,8 +7,8 @@
     check_compile_cost.py COMPILER ID ROOT [INCLUDE...] --record  writes the records
     check_compile_cost.py --self-test                             exits 1 unless growth is refused
 
-preprocessed_lines.json: lines of every header, with all it includes. object_bytes.json: code and data of every unit of
-bench/compile_cost at -O2, header-only and with the compiled library. ID names compiler and third parties, such as
+preprocessed_lines.json: lines of every header, with all it includes. object_bytes.json: code and data at -O2 of the units of
+bench/compile_cost that have a limit, header-only and with the compiled library. ID names compiler and third parties, such as
 GNU-12 Eigen-3.4.0: their headers are counted too. What needs a component whose third party is missing is left out.
 """
 
@@ -84,8 +84,8 @@ def main(arguments):
     command = [compiler, "-std=c++17", f"-I{base}", *(word for folder in includes for word in ("-isystem", folder))]
     headers = [path.relative_to(base).as_posix() for path in sorted(base.rglob("*.hpp"))]
     lines = {header: (lines_of, header) for header in headers}
-    objects = {f"{unit.name}, {form}": (bytes_of, unit, form)
-               for unit in sorted(compile_cost.UNITS.glob("*.cpp")) for form in compile_cost.FORMS}
+    objects = {f"{unit}.cpp, {form}": (bytes_of, compile_cost.UNITS / f"{unit}.cpp", form)
+               for unit, form in sorted(compile_cost.LIMITS)}
     results = []
     for measure, name, tasks in [("preprocessed_lines", identity, lines),
                                  ("object_bytes", f"{identity} {platform.machine()}", objects)]:
