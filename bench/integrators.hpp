@@ -12,6 +12,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #if ANCF_WITH_SUITESPARSE
 #include <ancf/suitesparse/klu.hpp>
@@ -99,6 +100,29 @@ Integrator<Scene> adaptive_generalized_alpha(std::string name) {
                 options.tolerance = tolerance;
                 options.step = 1e-4;
                 return run_generalized_alpha(model, schedule, options);
+            }};
+}
+
+/// Radau IIA that chooses its steps.
+template <class Scene>
+Integrator<Scene> radau(std::string name, int stages) {
+    return {std::move(name), "tolerance",
+            [stages](Scene& model, const Schedule& schedule, double tolerance) {
+                RadauOptions options;
+                options.stages = stages;
+                options.tolerance = tolerance;
+                options.follow_energy = false;
+                const RadauIIA integrator(options);
+                ProblemOptions with_lower_storage;
+                with_lower_storage.storage = Storage::lower;
+                if (model.constraints().empty()) {
+                    DynamicProblem problem(model, with_lower_storage);
+                    BlockTridiagonal solver;
+                    return integrator.integrate(problem, solver, schedule);
+                }
+                DynamicProblem problem(model);
+                GeneralSolver solver;
+                return integrator.integrate(problem, solver, schedule);
             }};
 }
 
