@@ -46,7 +46,10 @@ private:
         Ends ends;
     };
 
-    static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
+    static constexpr double smallest_part = 1e-3;     // of a fixed step that fails
+    static constexpr double largest_growth = 8.0;     // of a step
+    static constexpr double good_contraction = 0.03;  // by which matrices stay
+    static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
     [[nodiscard]] bool adaptive() const { return options_.tolerance > 0.0; }
     [[nodiscard]] bool begin(const Memory& memory);
@@ -56,7 +59,7 @@ private:
     [[nodiscard]] bool advance();
     void accept(const Step& step, double error);
     void change_step(double step);
-    [[nodiscard]] double growth(double error, double width) const;
+    [[nodiscard]] double growth(double error) const;
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] double correct(double h);
@@ -67,7 +70,7 @@ private:
     [[nodiscard]] double error(double h);
     void end_step(double width);
     [[nodiscard]] MotionPoint between(double time);
-    [[nodiscard]] Knot knot(const Point& point);
+    void make_knots();
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
@@ -89,8 +92,9 @@ private:
     const double round_off_;              // corrections that no longer shrink may be as large
     const std::vector<double> at_start_;  // l_i(0)
 
-    Point now_, next_, earlier_;  // earlier_: where the step before began
-    bool has_earlier_ = false;
+    Point now_, next_;
+    Point earlier_, before_;  // where the last step and the step before it began
+    int history_ = 0;         // how many of the two there are
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
     double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
@@ -103,17 +107,17 @@ private:
     double width_before_ = 0.0;
 
     // what Newton's method and the choice of steps keep
-    MotionPoint linearised_;  // where the tangent was evaluated
-    bool has_tangent_ = false;
+    MotionPoint linearised_;    // where the tangent of the matrices at hand was evaluated
     bool renew_ = true;         // whether the next step takes a new tangent
-    double contraction_ = 0.0;  // of the last step that told one
+    double contraction_ = 0.0;  // by which corrections shrank in the last step that told it
+    double fresh_ = 0.0;        // the same of the last step by a tangent of its own
     double eta_ = 1.0;          // what is left after a correction, over the correction
     int iterations_ = 0;        // of the last step
-    double error_before_ = 0.0, error_width_ = 0.0;  // of the last accepted step
     double most_growth_ = largest_growth;
-    bool rejected_ = false;
+    bool rejected_ = false,
+         failed_ = false;  // the last attempt, by its error or in Newton's method
 
-    static constexpr double largest_growth = 8.0;
+    std::vector<Knot> knots_;  // of output in the last step; none: to be made
 };
 
 ANCF_INLINE RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
@@ -222,12 +226,13 @@ ANCF_INLINE bool RadauRun::advance() {
                              why());
             return false;
         }
-        rejected_ = true;
         if (status == Status::converged) {
-            change_step(step.width * growth(error, step.width));
+            change_step(step.width * growth(error));
+            rejected_ = true;
         } else {
-            change_step(step.width * (turn.fits() ? 0.7 : 0.5));
+            change_step(step.width * (failed_ || !turn.fits() ? 0.5 : 0.7));
             most_growth_ = 1.1;
+            failed_ = true;
         }
         if (step_ >= options_.min_step) continue;
         fail(Status::step_too_small,
@@ -240,34 +245,29 @@ ANCF_INLINE bool RadauRun::advance() {
 }
 
 /// Returns by what the next step is longer, after an error relative to the tolerance.
-ANCF_INLINE double RadauRun::growth(double error, double width) const {
-    const double power = 1.0 / static_cast<double>(stages_ + 1);
+ANCF_INLINE double RadauRun::growth(double error) const {
     const double most = options_.max_iterations;
     const double safety = 0.9 * (2.0 * most + 1.0) / (2.0 * most + iterations_);
-    const double tamed = std::max(error, 1e-10);
-    double factor = safety * std::pow(tamed, -power);
-    // by the trend of the error too: Gustafsson, ACM Trans. Math. Softw. 20 (1994) 496-517
-    if (error <= 1.0 && error_width_ > 0.0)
-        factor = std::min(factor, safety * width / error_width_ *
-                                      std::pow(error_before_ / (tamed * tamed), power));
-    return std::max(factor, 0.2);
+    const double power = 1.0 / static_cast<double>(stages_ + 1);
+    return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
 }
 
 /// Settles the next step's width.
 ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
+    const bool attempted = rejected_ || failed_;
+    rejected_ = failed_ = false;
     if (step.ends == Ends::within) return;
     part_ = 0.0;
     count_ += 1.0;
     bool change = false;
     if (adaptive() && step.width == step_) {
-        double factor = std::min(growth(error, step.width), most_growth_);
-        if (rejected_) factor = std::min(factor, 1.0);
-        error_before_ = std::max(error, 1e-2);
-        error_width_ = step.width;
+        double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
+        // what a fresh tangent hardly solves a longer step would not
+        if (fresh_ > fair_contraction)
+            factor = std::min(factor, std::max(0.9, std::sqrt(fair_contraction / fresh_)));
         most_growth_ = std::min(largest_growth, most_growth_ * 1.02);
-        rejected_ = false;
         // a step keeps its width, and the matrices, unless a change is worth it
-        change = factor < 0.95 || factor > 1.25;
+        change = factor < 0.95 || factor > (most_growth_ < 1.6 ? 1.25 : 1.6);
         if (change) step_ = std::min(step_ * factor, options_.max_step);
     }
     if (change || step.ends == Ends::off_grid) {
@@ -278,21 +278,20 @@ ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
 
 /// Makes the step that was taken the last one.
 ANCF_INLINE void RadauRun::end_step(double width) {
+    std::swap(before_, earlier_);
     std::swap(earlier_, now_);
     std::swap(now_, next_);
     std::swap(acceleration_before_, acceleration_);
     std::swap(lambda_before_, lambda_);
     width_before_ = width;
+    history_ = std::min(history_ + 1, 2);
+    knots_.clear();
 }
 
 /// Solves one step by Newton's method, again with a new tangent where the old one fails.
 ANCF_INLINE Status RadauRun::newton(double h) {
-    if (has_tangent_ && !renew_) {
-        Status status = Status::converged;
-        if (system_.width() != h) status = system_.factorise(h, report_.factorisations);
-        if (status == Status::converged) status = iterate(h, false);
-        if (status == Status::converged) return status;
-    }
+    if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
+        return Status::converged;
     return iterate(h, true);
 }
 
@@ -319,8 +318,6 @@ ANCF_INLINE Status RadauRun::evaluate_stages(double h, bool renew) {
         if (!tangent) continue;
         ++report_.jacobians;
         linearised_ = stage_[i];
-        system_.linearise();
-        has_tangent_ = true;
         if (const Status status = system_.factorise(h, report_.factorisations);
             status != Status::converged)
             return status;
@@ -390,8 +387,8 @@ ANCF_INLINE void RadauRun::predict(double h) {
 ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     const bool constrained = problem_.multipliers() > 0;
     predict(h);
-    bool fresh = false;  // whether the tangent is of this step
-    int since = 0;       // corrections by the matrices at hand
+    int tangents = 0;  // of this step
+    int since = 0;     // corrections by the matrices at hand
     double before = 0.0, ratio_before = 0.0;
     eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
     for (iterations_ = 1;; ++iterations_) {
@@ -399,32 +396,31 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         if (const Status status = evaluate_stages(h, renew); status != Status::converged)
             return status;
         if (renew) {
-            fresh = true;
-            renew = false;
+            ++tangents;
             since = 0;
+            renew = false;
         }
-        ++since;
         const double change = correct(h);
         if (!std::isfinite(change)) return Status::not_finite;
-        if (since > 1) {
-            const double ratio = change / before;
-            const double theta = since == 2 ? ratio : std::sqrt(ratio * ratio_before);
-            ratio_before = ratio;
-            contraction_ = theta;
-            // at the round-off of the residual the corrections no longer shrink
-            if (ratio >= 0.5 && change <= round_off_) break;
-            if (theta >= 0.99) return Status::diverged;
-            eta_ = theta / (1.0 - theta);
-            const double left =
-                eta_ * change * std::pow(theta, options_.max_iterations - iterations_);
-            renew = left > newton_tolerance_ && eta_ * change > newton_tolerance_;
-            if (renew && fresh && adaptive()) return Status::max_iterations;
+        const double ratio = iterations_ > 1 ? change / before : 0.0;
+        // at the round-off of the residual the corrections no longer shrink
+        if (change == 0.0 || (ratio >= 1.0 && change <= round_off_)) break;
+        if (++since > 1) {
+            contraction_ = since == 2 ? ratio : std::sqrt(ratio * ratio_before);
+            if (contraction_ >= 0.99) return Status::diverged;
+            eta_ = contraction_ / (1.0 - contraction_);
+            const double left = eta_ * change;
+            const int rest = options_.max_iterations - iterations_;
+            renew =
+                left > newton_tolerance_ && left * std::pow(contraction_, rest) > newton_tolerance_;
+            if (renew && tangents == 2 && adaptive()) return Status::max_iterations;
         }
         if ((iterations_ > 1 || !constrained) && eta_ * change <= newton_tolerance_) break;
-        if (change == 0.0) break;
         before = change;
+        ratio_before = ratio;
     }
-    renew_ = contraction_ > 0.03;
+    renew_ = contraction_ > good_contraction;
+    if (tangents > 0) fresh_ = contraction_;
     place_stages(h);
     next_.q = stage_.back().q;
     next_.v = stage_.back().v;
@@ -465,21 +461,26 @@ ANCF_INLINE double RadauRun::error(double h) {
     return std::isfinite(size) ? size : 1e10;
 }
 
-/// Returns a point's coordinates, rates and accelerations on the constraints of all levels.
-ANCF_INLINE Knot RadauRun::knot(const Point& point) {
-    Knot knot{point.time, point.q, point.v, point.acceleration};
-    if (problem_.project(knot.time, knot.q, knot.v))
-        (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
-    return knot;
+/// Makes the knots of output in the last step, on the constraints of all levels.
+ANCF_INLINE void RadauRun::make_knots() {
+    std::vector<const Point*> points = {&earlier_, &now_};
+    if (stages_ > 3 && history_ > 1) points.insert(points.begin(), &before_);
+    for (const Point* point : points) {
+        Knot knot{point->time, point->q, point->v, point->acceleration};
+        if (problem_.project(knot.time, knot.q, knot.v))
+            (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
+        knots_.push_back(std::move(knot));
+    }
 }
 
+/// Interpolates in the last step.
 ANCF_INLINE MotionPoint RadauRun::between(double time) {
-    const Knot from = knot(earlier_), to = knot(now_);
+    if (knots_.empty()) make_knots();
     MotionPoint at;
     at.time = time;
-    hermite({&from, &to}, time, at.q, at.v);
+    hermite(knots_, time, at.q, at.v);
     const std::vector<double> weights =
-        lagrange_weights(tableau_.nodes, (time - from.time) / (to.time - from.time));
+        lagrange_weights(tableau_.nodes, (time - earlier_.time) / (now_.time - earlier_.time));
     at.lambda = VectorX::Zero(problem_.multipliers());
     for (std::size_t i = 0; i < stages_; ++i)
         for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
@@ -487,8 +488,97 @@ ANCF_INLINE MotionPoint RadauRun::between(double time) {
     return at;
 }
 
-ANCF_INLINE void RadauRun::remember() {}
-ANCF_INLINE void RadauRun::recall(const Memory&) {}
+/// Returns the vectors of the stages in one.
+[[nodiscard]] ANCF_INLINE VectorX joined_stages(const Stages& stages) {
+    VectorX all(static_cast<Eigen::Index>(stages.size()) * stages.front().size());
+    double* out = all.data();
+    for (const VectorX& stage : stages) out = std::copy_n(stage.data(), stage.size(), out);
+    return all;
+}
+
+/// Takes the vectors of the stages apart.
+ANCF_INLINE void part_stages(const VectorX& all, Stages& stages) {
+    const double* from = all.data();
+    for (VectorX& stage : stages) {
+        std::copy_n(from, stage.size(), stage.data());
+        from += stage.size();
+    }
+}
+
+ANCF_INLINE void RadauRun::remember() {
+    Memory& memory = report_.memory;
+    memory.integrator = "radau";
+    memory.put("q", now_.q);
+    memory.put("v", now_.v);
+    memory.put("lambda", now_.lambda);
+    memory.put("acceleration", now_.acceleration);
+    memory.put("stage_accelerations", joined_stages(acceleration_before_));
+    memory.put("stage_multipliers", joined_stages(lambda_before_));
+    if (history_ > 0) {
+        memory.put("earlier_q", earlier_.q);
+        memory.put("earlier_v", earlier_.v);
+        memory.put("earlier_acceleration", earlier_.acceleration);
+    }
+    const double factorised = renew_ ? 0.0 : system_.width();
+    VectorX scalars(18);
+    scalars << now_.time, origin_, count_, step_, width_before_, earlier_.time, history_,
+        linearised_.time, factorised, renew_ ? 1.0 : 0.0, contraction_, fresh_, eta_, most_growth_,
+        rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_),
+        problem_.length_scale();
+    memory.put("scalars", scalars);
+    memory.put("signature", signature(problem_, now_));
+    if (factorised == 0.0) return;
+    memory.put("linearised_q", linearised_.q);
+    memory.put("linearised_v", linearised_.v);
+    memory.put("linearised_lambda", linearised_.lambda);
+}
+
+ANCF_INLINE void RadauRun::recall(const Memory& memory) {
+    const int n = problem_.size();
+    const int m = problem_.multipliers();
+    const auto stages = static_cast<Eigen::Index>(stages_);
+    require(memory.integrator == "radau", "RadauIIA: the memory is that of ", memory.integrator);
+    const VectorX& scalars = memory.get("scalars", 18);
+    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
+            "RadauIIA: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
+    require(scalars[16] == static_cast<double>(stages_), "RadauIIA: the memory is of ", scalars[16],
+            " stages, the options have ", options_.stages);
+    problem_.set_length_scale(scalars[17]);
+    const MotionPoint start = now_;
+    static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
+                                       memory.get("lambda", m)};
+    require_continuation("RadauIIA", memory, problem_, start, now_);
+    now_.acceleration = memory.get("acceleration", n);
+    part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
+    part_stages(memory.get("stage_multipliers", m * stages), lambda_before_);
+    width_before_ = scalars[4];
+    if (scalars[6] > 0.0) {
+        history_ = 1;
+        earlier_.time = scalars[5];
+        earlier_.q = memory.get("earlier_q", n);
+        earlier_.v = memory.get("earlier_v", n);
+        earlier_.acceleration = memory.get("earlier_acceleration", n);
+    }
+    origin_ = now_.time;
+    if (adaptive() || scalars[3] == options_.step) {
+        origin_ = scalars[1];
+        count_ = scalars[2];
+        step_ = scalars[3];
+    }
+    if (adaptive() && step_ > options_.max_step) change_step(options_.max_step);
+    contraction_ = scalars[10];
+    fresh_ = scalars[11];
+    eta_ = scalars[12];
+    most_growth_ = scalars[13];
+    rejected_ = scalars[14] != 0.0;
+    failed_ = scalars[15] != 0.0;
+    if (scalars[8] == 0.0) return;
+    linearised_ = {scalars[7], memory.get("linearised_q", n), memory.get("linearised_v", n),
+                   memory.get("linearised_lambda", m)};
+    if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
+        system_.factorise(scalars[8], report_.factorisations) == Status::converged)
+        renew_ = false;  // where that fails the first step takes a tangent of its own
+}
 
 }  // namespace detail
 

@@ -29,10 +29,8 @@ public:
     /// Analyses the pattern for all solvers.
     RadauSystem(const DynamicProblem& problem, LinearSolver& solver, const RadauTableau& tableau);
 
-    /// Takes K, G and D from the problem's last evaluation, of tangent and damping.
-    void linearise();
-
-    /// Factorises all matrices for a step; adds to a count how many.
+    /// Factorises all matrices for a step, with K, G and D of the problem's last evaluation, of
+    /// tangent and damping; adds to a count how many.
     [[nodiscard]] Status factorise(double h, long& count);
 
     /// The step that is factorised, s; 0 where there is none.
@@ -51,7 +49,7 @@ private:
     LinearSolver& solver_;
     const RadauTableau& tableau_;
     std::vector<std::unique_ptr<ComplexSolver>> complex_solvers_;  // of modes 1, 2, ...
-    SparseMatrix tangent_, damping_, system_;
+    SparseMatrix damping_, system_;
     bool damped_ = false;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     std::vector<std::complex<double>> values_;

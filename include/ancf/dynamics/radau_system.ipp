@@ -20,7 +20,6 @@ ANCF_INLINE RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver
     : problem_(problem),
       solver_(solver),
       tableau_(tableau),
-      tangent_(problem.mass()),
       damping_(problem.mass()),
       system_(problem.mass()),
       stiff_(static_cast<std::size_t>(system_.nonZeros())),
@@ -36,21 +35,14 @@ ANCF_INLINE RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver
     complex_.resize(rhs_.size());
 }
 
-ANCF_INLINE void RadauSystem::linearise() {
-    const double* tangent = problem_.tangent().valuePtr();
-    const double* damping = problem_.damping().valuePtr();
-    std::copy_n(tangent, tangent_.nonZeros(), tangent_.valuePtr());
-    std::copy_n(damping, damping_.nonZeros(), damping_.valuePtr());
-    damped_ = std::any_of(damping, damping + damping_.nonZeros(),
-                          [](double value) { return value != 0.0; });
-    width_ = 0.0;
-}
-
 ANCF_INLINE Status RadauSystem::factorise(double h, long& count) {
     width_ = 0.0;
     const double* mass = problem_.mass().valuePtr();
-    const double* tangent = tangent_.valuePtr();
-    const double* damping = damping_.valuePtr();
+    const double* tangent = problem_.tangent().valuePtr();
+    const double* damping = problem_.damping().valuePtr();
+    std::copy_n(damping, damping_.nonZeros(), damping_.valuePtr());
+    damped_ = std::any_of(damping, damping + damping_.nonZeros(),
+                          [](double value) { return value != 0.0; });
     double* system = system_.valuePtr();
     const double tau = h / tableau_.modes.front().eigenvalue.real();
     for (std::size_t k = 0; k < stiff_.size(); ++k)
