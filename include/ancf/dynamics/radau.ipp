@@ -132,8 +132,9 @@ ANCF_INLINE RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
       stages_(static_cast<std::size_t>(options.stages)),
       system_(problem, solver, tableau_),
       newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
-                        : options.tolerance > 0.0      ? 0.03 * options.tolerance
-                                                       : 1e-13),
+                        : options.tolerance > 0.0
+                            ? (options.stages > 3 ? 0.01 : 0.03) * options.tolerance
+                            : 1e-13),
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
@@ -415,7 +416,10 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
                 left > newton_tolerance_ && left * std::pow(contraction_, rest) > newton_tolerance_;
             if (renew && tangents == 2 && adaptive()) return Status::max_iterations;
         }
-        if ((iterations_ > 1 || !constrained) && eta_ * change <= newton_tolerance_) break;
+        // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
+        if ((iterations_ > 1 || (tangents == 0 && !constrained)) &&
+            eta_ * change <= newton_tolerance_)
+            break;
         before = change;
         ratio_before = ratio;
     }
