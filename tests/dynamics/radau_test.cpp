@@ -29,7 +29,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -324,8 +323,6 @@ TEST_CASE("Radau IIA: the error of adaptive runs follows the tolerance, at all t
         const DynamicsReport report = run(scene.model, adaptive(stages, tolerance), schedule);
         REQUIRE(report.status == Status::converged);
         CAPTURE(stages, link, tolerance, error, report.steps);
-        std::printf("adaptive s %d link %d tol %g error/tol %.3f steps %ld\n", stages, link,
-                    tolerance, error / tolerance, report.steps);
         CHECK(error <= 3.0 * tolerance);
         CHECK(error < before);
         before = error;
@@ -349,9 +346,6 @@ void check_end(const Make& make, double end, int steps, double step, double marg
             const DynamicsReport report = run(scene.model, options, until(end));
             CAPTURE(report.message);
             REQUIRE(report.status == Status::converged);
-            std::printf("  end: s %d adaptive %d error %.2e steps %ld fail %ld\n", stages,
-                        by_tolerance, distance(scene.model.state().q, exact.q), report.steps,
-                        report.convergence_failures);
             CHECK(distance(scene.model.state().q, exact.q) <= margin);
         }
 }
@@ -441,8 +435,6 @@ TEMPLATE_TEST_CASE("Radau IIA: driven joints turn by the angle in steps of any l
                     CHECK(arm.off(angle) <= 1e-9);
                     CHECK(arm.wound() <= 0.5);
                 } else {
-                    std::printf("refused %g %d %d %s\n", angle, steps, by_tolerance,
-                                report.message.c_str());
                     CHECK_FALSE(report.message.empty());
                 }
                 ++checked;
@@ -776,17 +768,17 @@ int check_random_scenes(std::uint64_t first, int count) {
         }
         converged += good ? 1 : 0;
     }
-    std::printf("random: %d of %d, worst %.3f\n", converged, count, worst);
     return converged;
 }
 
 TEST_CASE("Radau IIA: what converges has a small residual, in random scenes", "[dynamics][radau]") {
-    CHECK(check_random_scenes(1, 100) >= 80);
+    CHECK(check_random_scenes(1, 100) >= 98);
 }
 
+// test_dynamics "[radau-long]", half a minute
 TEST_CASE("Radau IIA: what converges has a small residual, in ten thousand random scenes",
           "[.][radau-long]") {
-    CHECK(check_random_scenes(1000, 10000) >= 8000);
+    CHECK(check_random_scenes(1000, 10000) >= 9900);
 }
 
 }  // namespace radau_test

@@ -391,6 +391,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     int tangents = 0;  // of this step
     int since = 0;     // corrections by the matrices at hand
     double before = 0.0, ratio_before = 0.0;
+    const double expected = std::min(contraction_, 0.3);
     eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
     for (iterations_ = 1;; ++iterations_) {
         if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -407,7 +408,9 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         // at the round-off of the residual the corrections no longer shrink
         if (change == 0.0 || (ratio >= 1.0 && change <= round_off_)) break;
         if (++since > 1) {
-            contraction_ = since == 2 ? ratio : std::sqrt(ratio * ratio_before);
+            // a first ratio may flatter: it stands beside that of the step before
+            contraction_ =
+                since == 2 ? std::max(ratio, 0.3 * expected) : std::sqrt(ratio * ratio_before);
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;

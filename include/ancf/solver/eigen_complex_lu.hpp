@@ -17,7 +17,7 @@
 
 namespace ancf {
 
-/// L U with partial pivoting, columns ordered by COLAMD, rows scaled to their largest entry.
+/// L U with partial pivoting, columns ordered by COLAMD, rows scaled as those of EigenLu.
 class EigenComplexLu final : public ComplexSolver {
 public:
     /// @param storage  of the matrices to come; of the lower half the other one is filled in.

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/eigen_complex_lu.hpp>
 #include <ancf/solver/linear_solver.hpp>
@@ -25,7 +26,7 @@ struct EigenComplexLu::Factors {
 
     Matrix matrix;                // both halves
     std::vector<int> from;        // of each value of the matrix its place in those given
-    std::size_t given = 0;        // number of values given
+    SparseMatrix magnitudes;      // of the values given
     std::vector<double> inverse;  // of each row's largest entry
     Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>> lu;
 };
@@ -37,7 +38,7 @@ ANCF_INLINE void EigenComplexLu::Free::operator()(Factors* factors) const noexce
 ANCF_INLINE void EigenComplexLu::analyze(const SparseMatrix& pattern) {
     detail::require_storage(name(), pattern, storage_);
     factors_.reset(new Factors);
-    factors_->given = static_cast<std::size_t>(pattern.nonZeros());
+    factors_->magnitudes = pattern;
     // column by column the places of both halves: rows ascend, as mirror images come first
     const auto size = static_cast<std::size_t>(pattern.cols());
     std::vector<std::vector<std::pair<int, int>>> columns(size);  // row, place
@@ -68,22 +69,28 @@ ANCF_INLINE void EigenComplexLu::analyze(const SparseMatrix& pattern) {
 }
 
 ANCF_INLINE Status EigenComplexLu::factorize(const std::vector<std::complex<double>>& values) {
-    detail::require(factors_ && values.size() == factors_->given, name(), ": expected ",
-                    factors_ ? factors_->given : 0, " values, got ", values.size());
+    const auto given = static_cast<std::size_t>(factors_ ? factors_->magnitudes.nonZeros() : 0);
+    detail::require(factors_ && values.size() == given, name(), ": expected ", given,
+                    " values, got ", values.size());
     Factors& own = *factors_;
+    for (std::size_t k = 0; k < given; ++k) own.magnitudes.valuePtr()[k] = std::abs(values[k]);
+    if (!detail::all_finite(own.magnitudes)) return Status::not_finite;
+    // entries of a row compare where each unknown is measured by its own scale, as in EigenLu
+    const VectorX scales = detail::unit_scales(own.magnitudes);
     std::fill(own.inverse.begin(), own.inverse.end(), 0.0);
     std::complex<double>* entries = own.matrix.valuePtr();
-    const auto largest = [&](std::size_t k) -> double& {
+    const auto row = [&](Eigen::Index k) -> double& {
         return own.inverse[static_cast<std::size_t>(own.matrix.innerIndexPtr()[k])];
     };
-    for (std::size_t k = 0; k < own.from.size(); ++k) {
-        entries[k] = values[static_cast<std::size_t>(own.from[k])];
-        const double size = std::abs(entries[k]);
-        if (!std::isfinite(size)) return Status::not_finite;
-        largest(k) = std::max(largest(k), size);
-    }
+    for (Eigen::Index j = 0; j < own.matrix.cols(); ++j)
+        for (Eigen::Index k = own.matrix.outerIndexPtr()[j]; k < own.matrix.outerIndexPtr()[j + 1];
+             ++k) {
+            const int place = own.from[static_cast<std::size_t>(k)];
+            entries[k] = values[static_cast<std::size_t>(place)];
+            row(k) = std::max(row(k), own.magnitudes.valuePtr()[place] * scales[j]);
+        }
     for (double& inverse : own.inverse) inverse = inverse > 0.0 ? 1.0 / inverse : 1.0;
-    for (std::size_t k = 0; k < own.from.size(); ++k) entries[k] *= largest(k);
+    for (Eigen::Index k = 0; k < own.matrix.nonZeros(); ++k) entries[k] *= row(k);
     if (own.matrix.cols() == 0) return Status::converged;
     own.lu.factorize(own.matrix);
     return own.lu.info() == Eigen::Success ? Status::converged : Status::singular;
