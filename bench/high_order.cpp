@@ -6,10 +6,10 @@
 ///
 /// The rubber pendulum of [Dufva2006, section 5.1], in the plane and in space, a hundred times as
 /// stiff, and on a massless link of 0.4 m. The error is the largest distance of the tip from a
-/// reference at 12 times in 1.2 s, of the link in 0.8 s. The reference is the Runge-Kutta method of fourth order with
-/// short steps, on the link IDA's second form with a tolerance of 1e-11. Times are the least of
-/// several rounds in which all runs take turns. Of each integrator the cheapest run below each
-/// level is printed, or of --csv all runs.
+/// reference at 12 times in 1.2 s, of the link in 0.8 s. The reference is the Runge-Kutta method of
+/// fourth order with short steps, on the link IDA's second form with a tolerance of 1e-11. Times
+/// are the least of several rounds in which all runs take turns. Of each integrator the cheapest
+/// run below each level is printed, or of --csv all runs.
 
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>

@@ -5,7 +5,8 @@
 /// What the integrators of this folder share: output at the schedule's times, and statistics.
 ///
 /// Between two steps q is the cubic of q and v at both ends and v its derivative, the multipliers
-/// are linear, unless the integrator has something better. What is observed is projected on the constraints; the integration never sees that.
+/// are linear, unless the integrator has something better. What is observed is projected on the
+/// constraints; the integration never sees that.
 
 #pragma once
 
