@@ -12,6 +12,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/model/scene.hpp>
 #if ANCF_WITH_SUNDIALS
 #include <ancf/sundials/ida.hpp>
@@ -49,18 +50,23 @@ inline Integrator ida(std::string name, sundials::Form form) {
 }
 #endif
 
-/// Runs generalized-alpha with the solver that suits the scene.
-inline DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
-                                            GeneralizedAlphaOptions options) {
-    options.follow_energy = false;
-    options.newton_tolerance = 1e-10;
-    const GeneralizedAlpha integrator(options);
+/// Runs an integrator with the solver that suits the scene.
+template <class Method>
+DynamicsReport run_with_solver(Scene& model, const Schedule& schedule, const Method& integrator) {
     const auto solver =
         solver_named(model.constraints().empty() ? "block-tridiagonal" : general_solver);
     ProblemOptions for_solver;
     for_solver.storage = solver->storage();
     DynamicProblem problem(model, for_solver);
     return integrator.integrate(problem, *solver, schedule);
+}
+
+/// Runs generalized-alpha, Newton's method as fine as the comparison needs it.
+inline DynamicsReport run_generalized_alpha(Scene& model, const Schedule& schedule,
+                                            GeneralizedAlphaOptions options) {
+    options.follow_energy = false;
+    options.newton_tolerance = 1e-10;
+    return run_with_solver(model, schedule, GeneralizedAlpha(options));
 }
 
 /// Generalized-alpha of fixed steps.
@@ -81,6 +87,18 @@ inline Integrator adaptive_generalized_alpha(std::string name) {
                 options.tolerance = tolerance;
                 options.step = 1e-4;
                 return run_generalized_alpha(model, schedule, options);
+            }};
+}
+
+/// Radau IIA that chooses its steps.
+inline Integrator radau(std::string name, int stages) {
+    return {std::move(name), "tolerance",
+            [stages](Scene& model, const Schedule& schedule, double tolerance) {
+                RadauOptions options;
+                options.stages = stages;
+                options.tolerance = tolerance;
+                options.follow_energy = false;
+                return run_with_solver(model, schedule, RadauIIA(options));
             }};
 }
 

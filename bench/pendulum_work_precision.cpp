@@ -100,6 +100,8 @@ std::vector<Series> all_series([[maybe_unused]] const std::string& name) {
     all.push_back({ancf::bench::generalized_alpha("generalized-alpha 0.8", 0.8), halves(4e-3, 9)});
     all.push_back(
         {ancf::bench::adaptive_generalized_alpha("generalized-alpha adaptive"), tolerances(3, 8)});
+    all.push_back({ancf::bench::radau("Radau IIA 3", 3), tolerances(2, 8)});
+    all.push_back({ancf::bench::radau("Radau IIA 5", 5), tolerances(2, 8)});
     all.push_back({ancf::bench::energy_momentum("energy-momentum"), halves(4e-3, 8)});
     return all;
 }

@@ -74,7 +74,8 @@ Run run(const Case& problem, bool energy_momentum, double step, double rho) {
         result.tips.push_back(seen.state.q.segment<3>(tip));
     };
     ancf::DynamicProblem of_model(model);
-    ancf::bench::GeneralSolver solver;
+    const auto general = ancf::bench::solver_named(ancf::bench::general_solver);
+    ancf::LinearSolver& solver = *general;
     const std::clock_t began = std::clock();
     if (energy_momentum) {
         ancf::EnergyMomentumOptions options;

@@ -21,6 +21,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
@@ -55,7 +56,8 @@ constexpr double mesh_tolerance = 2e-2;        // of the largest displacement ac
 
 struct FourBar {
     int elements = 2;
-    double skew = 5.0;   // degrees
+    double skew = 5.0;  // degrees
+    std::string integrator = "generalized-alpha";
     double step = 1e-2;  // s
     double rho = 0.6;
     double duration = 6.0;  // s: past the place where all bars lie in one line
@@ -72,14 +74,17 @@ void FourBar::parse(int argc, char** argv) {
                    "of each bar; the motion is computed with twice as many too");
     line.add_number("--skew", skew, examples::Range::finite, "lean of the hinge at C, degrees");
     line.set_group("Integration");
+    line.add_choice("--integrator", integrator, {"generalized-alpha", "radau", "radau9"},
+                    "integrator, of fixed steps");
     line.add_number("--step", step, examples::Range::positive, "s");
     line.add_number("--rho", rho, examples::Range::finite,
-                    "spectral radius at infinity, from 0 to 1");
+                    "of generalized-alpha: spectral radius at infinity, from 0 to 1");
     line.add_number("--duration", duration, examples::Range::positive, "s");
     line.set_group("Output");
     line.add_number("--output-interval", interval, examples::Range::positive, "s");
     line.add_flag("--csv", csv, "the motion of the finer mesh as comma-separated values on stdout");
     line.parse(argc, argv);
+    if (integrator != "generalized-alpha") line.note_unused("--rho", "--integrator " + integrator);
     ancf::detail::require(rho >= 0.0 && rho <= 1.0, "--rho: expected a number from 0 to 1, got ",
                           rho);
     examples::require_countable("--step", step, duration);  // the power is summed up at every one
@@ -164,10 +169,18 @@ Run turn(const FourBar& problem, int elements) {
     };
     ancf::DynamicProblem dynamics(model);
     const auto solver = examples::general_solver();
-    ancf::GeneralizedAlphaOptions method;
-    method.step = problem.step;
-    method.rho = problem.rho;
-    run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, *solver, schedule);
+    if (problem.integrator == "generalized-alpha") {
+        ancf::GeneralizedAlphaOptions method;
+        method.step = problem.step;
+        method.rho = problem.rho;
+        run.report = ancf::GeneralizedAlpha(method).integrate(dynamics, *solver, schedule);
+    } else {
+        ancf::RadauOptions method;
+        method.stages = problem.integrator == "radau9" ? 5 : 3;
+        method.step = problem.step;
+        method.tolerance = 0.0;
+        run.report = ancf::RadauIIA(method).integrate(dynamics, *solver, schedule);
+    }
     bar.clear();
     return run;
 }

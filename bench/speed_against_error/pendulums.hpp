@@ -114,6 +114,9 @@ inline std::vector<Series> all_series(bool quick) {
     if (quick) return all;
     add(ancf::bench::adaptive_generalized_alpha("generalized-alpha-adaptive"),
         {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
+    for (const int stages : {3, 5})
+        add(ancf::bench::radau("radau-" + std::to_string(stages), stages),
+            {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
     add(ancf::bench::energy_momentum("energy-momentum"), {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
     return all;
 }

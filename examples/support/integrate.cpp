@@ -4,6 +4,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/output/state_file.hpp>
 
@@ -50,6 +51,13 @@ namespace {
         ancf::EnergyMomentumOptions method;
         method.step = options.step;
         return {ancf::EnergyMomentum(method).integrate(problem, *solver, schedule, memory), ""};
+    }
+    if (options.by_radau()) {
+        ancf::RadauOptions method;
+        method.stages = options.integrator == "radau9" ? 5 : 3;
+        method.tolerance = options.tolerance;
+        return {ancf::RadauIIA(method).integrate(problem, *solver, schedule, memory),
+                std::to_string(method.stages) + " stages"};
     }
     ancf::GeneralizedAlphaOptions method;
     method.step = options.step;

@@ -19,8 +19,9 @@ MotionOptions::MotionOptions(double for_seconds, double output_interval)
 void MotionOptions::add_to(CommandLine& line) {
     line.set_group("Integration");
     line.add_choice("--integrator", integrator,
-                    {"ida-index3", "ida-ggl", "generalized-alpha", "energy"}, "integrator");
-    line.add_number("--tolerance", tolerance, Range::positive, "relative, of IDA");
+                    {"ida-index3", "ida-ggl", "generalized-alpha", "radau", "radau9", "energy"},
+                    "integrator");
+    line.add_number("--tolerance", tolerance, Range::positive, "relative, of IDA and Radau");
     line.add_number("--step", step, Range::positive, "of the other integrators, s");
     line.add_number("--rho", rho, Range::finite,
                     "of generalized-alpha: spectral radius at infinity, from 0 to 1");
@@ -33,8 +34,7 @@ void MotionOptions::add_to(CommandLine& line) {
 
 void MotionOptions::check(const CommandLine& line) const {
     const std::string other = "--integrator " + integrator;
-    if (!by_ida()) line.note_unused("--tolerance", other);
-    if (by_ida()) line.note_unused("--step", other);
+    line.note_unused(by_tolerance() ? "--step" : "--tolerance", other);
     if (integrator != "generalized-alpha") line.note_unused("--rho", other);
     ancf::detail::require(rho >= 0.0 && rho <= 1.0, "--rho: expected a number from 0 to 1, got ",
                           rho);

@@ -88,6 +88,15 @@ ANCF_INLINE void add_product(const SparseMatrix& A, Storage storage, double scal
     const double* value = A.valuePtr();
     const auto columns = static_cast<int>(std::min<Eigen::Index>(A.cols(), x.size()));
     const auto rows = static_cast<int>(out.size());
+    if (storage == Storage::full && rows >= A.rows()) {  // as most are, without a test per entry
+        double* sums = out.data();
+        for (int j = 0; j < columns; ++j) {
+            const double factor = x[j];
+            for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k)
+                sums[row[k]] += scale * value[k] * factor;
+        }
+        return;
+    }
     for (int j = 0; j < columns; ++j)
         for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k) {
             const int i = row[k];

@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <support/scales.hpp>
@@ -31,6 +32,15 @@ ancf::GeneralizedAlpha generalized_alpha(const Scale& scale, double step, double
     options.min_step *= scale.time;
     options.tolerance = tolerance;
     return ancf::GeneralizedAlpha(options);
+}
+
+ancf::RadauIIA radau(const Scale& scale, int stages, double step, double tolerance) {
+    ancf::RadauOptions options;
+    options.stages = stages;
+    options.step = step * scale.time;
+    options.min_step *= scale.time;
+    options.tolerance = tolerance;
+    return ancf::RadauIIA(options);
 }
 
 ancf::EnergyMomentum energy_momentum(const Scale& scale, double step) {
@@ -73,7 +83,16 @@ void check_integrators(const Make& make, double step, double base, bool exactly)
     check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
         return run(make(s), generalized_alpha(s, step, 1e-5), end * s.time);
     });
-    // it iterates down to the noise of round-off: one more or less in a step
+    for (const int stages : {3, 5})
+        check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
+            return run(make(s), radau(s, stages, step, 1e-5), end * s.time);
+        });
+    // steps of fixed length iterate down to the noise of round-off: one more or less in a step
+    for (const int stages : {3, 5})
+        check_scales(base, exactly ? 0 : 10, [&](const Scale& s) {
+            return run(make(s), radau(s, stages, step, 0.0), end * s.time);
+        });
+    // so does energy-momentum
     check_scales(base, exactly ? 0 : 10, [&](const Scale& s) {
         return run(make(s), energy_momentum(s, step), end * s.time);
     });

@@ -192,6 +192,10 @@ public:
     /// @return false where the iteration does not reach round-off; q and v are then as they came.
     bool project(double t, VectorX& q, VectorX& v);
 
+    /// Moves accelerations on G v' + c = 0 at (t, q, v), by the least change in the mass norm.
+    /// @return false where the system cannot be solved; they are then as they came.
+    bool project_accelerations(double t, const VectorX& q, const VectorX& v, VectorX& acceleration);
+
     // Whole states ------------------------------------------------------------------------------
 
     /// Returns the state of all coordinates, supports included, with the multipliers as reported.

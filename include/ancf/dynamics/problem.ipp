@@ -475,6 +475,24 @@ ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, Vecto
     return true;
 }
 
+ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& q, const VectorX& v,
+                                                       VectorX& acceleration) {
+    if (multipliers() == 0) return true;
+    evaluate_constraints(t, q, v);
+    if (factorize_kkt() != Status::converged) return false;
+    VectorX whole = full_a_;  // of driven coordinates
+    for (int k = 0; k < numbering().coordinates(); ++k)
+        if (const int equation = numbering().equation(k); equation >= 0)
+            whole[k] = acceleration[equation];
+    VectorX b = VectorX::Zero(numbering().unknowns()), x;
+    const VectorX slide = constraints_.product(whole);
+    for (int i = 0; i < multipliers(); ++i)
+        b[size() + i] = -slide[i] - constraints_.convection()[i];
+    if (solve_kkt(b, x) != Status::converged) return false;
+    for (int i = 0; i < size(); ++i) acceleration[i] += x[i];
+    return true;
+}
+
 // --- whole states ------------------------------------------------------------------------------
 
 ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,

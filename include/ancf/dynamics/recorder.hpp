@@ -4,8 +4,9 @@
 /// @file
 /// What the integrators of this folder share: output at the schedule's times, and statistics.
 ///
-/// Between two steps q is the cubic of q and v at both ends and v its derivative; the multipliers
-/// are linear. What is observed is projected on the constraints; the integration never sees that.
+/// Between two steps q is the cubic of q and v at both ends and v its derivative, the multipliers
+/// are linear, unless the integrator has something better. What is observed is projected on the
+/// constraints; the integration never sees that.
 
 #pragma once
 
@@ -17,6 +18,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 
 namespace ancf::detail {
 
@@ -54,6 +56,9 @@ void require_continuation(const char* who, const Memory& memory, DynamicProblem&
 /// stored as it is, and the report says so.
 void store_end(DynamicProblem& problem, const MotionPoint& end, DynamicsReport& report);
 
+/// Returns the point of a motion at a time between two steps.
+using Between = std::function<MotionPoint(double time)>;
+
 /// Reports one run.
 class Recorder {
 public:
@@ -65,15 +70,19 @@ public:
     void start(const MotionPoint& point);
 
     /// Takes an accepted step.
+    /// @param between  gives the points inside, where they are not those of the cubic.
     /// @return false where the progress callback asks to stop.
-    [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to);
+    [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to,
+                            const Between& between = {});
 
     /// Observes what lies within the round-off of the end, and stores the last point.
     void finish(const MotionPoint& point);
 
 private:
-    void observe(const MotionPoint& from, const MotionPoint& to, double slack);
-    void observe_between(const MotionPoint& from, const MotionPoint& to, double time, State& state);
+    void observe(const MotionPoint& from, const MotionPoint& to, double slack,
+                 const Between& between);
+    [[nodiscard]] static MotionPoint cubic(const MotionPoint& from, const MotionPoint& to,
+                                           double time);
 
     DynamicProblem& problem_;
     const Schedule& schedule_;

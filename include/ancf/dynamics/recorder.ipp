@@ -128,54 +128,61 @@ ANCF_INLINE Recorder::Recorder(DynamicProblem& problem, const Schedule& schedule
 ANCF_INLINE void Recorder::start(const MotionPoint& point) {
     report_.time = point.time;
     note(problem_, point, energies_, report_);
-    observe(point, point, 0.0);
+    observe(point, point, 0.0, {});
 }
 
-ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to) {
+ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
+                                const Between& between) {
     const double width = to.time - from.time;
     report_.time = to.time;
     ++report_.steps;
     report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
     report_.largest_step = std::max(report_.largest_step, width);
     note(problem_, to, energies_, report_);
-    observe(from, to, 1e-9 * width);
+    observe(from, to, 1e-9 * width, between);
     return !schedule_.progress || schedule_.progress(to.time, schedule_.end);
 }
 
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {
     if (report_.status == Status::converged)
-        observe(point, point, std::max(0.0, schedule_.end - point.time));
+        observe(point, point, std::max(0.0, schedule_.end - point.time), {});
     store_end(problem_, point, report_);
     report_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack) {
+ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,
+                                   const Between& between) {
     for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack; ++next_) {
         if (!schedule_.observe) continue;
         const double time = schedule_.times[next_];
         State state;
-        if (time >= to.time - slack)
+        if (time >= to.time - slack) {
             schedule_.observe(problem_.snapshot(to.time, to.q, to.v, to.lambda, state));
-        else
-            observe_between(from, to, time, state);
+        } else {
+            MotionPoint at = between ? between(time) : cubic(from, to, time);
+            schedule_.observe(
+                problem_.snapshot(time, std::move(at.q), std::move(at.v), at.lambda, state));
+        }
     }
 }
 
-ANCF_INLINE void Recorder::observe_between(const MotionPoint& from, const MotionPoint& to,
-                                           double time, State& state) {
+ANCF_INLINE MotionPoint Recorder::cubic(const MotionPoint& from, const MotionPoint& to,
+                                        double time) {
     const double h = to.time - from.time;
     const double s = (time - from.time) / h;
     const double later = s * s * (3.0 - 2.0 * s);
     const double slope = 6.0 * s * (1.0 - s) / h;
     const double bulge = h * s * (1.0 - s);
-    VectorX q = combination(
-        {{1.0 - later, from.q}, {later, to.q}, {bulge * (1.0 - s), from.v}, {-bulge * s, to.v}});
-    VectorX v = combination({{slope, difference(to.q, from.q)},
-                             {(1.0 - s) * (1.0 - 3.0 * s), from.v},
-                             {s * (3.0 * s - 2.0), to.v}});
-    const VectorX lambda = combination({{1.0 - s, from.lambda}, {s, to.lambda}});
-    schedule_.observe(problem_.snapshot(time, std::move(q), std::move(v), lambda, state));
+    return {time,
+            combination({{1.0 - later, from.q},
+                         {later, to.q},
+                         {bulge * (1.0 - s), from.v},
+                         {-bulge * s, to.v}}),
+            combination({{slope, difference(to.q, from.q)},
+                         {(1.0 - s) * (1.0 - 3.0 * s), from.v},
+                         {s * (3.0 * s - 2.0), to.v}}),
+            combination({{1.0 - s, from.lambda}, {s, to.lambda}})};
 }
 
 }  // namespace ancf::detail

@@ -68,6 +68,11 @@ public:
     /// The name of the solver chosen.
     [[nodiscard]] std::string_view name() const noexcept override { return chosen().name(); }
 
+    /// That of the solver chosen.
+    [[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver() const override {
+        return chosen().complex_solver();
+    }
+
     /// Which solver was chosen and why, in one line; empty before analyze.
     [[nodiscard]] const std::string& explanation() const noexcept { return explanation_; }
 

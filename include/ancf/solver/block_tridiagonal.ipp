@@ -9,34 +9,11 @@
 #include <ancf/error.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
+#include <ancf/solver/block_widths.hpp>
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {
-
-namespace detail {
-
-/// The widths of blocks that are compiled.
-using BlockWidths = std::integer_sequence<int, 6, 12, BlockTridiagonal::max_block>;
-
-/// Returns the smallest compiled width that holds `widest`, which is at most max_block.
-template <int... Width>
-int fitting_width(int widest, std::integer_sequence<int, Width...>) {
-    int fitting = BlockTridiagonal::max_block;
-    ((fitting = widest <= Width ? std::min(fitting, Width) : fitting), ...);
-    return fitting;
-}
-
-/// Calls action(std::integral_constant<int, N>()) with the N that `width` is.
-template <class Action, int... Width>
-void with_block_width(int width, Action&& action, std::integer_sequence<int, Width...>) {
-    ((width == Width ? action(std::integral_constant<int, Width>()) : void()), ...);
-}
-
-}  // namespace detail
 
 ANCF_INLINE void BlockTridiagonal::analyze(const SparseMatrix& lower) {
     detail::require_storage(name(), lower, storage());
@@ -62,8 +39,9 @@ ANCF_INLINE FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) 
         layout_.width,
         [&](auto width) {
             using Kernel = detail::BlockKernel<width()>;
-            summary =
-                Kernel::factorize(layout_, lower, panels_.data(), roots_.data(), probe_.data());
+            summary = Kernel::factorize(
+                layout_, {lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr()},
+                panels_.data(), roots_.data(), probe_.data());
             if (summary.complete || summary.failed_column >= 0) return;
             detail::symmetric_roots(lower, roots_);
             summary.weights = detail::probe_load(roots_, probe_);

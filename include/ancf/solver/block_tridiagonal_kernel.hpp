@@ -18,8 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace ancf::detail {
 
@@ -32,14 +34,23 @@ struct PivotSummary {
     bool complete = true;  ///< no entry of the diagonal was zero: the probe is probe_load's
 };
 
+/// The lower half of a sparse matrix as its three arrays, compressed columns.
+template <class Scalar>
+struct LowerColumns {
+    const int* outer;
+    const int* inner;
+    const Scalar* values;
+};
+
 /// Block LDL^T of a symmetric block-tridiagonal matrix with blocks of at most N unknowns.
 ///
-/// A panel is two squares of N columns: first the diagonal block, then the block below it.
-template <int N>
+/// A panel is two squares of N columns: first the diagonal block, then the block below it. Of a
+/// complex scalar the matrix is symmetric too, not Hermitian, and there is no probe.
+template <int N, class Scalar = double>
 class BlockKernel {
 public:
     static constexpr int square_size = N * N;
-    static constexpr int panel_size = 2 * square_size;  ///< doubles per block
+    static constexpr int panel_size = 2 * square_size;  ///< scalars per block
 
     /// Factorises the lower half `matrix` into `panels`, panel_size doubles per block.
     ///
@@ -50,7 +61,7 @@ public:
     ///
     /// Never inlined: in a large caller the sums of a column may not stay in registers.
     ANCF_NOINLINE static PivotSummary factorize(const BlockLayout& layout,
-                                                const SparseMatrix& matrix, double* panels,
+                                                const LowerColumns<Scalar>& matrix, Scalar* panels,
                                                 double* roots, double* probe) noexcept {
         Work work;
         for (Column& column : work.carry) column = Column::zero();
@@ -58,10 +69,13 @@ public:
         PivotSummary summary;
         for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
             load(layout, matrix, block, panels);
-            double* z = probe + layout.start(block);
-            load_probe(layout, block, panels, roots + layout.start(block), z, summary);
+            double* z = nullptr;
+            if constexpr (probed) {
+                z = probe + layout.start(block);
+                load_probe(layout, block, panels, roots + layout.start(block), z, summary);
+            }
             eliminate(panels, work);
-            forward(panels, layout.size(block), rest, z);
+            if constexpr (probed) forward(panels, layout.size(block), rest, z);
             const int failed = audit(panels, layout.size(block), z, summary);
             if (failed >= 0) {
                 summary.failed_column = layout.start(block) + failed;
@@ -86,7 +100,7 @@ public:
     }
 
     /// Solves L D L^T x = x in place.
-    static void solve(const BlockLayout& layout, const double* panels, double* x) noexcept {
+    static void solve(const BlockLayout& layout, const Scalar* panels, Scalar* x) noexcept {
         Column carry = Column::zero();
         for (int block = 0; block < layout.blocks(); ++block)
             forward(panels + static_cast<std::ptrdiff_t>(block) * panel_size, layout.size(block),
@@ -95,7 +109,9 @@ public:
     }
 
 private:
-    using Column = FixedColumn<double, N>;
+    static constexpr bool probed = std::is_same_v<Scalar, double>;
+
+    using Column = FixedColumn<Scalar, N>;
     using Square = Column[N];
 
     struct Work {
@@ -104,24 +120,24 @@ private:
         Square carry;        // to add to the next diagonal block
     };
 
-    static void load(const BlockLayout& layout, const SparseMatrix& matrix, int block,
-                     double* panel) noexcept {
+    static void load(const BlockLayout& layout, const LowerColumns<Scalar>& matrix, int block,
+                     Scalar* panel) noexcept {
         const int first = layout.start(block);
-        const int* outer = matrix.outerIndexPtr() + first;
-        const double* values = matrix.valuePtr();
-        double* below = panel + square_size;
+        const int* outer = matrix.outer + first;
+        const Scalar* values = matrix.values;
+        Scalar* below = panel + square_size;
         if (layout.dense[static_cast<std::size_t>(block)] != 0) {
             // Column j starts at row j; what is read before it lands above the diagonal, unused.
             for (int j = 0; j < N; ++j) {
-                const double* column = values + outer[j] - j;
+                const Scalar* column = values + outer[j] - j;
                 Column::at(column).store(panel + j * N);
                 Column::at(column + N).store(below + j * N);
             }
             return;
         }
         const int size = layout.size(block);
-        const int* inner = matrix.innerIndexPtr();
-        std::fill(panel, panel + panel_size, 0.0);
+        const int* inner = matrix.inner;
+        std::fill(panel, panel + panel_size, Scalar(0.0));
         for (int j = 0; j < size; ++j)
             for (int slot = outer[j]; slot < outer[j + 1]; ++slot) {
                 const int row = inner[slot] - first;
@@ -142,20 +158,20 @@ private:
     }
 
     // Column by column: what the columns before it leave of this one, divided by its pivot.
-    static void eliminate(double* panel, Work& work) noexcept {
-        double* below = panel + square_size;
+    static void eliminate(Scalar* panel, Work& work) noexcept {
+        Scalar* below = panel + square_size;
         for (int j = 0; j < N; ++j) {
             Column column = Column::at(panel + j * N);
             column += work.carry[j];
             Column next = Column::at(below + j * N);
             for (int k = 0; k < j; ++k) {
-                const double factor = work.scaled[k][j];
+                const Scalar factor = work.scaled[k][j];
                 column.subtract(panel + k * N, factor);
                 next.subtract(below + k * N, factor);
             }
             work.scaled[j] = column;
             work.next_scaled[j] = next;
-            const double inverse = 1.0 / work.scaled[j][j];
+            const Scalar inverse = 1.0 / work.scaled[j][j];
             (column * inverse).store(panel + j * N);
             (next * inverse).store(below + j * N);
             panel[j * N + j] = inverse;
@@ -165,20 +181,22 @@ private:
     }
 
     // Returns the first bad pivot of the panel, or -1.
-    static int audit(const double* panel, int size, const double* z,
-                     PivotSummary& summary) noexcept {
+    static int audit(const Scalar* panel, int size, [[maybe_unused]] const double* z,
+                     [[maybe_unused]] PivotSummary& summary) noexcept {
         for (int j = 0; j < size; ++j) {
-            const double inverse = panel[j * N + j];  // of zero: infinite, of an infinity: zero
+            const Scalar inverse = panel[j * N + j];  // of zero: infinite, of an infinity: zero
             const double magnitude = std::abs(inverse);
             if (!(magnitude > 0.0 && magnitude <= std::numeric_limits<double>::max())) return j;
-            summary.energy += z[j] * z[j] * magnitude;
-            summary.negative += inverse < 0.0 ? 1 : 0;
+            if constexpr (probed) {
+                summary.energy += z[j] * z[j] * magnitude;
+                summary.negative += inverse < 0.0 ? 1 : 0;
+            }
         }
         return -1;
     }
 
-    static void update(const double* panel, Work& work) noexcept {
-        const double* below = panel + square_size;
+    static void update(const Scalar* panel, Work& work) noexcept {
+        const Scalar* below = panel + square_size;
         for (int c = 0; c < N; ++c) {
             Column column = Column::zero();
             for (int k = 0; k < N; ++k) column.subtract(below + k * N, work.next_scaled[k][c]);
@@ -187,13 +205,13 @@ private:
     }
 
     // Solves L y = y within a block; `carry` comes from the block before and goes to the next.
-    static void forward(const double* panel, int size, Column& carry, double* y) noexcept {
-        const double* below = panel + square_size;
+    static void forward(const Scalar* panel, int size, Column& carry, Scalar* y) noexcept {
+        const Scalar* below = panel + square_size;
         Column rest = carry;
         Column next = Column::zero();
         for (int j = 0; j < size; ++j) rest[j] += y[j];
         for (int j = 0; j < size; ++j) {
-            const double solved = rest[j];
+            const Scalar solved = rest[j];
             y[j] = solved;
             rest.subtract(panel + j * N, solved);
             next.subtract(below + j * N, solved);
@@ -201,18 +219,18 @@ private:
         carry = next;
     }
 
-    static void backward(const BlockLayout& layout, const double* panels, double* x) noexcept {
+    static void backward(const BlockLayout& layout, const Scalar* panels, Scalar* x) noexcept {
         Column next = Column::zero();
         for (int block = layout.blocks() - 1; block >= 0; --block) {
-            const double* panel = panels + static_cast<std::ptrdiff_t>(block) * panel_size;
-            const double* below = panel + square_size;
+            const Scalar* panel = panels + static_cast<std::ptrdiff_t>(block) * panel_size;
+            const Scalar* below = panel + square_size;
             const int size = layout.size(block);
-            double* y = x + layout.start(block);
+            Scalar* y = x + layout.start(block);
             Column rest = Column::zero();
             for (int j = 0; j < size; ++j)
                 rest[j] = y[j] * panel[j * N + j] - dot(Column::at(below + j * N), next);
             for (int j = size - 1; j >= 0; --j) {
-                const double solved = rest[j];
+                const Scalar solved = rest[j];
                 y[j] = solved;
                 rest.subtract(panel + j * N, solved);
                 next[j] = solved;

@@ -28,7 +28,7 @@ constexpr int column_lanes(int n, int lanes = register_lanes) {
     return n % lanes == 0 ? lanes : column_lanes(n, lanes / 2);
 }
 
-/// A column of N scalars.
+/// A column of N scalars, double or complex.
 template <class Scalar, int N>
 struct FixedColumn {
     static constexpr int lanes = std::is_same_v<Scalar, double> ? column_lanes(N) : 1;
@@ -63,22 +63,22 @@ struct FixedColumn {
     /// Subtracts the column that starts there times a factor.
     void subtract(const Scalar* first, const Scalar& factor) noexcept {
         ANCF_UNROLL_COLUMN
-        for (int k = 0; k < parts; ++k) part[k] -= load(first + k * lanes) * factor;
+        for (int k = 0; k < parts; ++k) part[k] -= times(load(first + k * lanes), factor);
     }
 
     friend FixedColumn operator*(const FixedColumn& a, const Scalar& factor) noexcept {
         FixedColumn out;
         ANCF_UNROLL_COLUMN
-        for (int k = 0; k < parts; ++k) out.part[k] = a.part[k] * factor;
+        for (int k = 0; k < parts; ++k) out.part[k] = times(a.part[k], factor);
         return out;
     }
 
     /// Returns a.b, folded to two registers first.
     friend Scalar dot(const FixedColumn& a, const FixedColumn& b) noexcept {
-        Part sum[2] = {a.part[0] * b.part[0],
-                       parts > 1 ? a.part[1 % parts] * b.part[1 % parts] : Part{}};
+        Part sum[2] = {times(a.part[0], b.part[0]),
+                       parts > 1 ? times(a.part[1 % parts], b.part[1 % parts]) : Part{}};
         ANCF_UNROLL_COLUMN
-        for (int k = 2; k < parts; ++k) sum[k % 2] += a.part[k] * b.part[k];
+        for (int k = 2; k < parts; ++k) sum[k % 2] += times(a.part[k], b.part[k]);
         const Part both = sum[0] + sum[1];
         if constexpr (lanes == 1) {
             return both;
@@ -91,6 +91,15 @@ struct FixedColumn {
     }
 
 private:
+    // Of complex numbers by its parts: the compiler's own product looks for infinities.
+    template <class Factor>
+    static Part times(const Part& a, const Factor& b) noexcept {
+        if constexpr (std::is_same_v<Scalar, double>)
+            return a * b;
+        else
+            return {a.real() * b.real() - a.imag() * b.imag(),
+                    a.real() * b.imag() + a.imag() * b.real()};
+    }
     static Part load(const Scalar* first) noexcept {
         Part out;
         std::memcpy(&out, first, sizeof out);

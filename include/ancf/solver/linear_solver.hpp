@@ -28,9 +28,11 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/solver/complex_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -80,6 +82,10 @@ public:
 
     /// The word that tables print.
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+
+    /// Returns a solver of complex matrices by the same library, or none: complex_solver_for takes
+    /// one of the core then.
+    [[nodiscard]] virtual std::unique_ptr<ComplexSolver> complex_solver() const { return nullptr; }
 
 protected:
     LinearSolver() = default;

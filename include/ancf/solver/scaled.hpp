@@ -66,6 +66,11 @@ public:
     /// "scaled" and the name of the inner solver.
     [[nodiscard]] std::string_view name() const noexcept override { return name_; }
 
+    /// That of the inner solver, of matrices that are not scaled.
+    [[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver() const override {
+        return solver_ ? solver_->complex_solver() : nullptr;
+    }
+
     /// The diagonal of S of the last factorisation.
     [[nodiscard]] const VectorX& scale() const noexcept { return scale_; }
 

@@ -52,6 +52,10 @@ public:
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "klu"; }
 
+    /// KLU of complex matrices, with the same options.
+    [[nodiscard]] ANCF_INLINE_VIRTUAL std::unique_ptr<ComplexSolver> complex_solver()
+        const override;
+
 private:
     struct Session;  // the state of KLU
     struct Finish {

@@ -12,7 +12,10 @@
 
 #include <klu.h>
 
+#include <cmath>
+#include <complex>
 #include <new>
+#include <vector>
 
 namespace ancf::suitesparse {
 
@@ -115,6 +118,79 @@ ANCF_INLINE void Klu::solve(const VectorX& b, VectorX& x) const {
     } else {
         x = b;
     }
+}
+
+namespace detail {
+
+/// Frees what KLU allocated for a complex matrix.
+struct FreeOfComplexKlu {
+    void operator()(klu_numeric* numeric) const noexcept {
+        klu_common common;
+        klu_defaults(&common);
+        klu_z_free_numeric(&numeric, &common);
+    }
+};
+
+/// KLU of complex matrices.
+class ComplexKlu final : public ComplexSolver {
+public:
+    explicit ComplexKlu(double pivot_tolerance) {
+        klu_defaults(&common_);
+        common_.tol = pivot_tolerance;
+    }
+
+    void analyze(const SparseMatrix& pattern) override {
+        ancf::detail::require_storage(name(), pattern, Storage::full);
+        outer_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + pattern.cols() + 1);
+        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
+        numeric_.reset();
+        symbolic_.reset(
+            klu_analyze(static_cast<int>(pattern.cols()), outer_.data(), inner_.data(), &common_));
+        check();
+    }
+
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+        ancf::detail::require(values.size() == inner_.size(), name(), ": expected ", inner_.size(),
+                              " values, got ", values.size());
+        numeric_.reset();
+        for (const std::complex<double>& value : values)
+            if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
+                return Status::not_finite;
+        if (!symbolic_) return Status::singular;
+        // of complex numbers the interface takes pairs of doubles, and does not write to them
+        numeric_.reset(
+            klu_z_factor(outer_.data(), inner_.data(),
+                         const_cast<double*>(reinterpret_cast<const double*>(values.data())),
+                         symbolic_.get(), &common_));
+        check();
+        return common_.status == KLU_SINGULAR || !numeric_ ? Status::singular : Status::converged;
+    }
+
+    void solve(ComplexVectorX& b) const override {
+        klu_z_solve(symbolic_.get(), numeric_.get(), static_cast<int>(b.size()), 1,
+                    reinterpret_cast<double*>(b.data()), &common_);
+        check();
+    }
+
+    [[nodiscard]] std::string_view name() const noexcept override { return "complex klu"; }
+
+private:
+    void check() const {
+        if (common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+        ancf::detail::require(common_.status >= KLU_OK, "klu refused the matrix, status ",
+                              common_.status);
+    }
+
+    mutable klu_common common_;
+    std::vector<int> outer_, inner_;
+    std::unique_ptr<klu_symbolic, FreeOfKlu> symbolic_;
+    std::unique_ptr<klu_numeric, FreeOfComplexKlu> numeric_;
+};
+
+}  // namespace detail
+
+ANCF_INLINE std::unique_ptr<ComplexSolver> Klu::complex_solver() const {
+    return std::make_unique<detail::ComplexKlu>(options_.pivot_tolerance);
 }
 
 }  // namespace ancf::suitesparse

@@ -13,7 +13,10 @@
 #include <umfpack.h>
 
 #include <array>
+#include <cmath>
+#include <complex>
 #include <new>
+#include <vector>
 
 namespace ancf::suitesparse {
 
@@ -117,6 +120,87 @@ ANCF_INLINE void Umfpack::solve(const VectorX& b, VectorX& x) const {
     } else {
         x = b;
     }
+}
+
+namespace detail {
+
+struct FreeComplexSymbolicOfUmfpack {
+    void operator()(void* symbolic) const noexcept { umfpack_zi_free_symbolic(&symbolic); }
+};
+struct FreeComplexNumericOfUmfpack {
+    void operator()(void* numeric) const noexcept { umfpack_zi_free_numeric(&numeric); }
+};
+
+/// UMFPACK of complex matrices. Its interface takes pairs of doubles where the imaginary parts are
+/// a null pointer.
+class ComplexUmfpack final : public ComplexSolver {
+public:
+    explicit ComplexUmfpack(int refinement_steps) {
+        umfpack_zi_defaults(control_.data());
+        control_[UMFPACK_PRL] = 0.0;
+        control_[UMFPACK_IRSTEP] = refinement_steps;
+    }
+
+    void analyze(const SparseMatrix& pattern) override {
+        ancf::detail::require_storage(name(), pattern, Storage::full);
+        outer_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + pattern.cols() + 1);
+        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
+        numeric_.reset();
+        const int size = static_cast<int>(pattern.cols());
+        void* symbolic = nullptr;
+        const int status = umfpack_zi_symbolic(size, size, outer_.data(), inner_.data(), nullptr,
+                                               nullptr, &symbolic, control_.data(), nullptr);
+        symbolic_.reset(symbolic);
+        check(status);
+    }
+
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+        ancf::detail::require(values.size() == inner_.size(), name(), ": expected ", inner_.size(),
+                              " values, got ", values.size());
+        numeric_.reset();
+        for (const std::complex<double>& value : values)
+            if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
+                return Status::not_finite;
+        values_ = values;
+        void* numeric = nullptr;
+        const int status = umfpack_zi_numeric(outer_.data(), inner_.data(), pairs(), nullptr,
+                                              symbolic_.get(), &numeric, control_.data(), nullptr);
+        numeric_.reset(numeric);
+        check(status);
+        return status == UMFPACK_WARNING_singular_matrix ? Status::singular : Status::converged;
+    }
+
+    void solve(ComplexVectorX& b) const override {
+        ComplexVectorX x(b.size());
+        check(umfpack_zi_solve(UMFPACK_A, outer_.data(), inner_.data(), pairs(), nullptr,
+                               reinterpret_cast<double*>(x.data()), nullptr,
+                               reinterpret_cast<const double*>(b.data()), nullptr, numeric_.get(),
+                               control_.data(), nullptr));
+        b.swap(x);
+    }
+
+    [[nodiscard]] std::string_view name() const noexcept override { return "complex umfpack"; }
+
+private:
+    static void check(int status) {
+        if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+        ancf::detail::require(status >= UMFPACK_OK, "umfpack refused the matrix, status ", status);
+    }
+    [[nodiscard]] const double* pairs() const noexcept {
+        return reinterpret_cast<const double*>(values_.data());
+    }
+
+    std::array<double, UMFPACK_CONTROL> control_;
+    std::vector<int> outer_, inner_;
+    std::vector<std::complex<double>> values_;
+    std::unique_ptr<void, FreeComplexSymbolicOfUmfpack> symbolic_;
+    std::unique_ptr<void, FreeComplexNumericOfUmfpack> numeric_;
+};
+
+}  // namespace detail
+
+ANCF_INLINE std::unique_ptr<ComplexSolver> Umfpack::complex_solver() const {
+    return std::make_unique<detail::ComplexUmfpack>(options_.refinement_steps);
 }
 
 }  // namespace ancf::suitesparse

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Radau IIA of three or five stages for the index-3 system, with fixed or adaptive steps:
+///
+///     M V'_i + r(t_i, Q_i, V_i, L_i) = 0,   g(Q_i, t_i) = 0,   i = 1 to s,
+///     Q_i = q_0 + h sum_j a_ij V_j,   V_i = v_0 + h sum_j a_ij V'_j,   q_1 = Q_s, v_1 = V_s
+///
+/// Order 2s - 1 in q; with constraints |G v + g_t| is of order s, the multipliers of order s - 1.
+/// Source: Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, IV.8 and VII.
+/// docs/theory-radau.md derives the reduction to systems of the scene's size.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/report.hpp>
+#include <ancf/solver/linear_solver.hpp>
+
+#include <limits>
+
+namespace ancf {
+
+/// How Radau IIA runs.
+struct RadauOptions {
+    int stages = 3;  ///< 3, of order 5, or 5, of order 9
+    /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
+    /// size, of slopes absolutely, of r_xx relative to the size's inverse.
+    double tolerance = 1e-6;
+    double step = 1e-3;                                         ///< s: the first one, or all
+    double min_step = 1e-12;                                    ///< s, of an adaptive run
+    double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
+    /// Of the coordinates of a stage, relative like tolerance; 0: 0.03 of the tolerance, with five
+    /// stages 0.01, of fixed steps 1e-13.
+    double newton_tolerance = 0.0;
+    int max_iterations = 10;    ///< of Newton's method in a step
+    bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
+
+    /// @throws InvalidArgument naming the first value that cannot be meant.
+    void check() const;
+};
+
+/// The integrator. An object can be used for many runs.
+class RadauIIA {
+public:
+    /// @throws InvalidArgument naming the first option that cannot be meant.
+    explicit RadauIIA(const RadauOptions& options = {}) : options_(options) { options_.check(); }
+
+    /// Returns the options it was made with.
+    [[nodiscard]] const RadauOptions& options() const noexcept { return options_; }
+
+    /// Integrates from the model's state to the schedule's end; the model is then in the state
+    /// reached, on the constraints.
+    ///
+    /// Between steps q is the polynomial of q, v and v' at both ends of the step, of five stages at
+    /// the end of the step before too, and v its derivative. Fixed steps stay on the grid start + k
+    /// step; only a last, shorter step leaves it. Where Newton's method fails, or a driven joint
+    /// turns by more than pi/3, a step is taken in halves, quarters and so on. Counts of
+    /// factorisations are of real and complex matrices.
+    /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints;
+    ///                complex matrices go to its complex_solver_for.
+    /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
+    /// @return status converged at the end; inconsistent or redundant, with the constraint named,
+    ///         where it did not start; or why it ended before, with what was observed until then.
+    /// @throws InvalidArgument for a schedule that does not fit the model's time, a step below the
+    ///         resolution of time, a memory of another integrator, state or scene, a solver whose
+    ///         storage is not the problem's, or a scene without a free coordinate.
+    [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
+                                           const Schedule& schedule,
+                                           const Memory& memory = {}) const;
+
+private:
+    RadauOptions options_;
+};
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/radau.ipp>  // IWYU pragma: export
+#endif

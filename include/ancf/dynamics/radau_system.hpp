@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The linear systems of a step of Radau IIA: one real matrix, and one complex matrix for each pair
+/// of stages. Equations (6) and (8) of docs/theory-radau.md.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau_tableau.hpp>
+#include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/types.hpp>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace ancf::detail {
+
+/// A vector of each stage.
+using Stages = std::vector<VectorX>;
+
+/// The matrices [M + (h/mu) D + (h/mu)^2 K, G^T; G, 0] for all mu, and their factors.
+class RadauSystem {
+public:
+    /// Analyses the pattern for all solvers.
+    RadauSystem(const DynamicProblem& problem, LinearSolver& solver, const RadauTableau& tableau);
+
+    /// Factorises all matrices for a step, with K, G and D of the problem's last evaluation, of
+    /// tangent and damping; adds to a count how many.
+    [[nodiscard]] Status factorise(double h, long& count);
+
+    /// The step that is factorised, s; 0 where there is none.
+    [[nodiscard]] double width() const noexcept { return width_; }
+
+    /// Solves for the corrections of Y and of the multipliers.
+    /// @param force   of each stage the residual of the equation of motion, n entries.
+    /// @param lengths of each stage g, m entries.
+    void solve(const Stages& force, const Stages& lengths, Stages& Y, Stages& lambda);
+
+    /// Solves [M + tau D + tau^2 K, G^T; G, 0] (e, nu) = ((M + tau D) a + M b, 0), tau = h/mu_0.
+    [[nodiscard]] const VectorX& filter(const VectorX& a, const VectorX& b);
+
+private:
+    const DynamicProblem& problem_;
+    LinearSolver& solver_;
+    const RadauTableau& tableau_;
+    std::vector<std::unique_ptr<ComplexSolver>> complex_solvers_;  // of modes 1, 2, ...
+    SparseMatrix damping_, system_;
+    bool damped_ = false;
+    std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
+    std::vector<std::complex<double>> values_;
+    double width_ = 0.0;
+    VectorX rhs_, solution_, error_;
+    ComplexVectorX complex_;
+};
+
+}  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/radau_system.ipp>  // IWYU pragma: export
+#endif

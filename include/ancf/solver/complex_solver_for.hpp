@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The solver of complex matrices that stands beside a real one.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/types.hpp>
+
+#include <memory>
+
+namespace ancf {
+
+/// Returns a solver of complex matrices of a pattern, already analysed: the one that the real
+/// solver makes; else, of lower storage, ComplexBlockTridiagonal where the pattern is a chain; else
+/// EigenComplexLu.
+[[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver_for(const LinearSolver& solver,
+                                                                const SparseMatrix& pattern);
+
+}  // namespace ancf
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/complex_solver_for.ipp>  // IWYU pragma: export
+#endif
