@@ -391,7 +391,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     int tangents = 0;  // of this step
     int since = 0;     // corrections by the matrices at hand
     double before = 0.0, ratio_before = 0.0;
-    const double expected = std::min(contraction_, 0.3);
+    const double expected = std::min(contraction_, 0.5);
     eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
     for (iterations_ = 1;; ++iterations_) {
         if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -410,7 +410,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         if (++since > 1) {
             // a first ratio may flatter: it stands beside that of the step before
             contraction_ =
-                since == 2 ? std::max(ratio, 0.3 * expected) : std::sqrt(ratio * ratio_before);
+                since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;
