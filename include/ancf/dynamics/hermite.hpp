@@ -23,7 +23,7 @@ struct Knot {
 ///
 /// Newton's form by divided differences, times measured by the distance of the last two knots.
 /// @param knots  at least two, of different times.
-void hermite(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v);
+void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v);
 
 }  // namespace ancf::detail
 

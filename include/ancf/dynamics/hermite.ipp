@@ -13,7 +13,7 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE void hermite(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v) {
+ANCF_INLINE void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v) {
     constexpr std::size_t derivatives = 3, most = 9;
     const double last = knots.back().time;
     const double width = last - knots[knots.size() - 2].time;

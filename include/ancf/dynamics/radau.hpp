@@ -66,9 +66,9 @@ public:
     /// @throws InvalidArgument for a schedule that does not fit the model's time, a step below the
     ///         resolution of time, a memory of another integrator, state or scene, a solver whose
     ///         storage is not the problem's, or a scene without a free coordinate.
-    [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
-                                           const Schedule& schedule,
-                                           const Memory& memory = {}) const;
+    ANCF_LAZY [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
+                                                     const Schedule& schedule,
+                                                     const Memory& memory = {}) const;
 
 private:
     RadauOptions options_;

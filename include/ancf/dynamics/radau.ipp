@@ -29,8 +29,8 @@ namespace detail {
 /// One run.
 class RadauRun {
 public:
-    RadauRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-             const RadauOptions& options, DynamicsReport& report);
+    ANCF_LAZY RadauRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
+                       const RadauOptions& options, DynamicsReport& report);
 
     void run(const Memory& memory);
 
@@ -120,9 +120,9 @@ private:
     std::vector<Knot> knots_;  // of output in the last step; none: to be made
 };
 
-ANCF_INLINE RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
-                               const Schedule& schedule, const RadauOptions& options,
-                               DynamicsReport& report)
+ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
+                             const Schedule& schedule, const RadauOptions& options,
+                             DynamicsReport& report)
     : problem_(problem),
       schedule_(schedule),
       options_(options),
@@ -485,7 +485,7 @@ ANCF_INLINE MotionPoint RadauRun::between(double time) {
     if (knots_.empty()) make_knots();
     MotionPoint at;
     at.time = time;
-    hermite(knots_, time, at.q, at.v);
+    interpolate(knots_, time, at.q, at.v);
     const std::vector<double> weights =
         lagrange_weights(tableau_.nodes, (time - earlier_.time) / (now_.time - earlier_.time));
     at.lambda = VectorX::Zero(problem_.multipliers());
@@ -607,9 +607,8 @@ ANCF_INLINE void RadauOptions::check() const {
                     max_iterations);
 }
 
-ANCF_INLINE DynamicsReport RadauIIA::integrate(DynamicProblem& problem, LinearSolver& solver,
-                                               const Schedule& schedule,
-                                               const Memory& memory) const {
+ANCF_LAZY DynamicsReport RadauIIA::integrate(DynamicProblem& problem, LinearSolver& solver,
+                                             const Schedule& schedule, const Memory& memory) const {
     detail::require_same_storage(solver, problem);
     detail::require_motion(problem);
     schedule.check(problem.model().state().time);

@@ -27,7 +27,8 @@ using Stages = std::vector<VectorX>;
 class RadauSystem {
 public:
     /// Analyses the pattern for all solvers.
-    RadauSystem(const DynamicProblem& problem, LinearSolver& solver, const RadauTableau& tableau);
+    ANCF_LAZY RadauSystem(const DynamicProblem& problem, LinearSolver& solver,
+                          const RadauTableau& tableau);
 
     /// Factorises all matrices for a step, with K, G and D of the problem's last evaluation, of
     /// tangent and damping; adds to a count how many.

@@ -15,8 +15,8 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver& solver,
-                                     const RadauTableau& tableau)
+ANCF_LAZY RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver& solver,
+                                   const RadauTableau& tableau)
     : problem_(problem),
       solver_(solver),
       tableau_(tableau),

@@ -18,8 +18,8 @@ namespace ancf {
 /// Returns a solver of complex matrices of a pattern, already analysed: the one that the real
 /// solver makes; else, of lower storage, ComplexBlockTridiagonal where the pattern is a chain; else
 /// EigenComplexLu.
-[[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver_for(const LinearSolver& solver,
-                                                                const SparseMatrix& pattern);
+ANCF_LAZY [[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver_for(
+    const LinearSolver& solver, const SparseMatrix& pattern);
 
 }  // namespace ancf
 

@@ -13,8 +13,8 @@
 
 namespace ancf {
 
-ANCF_INLINE std::unique_ptr<ComplexSolver> complex_solver_for(const LinearSolver& solver,
-                                                              const SparseMatrix& pattern) {
+ANCF_LAZY std::unique_ptr<ComplexSolver> complex_solver_for(const LinearSolver& solver,
+                                                            const SparseMatrix& pattern) {
     std::unique_ptr<ComplexSolver> result = solver.complex_solver();
     if (!result && solver.storage() == Storage::lower && BlockTridiagonal::accepts(pattern))
         result = std::make_unique<ComplexBlockTridiagonal>();

@@ -10,6 +10,8 @@
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/types.hpp>
 
+#include <Eigen/OrderingMethods>
+
 #include <complex>
 #include <memory>
 #include <string_view>
@@ -18,20 +20,23 @@
 namespace ancf {
 
 /// L U with partial pivoting, columns ordered by COLAMD, rows scaled as those of EigenLu.
-class EigenComplexLu final : public ComplexSolver {
+///
+/// A template so that only a program that makes one compiles Eigen's factorisation.
+/// @tparam Ordering  Eigen's, of the columns
+template <class Ordering>
+class BasicEigenComplexLu final : public ComplexSolver {
 public:
     /// @param storage  of the matrices to come; of the lower half the other one is filled in.
-    explicit EigenComplexLu(Storage storage) : storage_(storage) {}
+    explicit BasicEigenComplexLu(Storage storage) : storage_(storage) {}
 
     /// @throws InvalidArgument unless square, compressed and of the storage.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& pattern) override;
+    void analyze(const SparseMatrix& pattern) override;
 
     /// Factorises in the pattern analysed. @throws InvalidArgument for another number of values.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL Status
-    factorize(const std::vector<std::complex<double>>& values) override;
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override;
 
     /// Solves A x = b in place.
-    ANCF_INLINE_VIRTUAL void solve(ComplexVectorX& b) const override;
+    void solve(ComplexVectorX& b) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "complex eigen-lu"; }
@@ -45,6 +50,13 @@ private:
     Storage storage_;
     std::unique_ptr<Factors, Free> factors_;
 };
+
+/// The factorisation of any complex square matrix, columns ordered by COLAMD.
+using EigenComplexLu = BasicEigenComplexLu<Eigen::COLAMDOrdering<int>>;
+
+#if defined(ANCF_COMPILED)
+extern template class BasicEigenComplexLu<Eigen::COLAMDOrdering<int>>;
+#endif
 
 }  // namespace ancf
 

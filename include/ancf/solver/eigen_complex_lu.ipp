@@ -11,7 +11,6 @@
 #include <ancf/solver/eigen_complex_lu.hpp>
 #include <ancf/solver/linear_solver.hpp>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
@@ -21,21 +20,24 @@
 
 namespace ancf {
 
-struct EigenComplexLu::Factors {
+template <class Ordering>
+struct BasicEigenComplexLu<Ordering>::Factors {
     using Matrix = Eigen::SparseMatrix<std::complex<double>, Eigen::ColMajor, int>;
 
     Matrix matrix;                // both halves
     std::vector<int> from;        // of each value of the matrix its place in those given
     SparseMatrix magnitudes;      // of the values given
     std::vector<double> inverse;  // of each row's largest entry
-    Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>> lu;
+    Eigen::SparseLU<Matrix, Ordering> lu;
 };
 
-ANCF_INLINE void EigenComplexLu::Free::operator()(Factors* factors) const noexcept {
+template <class Ordering>
+void BasicEigenComplexLu<Ordering>::Free::operator()(Factors* factors) const noexcept {
     delete factors;
 }
 
-ANCF_INLINE void EigenComplexLu::analyze(const SparseMatrix& pattern) {
+template <class Ordering>
+void BasicEigenComplexLu<Ordering>::analyze(const SparseMatrix& pattern) {
     detail::require_storage(name(), pattern, storage_);
     factors_.reset(new Factors);
     factors_->magnitudes = pattern;
@@ -49,7 +51,7 @@ ANCF_INLINE void EigenComplexLu::analyze(const SparseMatrix& pattern) {
             if (storage_ == Storage::lower && i != j)
                 columns[static_cast<std::size_t>(i)].emplace_back(j, k);
         }
-    Factors::Matrix& matrix = factors_->matrix;
+    typename Factors::Matrix& matrix = factors_->matrix;
     matrix.resize(pattern.rows(), pattern.cols());
     int count = 0;
     for (const auto& column : columns) count += static_cast<int>(column.size());
@@ -68,7 +70,8 @@ ANCF_INLINE void EigenComplexLu::analyze(const SparseMatrix& pattern) {
     if (size > 0) factors_->lu.analyzePattern(matrix);
 }
 
-ANCF_INLINE Status EigenComplexLu::factorize(const std::vector<std::complex<double>>& values) {
+template <class Ordering>
+Status BasicEigenComplexLu<Ordering>::factorize(const std::vector<std::complex<double>>& values) {
     const auto given = static_cast<std::size_t>(factors_ ? factors_->magnitudes.nonZeros() : 0);
     detail::require(factors_ && values.size() == given, name(), ": expected ", given,
                     " values, got ", values.size());
@@ -96,7 +99,8 @@ ANCF_INLINE Status EigenComplexLu::factorize(const std::vector<std::complex<doub
     return own.lu.info() == Eigen::Success ? Status::converged : Status::singular;
 }
 
-ANCF_INLINE void EigenComplexLu::solve(ComplexVectorX& b) const {
+template <class Ordering>
+void BasicEigenComplexLu<Ordering>::solve(ComplexVectorX& b) const {
     detail::require(factors_ != nullptr, name(), ": solve without a factorisation");
     if (b.size() == 0) return;
     for (Eigen::Index i = 0; i < b.size(); ++i)
@@ -104,5 +108,9 @@ ANCF_INLINE void EigenComplexLu::solve(ComplexVectorX& b) const {
     const ComplexVectorX x = factors_->lu.solve(b);
     b = x;
 }
+
+#if defined(ANCF_SOURCE)
+template class BasicEigenComplexLu<Eigen::COLAMDOrdering<int>>;
+#endif
 
 }  // namespace ancf
