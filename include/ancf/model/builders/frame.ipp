@@ -56,6 +56,13 @@ ANCF_INLINE void add_joint_body(Scene& model, NodeId joint, const JointBlock& bl
         add(AffineJoint<3>(block.material, volume, block.size));
 }
 
+ANCF_INLINE int MemberPrototypes::find(int profile, double length) const {
+    const auto next = made_.lower_bound({profile, (1.0 - 1e-12) * length});
+    const bool equal = next != made_.end() && next->first.first == profile &&
+                       next->first.second <= (1.0 + 1e-12) * length;
+    return equal ? next->second : -1;
+}
+
 ANCF_INLINE void check_member(const char* name, const Member& member, std::size_t points,
                               std::size_t profiles) {
     const int joints = static_cast<int>(points);
