@@ -74,14 +74,14 @@ struct Frame {
 
 namespace detail {
 
-/// The least block that holds the ends of the members at a joint.
+/// The largest block A h of the members at a joint, h the height of a section.
 struct JointBlock {
     double volume = 0.0;  ///< m^3
     double size = 0.0;    ///< its edge, m
     Material material{};  ///< of its stiffest member
 
-    /// Makes it hold a member too.
-    void hold(const Profile& profile);
+    /// Takes one more member into account.
+    void add(const Profile& profile);
 };
 
 /// Gives a joint its body.
@@ -178,7 +178,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     std::vector<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
-            blocks[static_cast<std::size_t>(joint)].hold(
+            blocks[static_cast<std::size_t>(joint)].add(
                 profiles[static_cast<std::size_t>(member.profile)]);
     std::vector<std::pair<detail::JointBlock, int>> made;
     for (std::size_t k = 0; k < points.size(); ++k)

@@ -23,7 +23,7 @@ ANCF_INLINE void NetOptions::check() const {
 
 namespace ancf::detail {
 
-ANCF_INLINE void JointBlock::hold(const Profile& profile) {
+ANCF_INLINE void JointBlock::add(const Profile& profile) {
     const Moments about = centroidal(profile.section.moments());
     const double edge = std::sqrt(12.0 * std::max(about.yy, about.zz) / about.area);
     if (edge * about.area > volume) {
