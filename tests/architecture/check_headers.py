@@ -113,6 +113,31 @@ def is_public(name, text):
     return False
 
 
+def types_of(text):
+    """Yields the namespace and the name of every type that stands in a namespace and is no specialisation."""
+    inside = []
+    for line in text.splitlines():
+        if opened := re.match(r"(?:inline )?namespace ([\w:]+) {", line):
+            inside.append(opened.group(1))
+        elif line.startswith("}  // namespace") and inside:
+            inside.pop()
+        elif named := re.match(r"(?:struct|class|enum class) (\w+)(?: final)?(?: [:{]|;|$)", line):
+            yield "::".join(inside), named.group(1)
+
+
+def name_findings(texts):
+    """A type of ancf::detail hides one of ancf from whatever is included after it."""
+    public, hidden = set(), {}
+    for header, text in texts.items():
+        for namespace, name in types_of(text):
+            if namespace == "ancf":
+                public.add(name)
+            elif namespace == "ancf::detail":
+                hidden[name] = header
+    for name in sorted(public & set(hidden)):
+        yield f"include/ancf/{hidden[name]}: ancf::detail::{name} hides ancf::{name}"
+
+
 def count_findings(texts):
     public = [name for name, text in texts.items() if is_public(name, text)]
     if len(public) > MOST_PUBLIC:
@@ -130,6 +155,7 @@ def findings(root):
                 yield f"include/ancf/{name}: {finding}"
     yield from umbrella_findings(texts)
     yield from count_findings(texts)
+    yield from name_findings(texts)
     if not texts:
         yield f"no header found below {base}"
 
@@ -183,6 +209,10 @@ def self_test():
     many = {f"model/h{k}.hpp": opening + "namespace ancf {\n\nclass A;\n\n}  // namespace ancf\n" for k in range(MOST_PUBLIC + 1)}
     if not any("public headers" in line for line in findings_of(many)):
         failures.append("accepted: too many public headers")
+    hiding = opening + ("namespace ancf {\n\nstruct A;\n\nnamespace detail {\n\nclass A {};\n\n"
+                        "}  // namespace detail\n\n}  // namespace ancf\n")
+    if not any("hides ancf::A" in line for line in findings_of({"model/a.hpp": hiding})):
+        failures.append("accepted: a hidden type")
     if not findings_of({}):
         failures.append("accepted: a tree without headers")
     return failures

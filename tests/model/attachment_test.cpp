@@ -19,6 +19,7 @@
 #include <ancf/output/state_file.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
@@ -340,6 +341,60 @@ TEST_CASE("attachments: hinges and pins leave free what they name",
                                2];
         CHECK(lift > 100.0);
     }
+    SECTION("a pin of cables with round-off between their ends is a pin") {
+        Model model;
+        double sum = 0.0;
+        for (int k = 0; k < 110; ++k) sum += 0.1;
+        REQUIRE(sum != 11.0);
+        const auto left =
+            straight_beam<Cable<3>>(model, steel(), square(), {0, 0, 0}, {11, 0, 0}, 1);
+        const auto right =
+            straight_beam<Cable<3>>(model, steel(), square(), {sum, 0, 0}, {22, 0, 0}, 1);
+        const NodeId joint = model.add_node({11, 0, 0});
+        model.attach(left.last(), joint);
+        model.attach(right.first(), joint);
+        CHECK(model.layout().fields(joint.index) == Fields(Field::r));
+        CHECK(model.position(right.first())[0] == 11.0);
+    }
+}
+
+TEST_CASE("attachments: what is set at a joint is set at all that follows it, and there alone",
+          "[model][attachment]") {
+    Model model;
+    const auto built = frame<Spatial>(model, {{steel(), square()}},
+                                      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1}, {1, 2}});
+    const auto arm = straight_beam<Spatial>(model, steel(), square(), {1, 0, 0.5}, {1, 0, 2}, 1);
+    model.attach(arm.first(), built.members[0].last());  // and so to the joint, with an offset
+    const NodeId joint = built.joints[1];
+    for (VectorX* const whole : {&model.state().q, &model.state().v}) {
+        const VectorX before = *whole;
+        for (const Field field : {Field::r, Field::r_z})
+            if (whole == &model.state().q)
+                model.set_value(joint, field, {0.1, 0.2, 0.8});
+            else
+                model.set_rate(joint, field, {0.1, 0.2, 0.8});
+        VectorX expected = *whole;
+        model.dependence().complete(expected);
+        CHECK(*whole == expected);
+        for (const NodeId moved : {built.members[0].last(), built.members[1].first(), arm.first()})
+            CHECK(whole->segment<3>(model.coordinate(moved, Field::r)) !=
+                  before.segment<3>(model.coordinate(moved, Field::r)));
+        for (const NodeId kept : {built.members[0].first(), built.members[1].last(), arm.last()})
+            CHECK(whole->segment<3>(model.coordinate(kept, Field::r)) ==
+                  before.segment<3>(model.coordinate(kept, Field::r)));
+    }
+}
+
+TEST_CASE("frame: members of equal length and profile share a prototype, others do not",
+          "[model][attachment]") {
+    Model model;
+    const auto built =
+        frame<Spatial>(model, {{steel(), square()}, {steel(), rectangle(0.01, 0.01)}},
+                       {{0, 0, 0}, {1, 0, 0}, {1, 1 + 1e-14, 0}, {1, 1, 1.5}, {1, 2, 1.5}},
+                       {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 1, 1}, {0, 1, 0, 2}});
+    std::vector<int> prototypes;
+    for (const auto& member : built.members) prototypes.push_back(member.prototypes.front());
+    CHECK(prototypes == std::vector<int>{0, 0, 1, 0, 2, 3});
 }
 
 TEST_CASE("attachments: scales, driven joints, copies and state files", "[model][attachment]") {
@@ -422,6 +477,14 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
     says("is attached to node 6", [&] { model.prescribe(a.last(), Field::r, 0, {}); });
     says("is attached to node 6", [&] { model.set_value(a.last(), Field::r, {1, 0, 0}); });
     says("is attached to node 6", [&] { model.set_rate(a.last(), Field::r_z, {1, 0, 0}); });
+    says("is attached to node 6", [&] { model.release(a.last(), Field::r); });
+    says("attached to another node", [&] {
+        EigenLdlt solver;
+        PathOptions options;
+        options.control = PathControl::displacement;
+        options.at = {a.last(), Field::r};
+        static_cast<void>(follow_path(model, solver, options));
+    });
     says("r_xx", [&] { model.attach(b.first(), joint, Fields(Field::r_xx)); });
     says("two nodes", [&] { model.connect<Spatial>(0, joint, joint); });
     const int body = model.add_prototype(AffineJoint<3>(steel(), 1e-4, 0.02));

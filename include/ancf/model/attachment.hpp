@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -57,14 +58,20 @@ public:
     /// Sets the attached vectors of coordinates, or of their rates or changes, by the others.
     void complete(VectorX& coordinates) const;
 
+    /// Sets those attached vectors that follow the vector that starts at a coordinate.
+    void complete(VectorX& coordinates, int first) const;
+
     /// Moves forces from attached vectors to those that they follow.
     void carry(VectorX& forces) const;
 
 private:
+    void complete_one(VectorX& coordinates, std::size_t attached) const;
+
     int dimension_ = 0;
     std::vector<int> firsts_;               // first coordinate of each attached vector
     std::vector<std::vector<Part>> parts_;  // of each attached vector
     std::vector<int> vector_of_;            // place in firsts_ of each coordinate, -1
+    std::vector<std::pair<int, std::size_t>> followers_;  // of each part, sorted: place in firsts_
 };
 
 namespace detail {
@@ -91,8 +98,15 @@ public:
     void carry(MatrixX& stiffness) const;
 
 private:
+    // d(read)/d(acted), by its entries
+    struct Entry {
+        int read;
+        int acted;
+        double factor;
+    };
+
     std::vector<int> read_, acted_;
-    MatrixX transfer_;  // d(read)/d(acted); empty: the identity
+    std::vector<Entry> transfer_;  // none: the identity
 };
 
 /// An element with attached vectors: where its tangent goes.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -51,6 +52,9 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout,
             parts = direct;
         }
     }
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        for (const Part& part : parts_[k]) followers_.emplace_back(part.first, k);
+    std::sort(followers_.begin(), followers_.end());
 }
 
 ANCF_INLINE std::vector<Dependence::Part> Dependence::parts(int first) const {
@@ -59,12 +63,22 @@ ANCF_INLINE std::vector<Dependence::Part> Dependence::parts(int first) const {
 }
 
 ANCF_INLINE void Dependence::complete(VectorX& coordinates) const {
-    for (std::size_t k = 0; k < firsts_.size(); ++k)
-        for (int i = 0; i < dimension_; ++i) {
-            double sum = 0.0;
-            for (const Part& part : parts_[k]) sum += part.factor * coordinates[part.first + i];
-            coordinates[firsts_[k] + i] = sum;
-        }
+    for (std::size_t k = 0; k < firsts_.size(); ++k) complete_one(coordinates, k);
+}
+
+ANCF_INLINE void Dependence::complete(VectorX& coordinates, int first) const {
+    auto of = std::lower_bound(followers_.begin(), followers_.end(),
+                               std::pair<int, std::size_t>(first, 0));
+    for (; of != followers_.end() && of->first == first; ++of)
+        complete_one(coordinates, of->second);
+}
+
+ANCF_INLINE void Dependence::complete_one(VectorX& coordinates, std::size_t attached) const {
+    for (int i = 0; i < dimension_; ++i) {
+        double sum = 0.0;
+        for (const Part& part : parts_[attached]) sum += part.factor * coordinates[part.first + i];
+        coordinates[firsts_[attached] + i] = sum;
+    }
 }
 
 ANCF_INLINE void Dependence::carry(VectorX& forces) const {
@@ -93,49 +107,43 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
         acted_ = read_;
         return;
     }
-    std::vector<std::array<int, 2>> at;  // row and column of each part
-    std::vector<double> factors;
     for (std::size_t row = 0; row < read_.size(); row += static_cast<std::size_t>(dimension))
         for (const Dependence::Part& part : dependence.parts(read_[row]))
             for (int k = 0; k < dimension; ++k) {
                 auto found = std::find(acted_.begin(), acted_.end(), part.first + k);
                 if (found == acted_.end()) found = acted_.insert(found, part.first + k);
-                at.push_back({static_cast<int>(row) + k, static_cast<int>(found - acted_.begin())});
-                factors.push_back(part.factor);
+                transfer_.push_back({static_cast<int>(row) + k,
+                                     static_cast<int>(found - acted_.begin()), part.factor});
             }
-    transfer_.setZero(static_cast<Eigen::Index>(read_.size()),
-                      static_cast<Eigen::Index>(acted_.size()));
-    for (std::size_t k = 0; k < at.size(); ++k) transfer_(at[k][0], at[k][1]) += factors[k];
 }
 
 ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
-    if (transfer_.size() == 0) return;
-    VectorX carried = VectorX::Zero(transfer_.cols());
-    for (Eigen::Index j = 0; j < transfer_.cols(); ++j)
-        for (Eigen::Index i = 0; i < transfer_.rows(); ++i)
-            carried[j] += transfer_(i, j) * force[i];
+    if (transfer_.empty()) return;
+    VectorX carried = VectorX::Zero(static_cast<Eigen::Index>(acted_.size()));
+    for (const Entry& entry : transfer_) carried[entry.acted] += entry.factor * force[entry.read];
     force.swap(carried);
 }
 
 ANCF_INLINE void LocalCoordinates::carry_columns(MatrixX& derivatives) const {
-    if (transfer_.size() == 0 || derivatives.size() == 0) return;
-    MatrixX carried = MatrixX::Zero(derivatives.rows(), transfer_.cols());
-    for (Eigen::Index j = 0; j < transfer_.cols(); ++j)
-        for (Eigen::Index k = 0; k < transfer_.rows(); ++k)
-            if (const double factor = transfer_(k, j); factor != 0.0)
-                for (Eigen::Index i = 0; i < derivatives.rows(); ++i)
-                    carried(i, j) += derivatives(i, k) * factor;
+    if (transfer_.empty() || derivatives.size() == 0) return;
+    const Eigen::Index rows = derivatives.rows();
+    MatrixX carried = MatrixX::Zero(rows, static_cast<Eigen::Index>(acted_.size()));
+    for (const Entry& entry : transfer_) {
+        const double* const from = derivatives.data() + rows * entry.read;
+        double* const to = carried.data() + rows * entry.acted;
+        for (Eigen::Index i = 0; i < rows; ++i) to[i] += entry.factor * from[i];
+    }
     derivatives.swap(carried);
 }
 
 ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
-    if (transfer_.size() == 0 || stiffness.size() == 0) return;
+    if (transfer_.empty() || stiffness.size() == 0) return;
     carry_columns(stiffness);
-    MatrixX carried = MatrixX::Zero(transfer_.cols(), transfer_.cols());
-    for (Eigen::Index j = 0; j < carried.cols(); ++j)
-        for (Eigen::Index i = 0; i < carried.rows(); ++i)
-            for (Eigen::Index k = 0; k < transfer_.rows(); ++k)
-                carried(i, j) += transfer_(k, i) * stiffness(k, j);
+    const auto size = static_cast<Eigen::Index>(acted_.size());
+    MatrixX carried = MatrixX::Zero(size, size);
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (const Entry& entry : transfer_)
+            carried(entry.acted, j) += entry.factor * stiffness(entry.read, j);
     stiffness.swap(carried);
 }
 

@@ -89,8 +89,9 @@ public:
     void set_value(NodeId node, Field field, const Argument& value) {
         check_finite("set_value", node, field, value);
         check_unattached("set_value", node, field);
-        set_vector(state().q, coordinate(node, field), value);
-        dependence().complete(state().q);
+        const int first = coordinate(node, field);
+        set_vector(state().q, first, value);
+        dependence().complete(state().q, first);
     }
 
     /// Sets the rate of one vector of a node.
@@ -98,8 +99,9 @@ public:
     void set_rate(NodeId node, Field field, const Argument& rate) {
         check_finite("set_rate", node, field, rate);
         check_unattached("set_rate", node, field);
-        set_vector(state().v, coordinate(node, field), rate);
-        dependence().complete(state().v);
+        const int first = coordinate(node, field);
+        set_vector(state().v, first, rate);
+        dependence().complete(state().v, first);
     }
 
     /// Returns the position of a node, m.

@@ -159,7 +159,7 @@ public:
     void pin(NodeId node) { fix(node, Field::r); }
 
     /// Frees what was held or driven of a vector.
-    /// @throws InvalidArgument for a node that does not exist.
+    /// @throws InvalidArgument for a node that does not exist or a vector that is attached.
     void release(NodeId node, Field field);
 
     // Attachments: joints without multipliers ---------------------------------------------------
@@ -182,6 +182,7 @@ public:
     ///     attach(end, joint, Field::r);                 // a pin
     ///     attach(end, joint, Field::r | Field::r_z);    // a hinge about r_z
     ///
+    /// An offset below 1e-12 of the coordinates that it is the difference of counts as none.
     /// @throws InvalidArgument for a node that does not exist or carries no such vector, a vector
     ///         that is attached already, held or r_xx, nodes that would follow each other in a
     ///         circle, and a joint whose slopes are not independent.

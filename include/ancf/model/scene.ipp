@@ -162,6 +162,7 @@ ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
 
 ANCF_INLINE void Scene::release(NodeId node, Field field) {
     check(node);
+    check_unattached("release", node, field);
     const auto same = [&](const Support& s) { return s.node == node && s.field == field; };
     supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
     support_at_.clear();
@@ -192,6 +193,8 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
             check_attachment(end, joint, static_cast<Field>(k));
     const auto& from = initial_[static_cast<std::size_t>(end.index)].vectors;
     InitialNode& to = initial_[static_cast<std::size_t>(joint.index)];
+    // sums of a user's coordinates: what round-off leaves of an offset is none
+    constexpr double round_off = 1e-12;
     for (int k = 0; k < field_count; ++k) {
         const auto field = static_cast<Field>(k);
         if (!vectors.contains(field)) continue;
@@ -203,11 +206,11 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
             size = std::max({size, std::abs(base), std::abs(vector[i])});
         }
         for (double& entry : vector)
-            if (std::abs(entry) <= 1e-15 * size) entry = 0.0;
+            if (std::abs(entry) <= round_off * size) entry = 0.0;
         const std::array<double, 3> slopes = by_slopes(joint, vector);
         AttachedVector attachment{{end, field}, joint, {field == Field::r ? 1.0 : 0.0}};
         for (std::size_t i = 0; i < 3; ++i) {
-            const double factor = std::abs(slopes[i]) <= 1e-15 * size ? 0.0 : slopes[i];
+            const double factor = std::abs(slopes[i]) <= round_off * size ? 0.0 : slopes[i];
             attachment.factors[1 + i] = factor;
             if (factor != 0.0) to.fields = to.fields | static_cast<Field>(1 + i);
         }

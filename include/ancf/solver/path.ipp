@@ -67,6 +67,9 @@ public:
             require(options.component >= 0 && options.component < model.dimension(),
                     "PathOptions: component must be one of ", model.dimension(), ", got ",
                     options.component);
+            require(!numbering_.dependence().attached(coordinate),
+                    "PathOptions: the controlled coordinate is attached to another node: control "
+                    "that node's");
             controlled_ = numbering_.equation(coordinate + options.component);
             require(controlled_ >= 0,
                     "PathOptions: the controlled coordinate is held by a support");

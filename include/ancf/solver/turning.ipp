@@ -18,7 +18,7 @@ namespace ancf {
 namespace detail {
 
 /// A frame of slopes in the plane or in space, by columns, and what acts on it.
-struct Frame {
+struct SlopeFrame {
     int dimension;
     double entry[9] = {};
 
@@ -59,8 +59,9 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
         out[k] = (length + along) * (cosine * unit[k] + sine * across[k]);
 }
 
-[[nodiscard]] ANCF_NOINLINE ANCF_INLINE Frame product(const Frame& a, const Frame& b) {
-    Frame result{a.dimension};
+[[nodiscard]] ANCF_NOINLINE ANCF_INLINE SlopeFrame product(const SlopeFrame& a,
+                                                           const SlopeFrame& b) {
+    SlopeFrame result{a.dimension};
     for (int j = 0; j < a.dimension; ++j)
         for (int k = 0; k < a.dimension; ++k)
             for (int i = 0; i < a.dimension; ++i) result(i, j) += a(i, k) * b(k, j);
@@ -68,14 +69,14 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
 }
 
 /// Returns exp(W), W skew.
-[[nodiscard]] ANCF_INLINE Frame rotation(const Frame& skew) {
+[[nodiscard]] ANCF_INLINE SlopeFrame rotation(const SlopeFrame& skew) {
     const int dimension = skew.dimension;
     const double square = 0.5 * inner(skew.entry, skew.entry, dimension * dimension);
     const double angle = std::sqrt(square);
     const bool small = angle < 1e-4;  // where the series is exact to round-off
     const double first = small ? 1.0 - square / 6.0 : std::sin(angle) / angle;
     const double second = small ? 0.5 - square / 24.0 : (1.0 - std::cos(angle)) / square;
-    Frame result = product(skew, skew);
+    SlopeFrame result = product(skew, skew);
     for (int j = 0; j < dimension; ++j)
         for (int i = 0; i < dimension; ++i)
             result(i, j) = (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
@@ -84,7 +85,7 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
 
 /// Writes the inverse of a frame of unit size.
 /// @return false where its determinant is below 1e-12.
-[[nodiscard]] ANCF_INLINE bool invert(const Frame& a, Frame& inverse) {
+[[nodiscard]] ANCF_INLINE bool invert(const SlopeFrame& a, SlopeFrame& inverse) {
     double determinant = 0.0;
     if (a.dimension == 2) {
         determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
@@ -108,7 +109,7 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
 }
 
 /// Keeps of a spin [w]x the part about the first column of a frame.
-ANCF_INLINE void keep_tangent_part(const Frame& frame, Frame& skew) {
+ANCF_INLINE void keep_tangent_part(const SlopeFrame& frame, SlopeFrame& skew) {
     const double* const t = frame.entry;
     const double spin[3] = {skew(2, 1), skew(0, 2), skew(1, 0)};
     const double part = inner(spin, t, 3) / inner(t, t, 3);
@@ -124,17 +125,17 @@ ANCF_INLINE void keep_tangent_part(const Frame& frame, Frame& skew) {
 /// @param tangent_only  W keeps the part about r_x
 ANCF_INLINE void turn_frame(const double* before, const double* change, int dimension,
                             bool tangent_only, double* after) {
-    Frame G{dimension}, dG{dimension}, inverse{dimension}, skew{dimension};
+    SlopeFrame G{dimension}, dG{dimension}, inverse{dimension}, skew{dimension};
     std::copy_n(before, dimension * dimension, G.entry);
     std::copy_n(change, dimension * dimension, dG.entry);
     if (!invert(G, inverse)) return;
-    Frame rate = product(dG, inverse);
+    SlopeFrame rate = product(dG, inverse);
     for (int j = 0; j < dimension; ++j)
         for (int i = 0; i < dimension; ++i) skew(i, j) = 0.5 * (rate(i, j) - rate(j, i));
     if (tangent_only) keep_tangent_part(G, skew);
     for (int j = 0; j < dimension; ++j)  // I + D
         for (int i = 0; i < dimension; ++i) rate(i, j) += (i == j ? 1.0 : 0.0) - skew(i, j);
-    const Frame result = product(rotation(skew), product(rate, G));
+    const SlopeFrame result = product(rotation(skew), product(rate, G));
     std::copy_n(result.entry, dimension * dimension, after);
 }
 

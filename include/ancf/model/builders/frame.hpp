@@ -19,8 +19,8 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -74,20 +74,32 @@ struct Frame {
 
 namespace detail {
 
-/// The least block that holds the ends of the members at a joint.
+/// The largest block A h of the members at a joint, h the height of a section.
 struct JointBlock {
     double volume = 0.0;  ///< m^3
     double size = 0.0;    ///< its edge, m
     Material material{};  ///< of its stiffest member
 
-    /// Makes it hold a member too.
-    void hold(const Profile& profile);
+    /// Takes one more member into account.
+    void add(const Profile& profile);
 };
 
 /// Gives a joint its body.
 /// @param made  blocks for which a prototype is there, with its index
 void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
                     std::vector<std::pair<JointBlock, int>>& made);
+
+/// The prototypes of members that were made, by profile and length of an element.
+class MemberPrototypes {
+public:
+    /// Returns the prototype of a length equal to 1e-12, -1 where there is none.
+    [[nodiscard]] int find(int profile, double length) const;
+    /// Keeps a prototype.
+    void add(int profile, double length, int prototype) { made_[{profile, length}] = prototype; }
+
+private:
+    std::map<std::pair<int, double>, int> made_;
+};
 
 /// @throws InvalidArgument unless both ends are there and differ, and so is the profile.
 void check_member(const char* name, const Member& member, std::size_t points, std::size_t profiles);
@@ -106,12 +118,7 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
                            const std::vector<Member>& members,
                            const Vector<double, Dimension>& y_axis, double strain,
                            const Options&... options) {
-    struct Made {
-        int profile;
-        double length;
-        int prototype;
-    };
-    std::vector<Made> made;
+    MemberPrototypes made;
     Frame<Element> frame;
     for (const auto& point : points) frame.joints.push_back(model.add_node(point));
     for (const Member& member : members) {
@@ -120,15 +127,12 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         const auto& to = points[static_cast<std::size_t>(member.second)];
         const double length =
             distance_apart<Dimension>(from, to) / member.elements / (1.0 + strain);
-        int prototype = -1;
-        for (const Made& other : made)
-            if (other.profile == member.profile && std::abs(other.length - length) < 1e-12 * length)
-                prototype = other.prototype;
+        int prototype = made.find(member.profile, length);
         if (prototype < 0) {
             const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
             prototype =
                 model.add_prototype(Element(profile.material, profile.section, length, options...));
-            made.push_back({member.profile, length, prototype});
+            made.add(member.profile, length, prototype);
         }
         Beam<Element>& beam = frame.members.emplace_back();
         beam.prototypes.push_back(prototype);
@@ -174,7 +178,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     std::vector<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
-            blocks[static_cast<std::size_t>(joint)].hold(
+            blocks[static_cast<std::size_t>(joint)].add(
                 profiles[static_cast<std::size_t>(member.profile)]);
     std::vector<std::pair<detail::JointBlock, int>> made;
     for (std::size_t k = 0; k < points.size(); ++k)

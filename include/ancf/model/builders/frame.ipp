@@ -23,7 +23,7 @@ ANCF_INLINE void NetOptions::check() const {
 
 namespace ancf::detail {
 
-ANCF_INLINE void JointBlock::hold(const Profile& profile) {
+ANCF_INLINE void JointBlock::add(const Profile& profile) {
     const Moments about = centroidal(profile.section.moments());
     const double edge = std::sqrt(12.0 * std::max(about.yy, about.zz) / about.area);
     if (edge * about.area > volume) {
@@ -54,6 +54,13 @@ ANCF_INLINE void add_joint_body(Scene& model, NodeId joint, const JointBlock& bl
         add(AffineJoint<2>(block.material, volume, block.size));
     else
         add(AffineJoint<3>(block.material, volume, block.size));
+}
+
+ANCF_INLINE int MemberPrototypes::find(int profile, double length) const {
+    const auto next = made_.lower_bound({profile, (1.0 - 1e-12) * length});
+    const bool equal = next != made_.end() && next->first.first == profile &&
+                       next->first.second <= (1.0 + 1e-12) * length;
+    return equal ? next->second : -1;
 }
 
 ANCF_INLINE void check_member(const char* name, const Member& member, std::size_t points,
