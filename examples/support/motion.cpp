@@ -19,8 +19,10 @@ MotionOptions::MotionOptions(double for_seconds, double output_interval)
 void MotionOptions::add_to(CommandLine& line) {
     line.set_group("Integration");
     line.add_choice("--integrator", integrator,
-                    {"ida-index3", "ida-ggl", "generalized-alpha", "energy"}, "integrator");
-    line.add_number("--tolerance", tolerance, Range::positive, "relative, of IDA");
+                    {"ida-index3", "ida-ggl", "explicit", "generalized-alpha", "energy"},
+                    "integrator");
+    line.add_number("--tolerance", tolerance, Range::positive,
+                    "relative, of IDA and of the explicit method");
     line.add_number("--step", step, Range::positive, "of the other integrators, s");
     line.add_number("--rho", rho, Range::finite,
                     "of generalized-alpha: spectral radius at infinity, from 0 to 1");
@@ -33,14 +35,14 @@ void MotionOptions::add_to(CommandLine& line) {
 
 void MotionOptions::check(const CommandLine& line) const {
     const std::string other = "--integrator " + integrator;
-    if (!by_ida()) line.note_unused("--tolerance", other);
-    if (by_ida()) line.note_unused("--step", other);
+    if (!by_sundials()) line.note_unused("--tolerance", other);
+    if (by_sundials()) line.note_unused("--step", other);
     if (integrator != "generalized-alpha") line.note_unused("--rho", other);
     ancf::detail::require(rho >= 0.0 && rho <= 1.0, "--rho: expected a number from 0 to 1, got ",
                           rho);
     ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
                           "--tolerance: expected a number from 1e-14 to 1, got ", tolerance);
-    ancf::detail::require(ANCF_WITH_SUNDIALS || !by_ida(), "--integrator ", integrator,
+    ancf::detail::require(ANCF_WITH_SUNDIALS || !by_sundials(), "--integrator ", integrator,
                           " needs SUNDIALS, and this program was built without it");
     require_countable("--output-interval", interval, duration);
     if (!save.empty()) require_writable(save);

@@ -19,7 +19,7 @@ namespace examples {
 /// How a motion is integrated, from the command line.
 struct MotionOptions {
     std::string integrator;   ///< ida-index3 or, without SUNDIALS, generalized-alpha
-    double tolerance = 1e-8;  ///< of IDA
+    double tolerance = 1e-8;  ///< of IDA and of the explicit method
     double step = 1e-4;       ///< s, of the others
     double rho = 0.8;         ///< of generalized-alpha
     double duration;          ///< s
@@ -36,11 +36,15 @@ struct MotionOptions {
     void check(const CommandLine& line) const;
 
     [[nodiscard]] bool by_ida() const { return integrator.rfind("ida", 0) == 0; }
+    [[nodiscard]] bool is_explicit() const { return integrator == "explicit"; }
+
+    /// Returns whether the integrator is one of SUNDIALS, which takes a tolerance and no step.
+    [[nodiscard]] bool by_sundials() const { return by_ida() || is_explicit(); }
 
     /// Returns whether a run is at least as accurate as with the defaults.
     [[nodiscard]] bool as_accurate_as_default() const {
         const MotionOptions own(duration, interval);
-        return by_ida() ? tolerance <= own.tolerance : step <= own.step;
+        return by_sundials() ? tolerance <= own.tolerance : step <= own.step;
     }
 };
 
