@@ -11,6 +11,7 @@
 /// tolerance or step.
 
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints/points.hpp>

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <ancf/sundials/context.hpp>
+#include <ancf/sundials/table.hpp>
 
 #include <arkode/arkode.h>
 #include <arkode/arkode_erkstep.h>
@@ -42,12 +43,34 @@ struct Arkode {
     static constexpr auto set_stability = ANCF_ARKODE(SetStabilityFn);
     static constexpr auto set_stable_share = ANCF_ARKODE(SetCFLFraction);
     static constexpr auto set_kept_steps = ANCF_ARKODE(SetFixedStepBounds);
+    static constexpr auto set_degree = ANCF_ARKODE(SetInterpolantDegree);
+    static constexpr auto set_after_step = ANCF_ARKODE(SetPostprocessStepFn);
+    static constexpr auto current_step = ANCF_ARKODE(GetCurrentStep);
     static constexpr auto last_step = ANCF_ARKODE(GetLastStep);
     static constexpr auto error_failures = ANCF_ARKODE(GetNumErrTestFails);
     static constexpr auto limited_steps = ANCF_ARKODE(GetNumExpSteps);
 };
 
 #undef ANCF_ARKODE
+
+/// Returns ARKODE's number of a table.
+[[nodiscard]] constexpr ARKODE_ERKTableID table_id(Table table) noexcept {
+    switch (table) {
+        case Table::bogacki_shampine: return ARKODE_BOGACKI_SHAMPINE_4_2_3;
+        case Table::zonneveld: return ARKODE_ZONNEVELD_5_3_4;
+        case Table::ark437: return ARKODE_ARK437L2SA_ERK_7_3_4;
+        case Table::dormand_prince: return ARKODE_DORMAND_PRINCE_7_4_5;
+        case Table::verner: return ARKODE_VERNER_8_5_6;
+        case Table::fehlberg: return ARKODE_FEHLBERG_13_7_8;
+        case Table::ark436: break;
+    }
+    return ARKODE_ARK436L2SA_ERK_6_3_4;
+}
+
+/// Whether the last stage of a table is the first of the next step.
+[[nodiscard]] constexpr bool is_first_same_as_last(Table table) noexcept {
+    return table == Table::bogacki_shampine || table == Table::dormand_prince;
+}
 
 struct DestroyArkode {
     void operator()(void* arkode) const noexcept { Arkode::free(&arkode); }

@@ -17,22 +17,11 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/sundials/table.hpp>
 
 #include <string>
 
 namespace ancf::sundials {
-
-/// A pair of explicit Runge-Kutta formulas. Only those whose stability region holds a piece of the
-/// imaginary axis are here; `stable` is that piece, as frequency times step.
-enum class Table {
-    bogacki_shampine,  ///< order 3, 3 forces a step, stable to 1.73
-    zonneveld,         ///< order 4, 5 forces, 2.82: the classical method with an error estimate
-    ark436,            ///< order 4, 6 forces, 4.00: explicit part of ARK4(3)6L[2]SA
-    ark437,            ///< order 4, 7 forces, 4.69: explicit part of ARK4(3)7L[2]SA1
-    dormand_prince,    ///< order 5, 6 forces, 0.99
-    verner,            ///< order 6, 8 forces, 1.30
-    fehlberg           ///< order 8, 13 forces, 2.36
-};
 
 /// How an explicit method integrates.
 struct ExplicitOptions {
@@ -76,9 +65,8 @@ public:
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached. What the scene's and the schedule's callables throw comes out.
     ///
-    /// Between two steps q and v are the cubics of y and y' at both ends, of order 4; tables of
-    /// order 5 and more take quartics and quintics. A run carries nothing but its state: another
-    /// one goes on from there.
+    /// Between two steps q is the quintic of q, v and v' at both ends, of order 6, and v its
+    /// derivative, of order 5. A run carries nothing but its state: another one goes on from there.
     /// @return status converged at the end; max_iterations at once where the stable step needs
     ///         more than max_steps; diverged where a fixed step is above the stable one; or why it
     ///         ended before, with what was observed until then.

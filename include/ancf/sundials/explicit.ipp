@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/arkode.hpp>
@@ -20,28 +21,10 @@
 #include <limits>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace ancf::sundials {
 namespace detail {
-
-/// A table as ARKODE knows it.
-struct TableData {
-    ARKODE_ERKTableID id;
-    Reach reach;  // computed from the coefficients; tests/sundials/explicit_test.cpp checks them
-};
-
-[[nodiscard]] ANCF_INLINE TableData table_data(Table table) noexcept {
-    switch (table) {
-        case Table::bogacki_shampine: return {ARKODE_BOGACKI_SHAMPINE_4_2_3, {1.732, 1.732}};
-        case Table::zonneveld: return {ARKODE_ZONNEVELD_5_3_4, {2.828, 2.615}};
-        case Table::ark437: return {ARKODE_ARK437L2SA_ERK_7_3_4, {4.695, 4.503}};
-        case Table::dormand_prince: return {ARKODE_DORMAND_PRINCE_7_4_5, {0.997, 0.997}};
-        case Table::verner: return {ARKODE_VERNER_8_5_6, {1.306, 1.306}};
-        case Table::fehlberg: return {ARKODE_FEHLBERG_13_7_8, {2.365, 2.365}};
-        case Table::ark436: break;
-    }
-    return {ARKODE_ARK436L2SA_ERK_6_3_4, {3.999, 3.688}};
-}
 
 /// Returns the status that a return code of ARKODE amounts to.
 [[nodiscard]] ANCF_INLINE Status arkode_status(int code) noexcept {
@@ -75,7 +58,10 @@ private:
     [[nodiscard]] bool is_feasible();
     [[nodiscard]] bool is_stable();
     [[nodiscard]] bool step();
+    [[nodiscard]] int evolve(double& reached);
+    void restart(double step);
     void observe_until(double time);
+    [[nodiscard]] ancf::detail::MotionPoint between(double time) const;
     void monitor();
     void end(Status status, std::string message);
     void fail(int code);
@@ -87,7 +73,6 @@ private:
     const Start& start_;
     ExplicitReport& report_;
 
-    TableData table_;
     ExplicitSystem system_;
     Context context_;
     VectorOwner y_, tolerances_, dense_;
@@ -97,8 +82,11 @@ private:
     double time_;
     int code_ = ARK_SUCCESS;  // of the last call that evolves
     bool ran_ = false;
-    std::size_t next_ = 0;  // of the schedule's times
-    VectorX q_, v_;
+    std::size_t next_ = 0;                             // of the schedule's times
+    VectorX q_, v_, a_;                                // at time_
+    VectorX from_q_, from_v_, from_a_;                 // where the step that led there began
+    double from_ = 0.0;                                // s
+    long earlier_rejected_ = 0, earlier_limited_ = 0;  // before the last restart
     State observed_;
 };
 
@@ -110,8 +98,7 @@ ANCF_INLINE ExplicitRun::ExplicitRun(DynamicProblem& problem, const Schedule& sc
       options_(options),
       start_(start),
       report_(report),
-      table_(table_data(options.table)),
-      system_(problem, table_.reach, options.stable_interval),
+      system_(problem, reach_of(options.table), options.stable_interval),
       y_(make_vector(context_, system_.size())),
       tolerances_(make_vector(context_, system_.size())),
       dense_(make_vector(context_, system_.size())),
@@ -134,9 +121,15 @@ ANCF_INLINE void ExplicitRun::call(int code) const {
 ANCF_INLINE void ExplicitRun::set_up() {
     void* erk = erk_.get();
     call(Arkode::set_user_data(erk, &system_));
-    call(ERKStepSetTableNum(erk, table_.id));
+    call(ERKStepSetTableNum(erk, table_id(options_.table)));
+    call(Arkode::set_degree(erk, 3));  // of what gives the accelerations; more asks for more forces
+#if SUNDIALS_VERSION_MAJOR < 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR < 1)
+    // Before 7.1 every table whose last stage is at the step's end has it taken for the first one
+    // of the next step, which lowers the order to three; after a step that was processed it is not.
+    if (!is_first_same_as_last(options_.table))
+        call(Arkode::set_after_step(erk, [](sunrealtype, N_Vector, void*) { return 0; }));
+#endif
     set_tolerances();
-    call(Arkode::set_stop_time(erk, schedule_.end));
     set_steps();
 }
 
@@ -160,6 +153,7 @@ ANCF_INLINE void ExplicitRun::set_tolerances() {
 ANCF_INLINE void ExplicitRun::set_steps() {
     void* erk = erk_.get();
     const double duration = schedule_.end - start_.time;
+    call(Arkode::set_stop_time(erk, schedule_.end));
     if (is_fixed()) {
         fixed_step_ = duration / std::max(1.0, std::ceil(duration / options_.step - 1e-9));
         if (duration > 0.0) call(Arkode::set_fixed_step(erk, fixed_step_));
@@ -181,6 +175,7 @@ ANCF_INLINE void ExplicitRun::set_steps() {
 
 ANCF_INLINE void ExplicitRun::run() {
     report_.smallest_step = std::numeric_limits<double>::infinity();
+    a_ = start_.acceleration;
     monitor();
     observe_until(time_);
     if (is_feasible())
@@ -225,15 +220,14 @@ ANCF_INLINE bool ExplicitRun::step() {
     system_.forget_fault();
     context_.forget_message();
     ran_ = true;
-    const int code = Arkode::evolve(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
-    system_.rethrow();
+    const int code = evolve(reached);
     if (code < 0) {
         fail(code);
         return false;
     }
     code_ = code;
     ++report_.steps;
-    time_ = reached;
+    from_ = std::exchange(time_, reached);
     double length = 0.0;
     Arkode::last_step(erk_.get(), &length);
     report_.smallest_step = std::min(report_.smallest_step, length);
@@ -249,7 +243,47 @@ ANCF_INLINE bool ExplicitRun::step() {
     return is_stable();
 }
 
+// Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
+ANCF_INLINE int ExplicitRun::evolve(double& reached) {
+    constexpr int most = 12;
+    for (int attempt = 0;; ++attempt) {
+        const int code =
+            Arkode::evolve(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
+        system_.rethrow();
+        if (arkode_status(code) != Status::not_finite || is_fixed() || attempt == most) return code;
+        double tried = 0.0;
+        Arkode::current_step(erk_.get(), &tried);
+        ++report_.convergence_failures;
+        restart(0.25 * tried);
+    }
+}
+
+// Begins anew at the last state with a step of its own.
+ANCF_INLINE void ExplicitRun::restart(double step) {
+    void* erk = erk_.get();
+    long count = 0;
+    Arkode::error_failures(erk, &count);
+    earlier_rejected_ += count;
+    Arkode::limited_steps(erk, &count);
+    earlier_limited_ += count;
+    auto y = view(y_.get());
+    system_.q(y) = q_;
+    system_.v(y) = v_;
+    call(ERKStepReInit(erk, &ExplicitSystem::rate, time_, y_.get()));
+    call(Arkode::set_stop_time(erk, schedule_.end));
+    call(Arkode::set_first_step(erk, step));
+}
+
 ANCF_INLINE void ExplicitRun::monitor() {
+    if (schedule_.observe) {
+        from_q_.swap(q_);
+        from_v_.swap(v_);
+        if (report_.steps > 0) {
+            from_a_.swap(a_);
+            call(Arkode::derivative(erk_.get(), time_, 1, dense_.get()));
+            a_ = system_.v(view(dense_.get()));
+        }
+    }
     const auto y = view(y_.get());
     q_ = system_.q(y);
     v_ = system_.v(y);
@@ -260,14 +294,33 @@ ANCF_INLINE void ExplicitRun::observe_until(double time) {
     for (; next_ < schedule_.times.size() && schedule_.times[next_] <= time; ++next_) {
         if (!schedule_.observe) continue;
         const double at = schedule_.times[next_];
-        const bool between = at < time_;
-        if (between) {
-            call(Arkode::derivative(erk_.get(), at, 0, dense_.get()));
-            system_.rethrow();
-        }
-        const auto y = view(between ? dense_.get() : y_.get());
-        schedule_.observe(problem_.snapshot(at, system_.q(y), system_.v(y), {}, observed_));
+        const auto point = at < time_ ? between(at) : ancf::detail::MotionPoint{time_, q_, v_, {}};
+        schedule_.observe(problem_.snapshot(at, point.q, point.v, {}, observed_));
     }
+}
+
+// Quintic of q, v and a at both ends, and its derivative.
+ANCF_INLINE ancf::detail::MotionPoint ExplicitRun::between(double time) const {
+    using ancf::detail::combination;
+    const double h = time_ - from_;
+    const double s = (time - from_) / h;
+    const double r = 1.0 - s;
+    const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+    const double slope = 30.0 * s * s * r * r / h;
+    return {time,
+            combination({{1.0 - later, from_q_},
+                         {later, q_},
+                         {h * s * r * r * r * (1.0 + 3.0 * s), from_v_},
+                         {-h * s * s * s * r * (1.0 + 3.0 * r), v_},
+                         {0.5 * h * h * s * s * r * r * r, from_a_},
+                         {0.5 * h * h * s * s * s * r * r, a_}}),
+            combination({{-slope, from_q_},
+                         {slope, q_},
+                         {r * r * (1.0 + s * (2.0 - 15.0 * s)), from_v_},
+                         {s * s * (1.0 + r * (2.0 - 15.0 * r)), v_},
+                         {0.5 * h * s * r * r * (2.0 - 5.0 * s), from_a_},
+                         {-0.5 * h * s * s * r * (2.0 - 5.0 * r), a_}}),
+            {}};
 }
 
 ANCF_INLINE void ExplicitRun::end(Status status, std::string message) {
@@ -291,6 +344,8 @@ ANCF_INLINE void ExplicitRun::fail(int code) {
 ANCF_INLINE void ExplicitRun::finish() {
     Arkode::error_failures(erk_.get(), &report_.rejected);
     Arkode::limited_steps(erk_.get(), &report_.limited);
+    report_.rejected += earlier_rejected_;
+    report_.limited += earlier_limited_;
     report_.evaluations += system_.evaluations();
     report_.jacobians = system_.estimates();
     report_.highest_frequency = system_.frequency();

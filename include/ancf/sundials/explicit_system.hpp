@@ -13,6 +13,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/sundials/context.hpp>
+#include <ancf/sundials/table.hpp>
 #include <ancf/types.hpp>
 
 #include <exception>
@@ -20,12 +21,6 @@
 #include <utility>
 
 namespace ancf::sundials::detail {
-
-/// How far from zero a table is stable, as a product of step and rate.
-struct Reach {
-    double axis;  ///< on the imaginary axis: without damping
-    double disc;  ///< radius of the left half of a disc: with damping
-};
 
 /// What an explicit method integrates, and how long its steps may be.
 class ExplicitSystem {
