@@ -94,18 +94,18 @@ VectorX end_of_smooth_motion(Table table, double step) {
 TEST_CASE("Explicit: fixed steps have the order of their table", "[explicit][order]") {
     struct Expected {
         Table table;
-        double order, step;
+        double order, step, margin;
     };
-    // the steps are those where the error is far from round-off and from the stable step
-    const auto [table, order, step] =
-        GENERATE(Expected{Table::ark436, 4.0, 2e-4}, Expected{Table::zonneveld, 4.0, 2e-4},
-                 Expected{Table::bogacki_shampine, 3.0, 1e-4}, Expected{Table::verner, 6.0, 1e-3});
+    // steps far from round-off and from the stable step; order 6 has little room between them
+    const auto [table, order, step, margin] = GENERATE(
+        Expected{Table::ark436, 4.0, 8e-4, 0.1}, Expected{Table::zonneveld, 4.0, 4e-4, 0.1},
+        Expected{Table::bogacki_shampine, 3.0, 2e-4, 0.1}, Expected{Table::verner, 6.0, 1e-3, 0.4});
     const VectorX exact = end_of_smooth_motion(Table::fehlberg, 5e-5);
     const double coarse = (end_of_smooth_motion(table, step) - exact).norm();
     const double fine = (end_of_smooth_motion(table, 0.5 * step) - exact).norm();
     const double measured = std::log2(coarse / fine);
     CAPTURE(order, measured, coarse, fine);
-    CHECK(std::abs(measured - order) <= 0.1);
+    CHECK(std::abs(measured - order) <= margin);
 }
 
 TEST_CASE("Explicit: tables are stable as far along the imaginary axis as stated",
