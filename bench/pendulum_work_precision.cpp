@@ -200,7 +200,7 @@ double error(const Run& got, const Run& exact) {
 void measure(const std::vector<std::string>& names, int elements) {
     ancf::CsvWriter csv(
         std::cout, {"case", "elements", "integrator", "setting", "value", "error", "energy_error",
-                    "steps", "forces", "linear_solves", "factorisations", "cpu_seconds", "status"});
+                    "steps", "linear_solves", "factorisations", "cpu_seconds", "status", "forces"});
     for (const std::string& name : names) {
         const Run exact = reference(name, elements);
         ancf::detail::require(exact.report.status == ancf::Status::converged, name,
@@ -209,9 +209,9 @@ void measure(const std::vector<std::string>& names, int elements) {
             for (const double value : values) {
                 const Run got = timed_run(name, elements, integrator, value);
                 csv.row(name, elements, integrator.name, integrator.setting, value,
-                        error(got, exact), got.energy, got.report.steps, got.report.evaluations,
-                        got.report.iterations, got.report.factorisations, got.seconds,
-                        to_string(got.report.status));
+                        error(got, exact), got.energy, got.report.steps, got.report.iterations,
+                        got.report.factorisations, got.seconds, to_string(got.report.status),
+                        got.report.evaluations);
                 std::cout.flush();
             }
     }
