@@ -6,9 +6,9 @@
 ///
 /// The rubber pendulum of [Dufva2006, section 5.1], the same on a massless link of 0.4 m, a steel
 /// one (2 m, 10 mm square), and on demand the first with a support as its pin, in space and in the
-/// plane: those have no multipliers, so an explicit method takes them. The error is the largest distance of the tip from a reference
-/// solution at 24 times in 1.2 s; the reference is a run of the same mesh with a far smaller
-/// tolerance or step.
+/// plane: those have no multipliers, so explicit methods take them. The error is the largest
+/// distance of the tip from a reference solution at 24 times in 1.2 s; the reference is a run of
+/// the same mesh with a far smaller tolerance or step.
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
