@@ -22,9 +22,9 @@
 namespace ancf::sundials::detail {
 
 #if SUNDIALS_VERSION_MAJOR > 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR >= 1)
-#define ANCF_ARKODE(name) ARKode##name
+#define ANCF_ARKODE(name) ARKode##name  ///< the name of this version
 #else
-#define ANCF_ARKODE(name) ERKStep##name
+#define ANCF_ARKODE(name) ERKStep##name  ///< the name of this version
 #endif
 
 /// The calls.
