@@ -15,6 +15,7 @@
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/model/scene.hpp>
 #if ANCF_WITH_SUNDIALS
+#include <ancf/sundials/explicit.hpp>
 #include <ancf/sundials/ida.hpp>
 #endif
 
@@ -46,6 +47,19 @@ inline Integrator ida(std::string name, sundials::Form form) {
                 options.tolerance = tolerance;
                 options.follow_energy = false;
                 return sundials::Ida(options).integrate(problem, schedule);
+            }};
+}
+
+/// An explicit method by one of its tables; for scenes without multipliers.
+inline Integrator explicit_method(std::string name, sundials::Table table) {
+    return {std::move(name), "tolerance",
+            [table](Scene& model, const Schedule& schedule, double tolerance) {
+                DynamicProblem problem(model);
+                sundials::ExplicitOptions options;
+                options.table = table;
+                options.tolerance = tolerance;
+                options.follow_energy = false;
+                return sundials::Explicit(options).integrate(problem, schedule);
             }};
 }
 #endif

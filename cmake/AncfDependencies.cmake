@@ -87,7 +87,8 @@ endmacro()
 
 # Sets RESULT to whether a target that ancf::sundials links names LIBRARY, itself or through others.
 function(_ancf_sundials_names library result)
-    set(waiting SUNDIALS::ida SUNDIALS::nvecserial SUNDIALS::sunmatrixsparse SUNDIALS::sunlinsolklu SUNDIALS::core)
+    set(waiting SUNDIALS::ida SUNDIALS::arkode SUNDIALS::nvecserial SUNDIALS::sunmatrixsparse SUNDIALS::sunlinsolklu
+        SUNDIALS::core)
     set(names)
     while(waiting)
         list(POP_FRONT waiting name)
@@ -117,7 +118,7 @@ macro(_ancf_find_sundials)
             add_library(OpenMP::OpenMP_C INTERFACE IMPORTED)
         endif()
     endif()
-    find_package(SUNDIALS QUIET CONFIG COMPONENTS ida nvecserial sunmatrixsparse sunlinsolklu)
+    find_package(SUNDIALS QUIET CONFIG COMPONENTS ida arkode nvecserial sunmatrixsparse sunlinsolklu)
     set(ancf_sundials_FOUND FALSE)
     # A SUNDIALS with MPI names MPI::MPI_C, which FindMPI makes only where the language C is enabled. What it finds for
     # C++ serves as well.
@@ -130,9 +131,9 @@ macro(_ancf_find_sundials)
         ancf_explain(sundials
             "ancf's component sundials needs SUNDIALS 6.4 or newer, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR}."
             libsundials-dev sundials-devel sundials sundials)
-    elseif(SUNDIALS_DIR AND NOT (TARGET SUNDIALS::ida AND TARGET SUNDIALS::sunlinsolklu))
+    elseif(SUNDIALS_DIR AND NOT (TARGET SUNDIALS::ida AND TARGET SUNDIALS::arkode AND TARGET SUNDIALS::sunlinsolklu))
         ancf_explain(sundials
-            "ancf's component sundials needs SUNDIALS with IDA and KLU, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR} without them."
+            "ancf's component sundials needs SUNDIALS with IDA, ARKODE and KLU, found ${SUNDIALS_VERSION} in ${SUNDIALS_DIR} without them."
             libsundials-dev sundials-devel sundials sundials)
     elseif(_ancf_with_mpi AND NOT TARGET MPI::MPI_C)
         ancf_explain(sundials
@@ -140,7 +141,7 @@ macro(_ancf_find_sundials)
             mpi-default-dev openmpi-devel open-mpi openmpi)
     elseif(NOT SUNDIALS_FOUND)
         ancf_explain(sundials
-            "ancf's component sundials needs IDA of SUNDIALS 6.4 or newer, built with KLU, which was not found."
+            "ancf's component sundials needs IDA and ARKODE of SUNDIALS 6.4 or newer, built with KLU, which was not found."
             libsundials-dev sundials-devel sundials sundials)
     else()
         set(ancf_sundials_FOUND TRUE)

@@ -20,7 +20,7 @@ set_target_properties(ancf_suitesparse PROPERTIES EXPORT_NAME suitesparse)
 
 add_library(ancf_sundials INTERFACE)
 target_link_libraries(ancf_sundials INTERFACE
-    ancf SUNDIALS::ida SUNDIALS::nvecserial SUNDIALS::sunmatrixsparse SUNDIALS::sunlinsolklu)
+    ancf SUNDIALS::ida SUNDIALS::arkode SUNDIALS::nvecserial SUNDIALS::sunmatrixsparse SUNDIALS::sunlinsolklu)
 # SUNDIALS 7 keeps SUNContext and SUNLogger in a library of their own.
 target_link_libraries(ancf_sundials INTERFACE $<$<TARGET_EXISTS:SUNDIALS::core>:SUNDIALS::core>)
 set_target_properties(ancf_sundials PROPERTIES EXPORT_NAME sundials)

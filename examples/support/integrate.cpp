@@ -9,6 +9,7 @@
 #include <ancf/output/state_file.hpp>
 
 #if ANCF_WITH_SUNDIALS
+#include <ancf/sundials/explicit.hpp>
 #include <ancf/sundials/ida.hpp>
 #endif
 
@@ -24,10 +25,19 @@ namespace examples {
 
 namespace {
 
-/// Integrates by IDA.
-[[nodiscard]] Motion integrate_by_ida(ancf::DynamicProblem& problem, const MotionOptions& options,
-                                      const ancf::Schedule& schedule) {
+/// Integrates by IDA or by an explicit method.
+[[nodiscard]] Motion integrate_by_sundials(ancf::DynamicProblem& problem,
+                                           const MotionOptions& options,
+                                           const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
+    if (options.is_explicit()) {
+        ancf::sundials::ExplicitOptions method;
+        method.tolerance = options.tolerance;
+        auto report = ancf::sundials::Explicit(method).integrate(problem, schedule);
+        std::string detail = "stable step " + ancf::number_text(report.stable_step, 6) + " s, " +
+                             std::to_string(report.evaluations) + " forces, " + report.code;
+        return {std::move(report), std::move(detail)};
+    }
     ancf::sundials::IdaOptions ida;
     ida.tolerance = options.tolerance;
     if (options.integrator == "ida-ggl") ida.form = ancf::sundials::Form::gear_gupta_leimkuhler;
@@ -45,7 +55,7 @@ namespace {
 /// Integrates by the integrator of the options.
 [[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem, const MotionOptions& options,
                                        const ancf::Schedule& schedule, const ancf::Memory& memory) {
-    if (options.by_ida()) return integrate_by_ida(problem, options, schedule);
+    if (options.by_sundials()) return integrate_by_sundials(problem, options, schedule);
     const std::unique_ptr<ancf::LinearSolver> solver = general_solver();
     if (options.integrator == "energy") {
         ancf::EnergyMomentumOptions method;
@@ -80,7 +90,7 @@ Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedul
             state.multipliers.size(), " multipliers, the file ", saved.state.q.size(), " and ",
             saved.state.multipliers.size());
         state = std::move(saved.state);
-        if (!options.by_ida()) memory = std::move(saved.memory);
+        if (!options.by_sundials()) memory = std::move(saved.memory);
     }
     const double start = model.state().time;
     schedule.end += start;

@@ -18,10 +18,12 @@ MotionOptions::MotionOptions(double for_seconds, double output_interval)
 
 void MotionOptions::add_to(CommandLine& line) {
     line.set_group("Integration");
-    line.add_choice("--integrator", integrator,
-                    {"ida-index3", "ida-ggl", "generalized-alpha", "radau", "radau9", "energy"},
-                    "integrator");
-    line.add_number("--tolerance", tolerance, Range::positive, "relative, of IDA and Radau");
+    line.add_choice(
+        "--integrator", integrator,
+        {"ida-index3", "ida-ggl", "explicit", "generalized-alpha", "radau", "radau9", "energy"},
+        "integrator");
+    line.add_number("--tolerance", tolerance, Range::positive,
+                    "relative, of IDA, Radau and the explicit method");
     line.add_number("--step", step, Range::positive, "of the other integrators, s");
     line.add_number("--rho", rho, Range::finite,
                     "of generalized-alpha: spectral radius at infinity, from 0 to 1");
@@ -40,7 +42,7 @@ void MotionOptions::check(const CommandLine& line) const {
                           rho);
     ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
                           "--tolerance: expected a number from 1e-14 to 1, got ", tolerance);
-    ancf::detail::require(ANCF_WITH_SUNDIALS || !by_ida(), "--integrator ", integrator,
+    ancf::detail::require(ANCF_WITH_SUNDIALS || !by_sundials(), "--integrator ", integrator,
                           " needs SUNDIALS, and this program was built without it");
     require_countable("--output-interval", interval, duration);
     if (!save.empty()) require_writable(save);

@@ -19,7 +19,7 @@ namespace examples {
 /// How a motion is integrated, from the command line.
 struct MotionOptions {
     std::string integrator;   ///< ida-index3 or, without SUNDIALS, generalized-alpha
-    double tolerance = 1e-8;  ///< of IDA and Radau
+    double tolerance = 1e-8;  ///< of IDA, Radau and the explicit method
     double step = 1e-4;       ///< s, of the others
     double rho = 0.8;         ///< of generalized-alpha
     double duration;          ///< s
@@ -37,7 +37,12 @@ struct MotionOptions {
 
     [[nodiscard]] bool by_ida() const { return integrator.rfind("ida", 0) == 0; }
     [[nodiscard]] bool by_radau() const { return integrator.rfind("radau", 0) == 0; }
-    [[nodiscard]] bool by_tolerance() const { return by_ida() || by_radau(); }
+    [[nodiscard]] bool is_explicit() const { return integrator == "explicit"; }
+
+    /// Returns whether the integrator is one of SUNDIALS.
+    [[nodiscard]] bool by_sundials() const { return by_ida() || is_explicit(); }
+    /// Returns whether the integrator takes a tolerance and no step.
+    [[nodiscard]] bool by_tolerance() const { return by_sundials() || by_radau(); }
 
     /// Returns whether a run is at least as accurate as with the defaults.
     [[nodiscard]] bool as_accurate_as_default() const {

@@ -5,4 +5,5 @@
 
 set(SUNDIALS_VERSION 5.8.0)
 add_library(SUNDIALS::ida INTERFACE IMPORTED)
+add_library(SUNDIALS::arkode INTERFACE IMPORTED)
 add_library(SUNDIALS::sunlinsolklu INTERFACE IMPORTED)
