@@ -200,7 +200,7 @@ private:
     void check_size(const char* call, const char* what, const VectorX& given) const;
     void list_coordinates();
     void build_pattern(Storage storage);
-    void list_followed();
+    [[gnu::cold]] void list_followed();
     void build_slots(const ElementGroup& group);
     // Returns where a group adds, with its tangents to these values.
     [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;

@@ -42,7 +42,7 @@ public:
     Dependence() = default;
 
     /// Resolves chains of attachments, which form no circle.
-    Dependence(const Layout& layout, const std::vector<AttachedVector>& attachments);
+    [[gnu::cold]] Dependence(const Layout& layout, const std::vector<AttachedVector>& attachments);
 
     /// Tells whether nothing is attached.
     [[nodiscard]] bool empty() const noexcept { return firsts_.empty(); }
@@ -82,8 +82,8 @@ class LocalCoordinates {
 public:
     /// @param what  the word for its owner in the message
     /// @throws InvalidArgument for a vector that its node does not carry.
-    LocalCoordinates(const Layout& layout, const Dependence& dependence, const Coupling& coupling,
-                     const char* what);
+    [[gnu::cold]] LocalCoordinates(const Layout& layout, const Dependence& dependence,
+                                   const Coupling& coupling, const char* what);
 
     /// Returns the coordinates in the order of its coupling.
     [[nodiscard]] const std::vector<int>& read() const noexcept { return read_; }
@@ -133,8 +133,8 @@ struct AttachedElement {
 
     /// Lists all but `base`, which is the assembly's.
     /// @throws InvalidArgument for more vectors than there is room for.
-    AttachedElement(const Layout& layout, const Dependence& dependence, Fields fields,
-                    const std::array<int, 2>& nodes);
+    [[gnu::cold]] AttachedElement(const Layout& layout, const Dependence& dependence, Fields fields,
+                                  const std::array<int, 2>& nodes);
 
     /// Adds the element's tangent, by columns, to the values of a system.
     void add(const GroupTarget& target, const double* tangent) const;

@@ -10,7 +10,6 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/model/node.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -48,8 +47,12 @@ public:
 
     /// Returns the node of a coordinate.
     [[nodiscard]] int node_of(int coordinate) const {
-        const auto next = std::upper_bound(first_.begin(), first_.end(), coordinate);
-        return static_cast<int>(next - first_.begin()) - 1;
+        int node = 0;
+        for (int last = nodes(); last - node > 1;) {
+            const int middle = node + (last - node) / 2;
+            (first(middle) <= coordinate ? node : last) = middle;
+        }
+        return node;
     }
 
     /// Returns the field of a coordinate.
