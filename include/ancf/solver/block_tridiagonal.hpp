@@ -11,6 +11,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/solver/block_widths.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -27,7 +28,8 @@ namespace ancf {
 /// are counted, but without pivoting: where a pivot vanishes it counts as singular.
 class BlockTridiagonal final : public LinearSolver {
 public:
-    static constexpr int max_block = 24;  ///< unknowns in the widest block that is accepted
+    /// Unknowns in the widest block that is accepted.
+    static constexpr int max_block = detail::widest_compiled_block;
 
     BlockTridiagonal() = default;
 

@@ -6,21 +6,22 @@
 
 #pragma once
 
-#include <ancf/solver/block_tridiagonal.hpp>
-
 #include <algorithm>
 #include <type_traits>
 #include <utility>
 
 namespace ancf::detail {
 
-/// The widths of blocks that are compiled.
-using BlockWidths = std::integer_sequence<int, 6, 12, BlockTridiagonal::max_block>;
+/// Unknowns in the widest block.
+inline constexpr int widest_compiled_block = 24;
 
-/// Returns the smallest compiled width that holds `widest`, which is at most max_block.
+/// The widths of blocks that are compiled.
+using BlockWidths = std::integer_sequence<int, 6, 12, widest_compiled_block>;
+
+/// Returns the smallest compiled width that holds `widest`, which is at most the widest.
 template <int... Width>
 int fitting_width(int widest, std::integer_sequence<int, Width...>) {
-    int fitting = BlockTridiagonal::max_block;
+    int fitting = widest_compiled_block;
     ((fitting = widest <= Width ? std::min(fitting, Width) : fitting), ...);
     return fitting;
 }
