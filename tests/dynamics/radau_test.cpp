@@ -76,41 +76,6 @@ Chain soft_swing(bool link) {
     return scene;
 }
 
-/// Returns states at equal times by the Runge-Kutta method of fourth order, every step projected on
-/// the constraints.
-/// @param outputs  how many, the start not among them
-std::vector<State> by_runge_kutta(Scene& model, double end, int steps, int outputs) {
-    DynamicProblem problem(model);
-    const Start start = problem.start();
-    REQUIRE(start.status == Status::converged);
-    VectorX lambda;
-    const auto acceleration = [&](double t, const VectorX& q, const VectorX& v) {
-        VectorX a;
-        REQUIRE(problem.accelerations(t, q, v, a, lambda) == Status::converged);
-        return a;
-    };
-    const double h = end / steps;
-    VectorX q = start.q, v = start.v;
-    std::vector<State> states;
-    for (int k = 1; k <= steps; ++k) {
-        const double t = (k - 1) * h;
-        const VectorX a1 = acceleration(t, q, v);
-        const VectorX v2 = v + 0.5 * h * a1;
-        const VectorX a2 = acceleration(t + 0.5 * h, q + 0.5 * h * v, v2);
-        const VectorX v3 = v + 0.5 * h * a2;
-        const VectorX a3 = acceleration(t + 0.5 * h, q + 0.5 * h * v2, v3);
-        const VectorX v4 = v + h * a3;
-        const VectorX a4 = acceleration(t + h, q + h * v3, v4);
-        q += h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4);
-        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-        REQUIRE(problem.project(k * h, q, v));
-        if (k % (steps / outputs) != 0) continue;
-        static_cast<void>(acceleration(k * h, q, v));  // for its multipliers
-        states.push_back(problem.state(k * h, q, v, lambda));
-    }
-    return states;
-}
-
 /// Returns the limit of two runs of by_runge_kutta.
 template <class Make>
 std::vector<State> exact_states(const Make& make, double end, int steps, int outputs) {
@@ -724,7 +689,7 @@ double correction_left(DynamicProblem& problem, const Memory& memory, int stages
     return correction.allFinite() ? largest : std::numeric_limits<double>::infinity();
 }
 
-/// Runs a few steps of a random scene and checks the last one; returns whether it converged.
+/// Runs a few steps of a random scene and checks the last one; returns whether a step converged.
 template <class Element>
 bool check_random_scene(std::uint64_t seed) {
     Random random(seed);
@@ -753,7 +718,7 @@ bool check_random_scene(std::uint64_t seed) {
     return true;
 }
 
-/// Runs random scenes of every kind; returns how many steps converged.
+/// Runs random scenes of every kind; returns in how many a step converged.
 int check_random_scenes(std::uint64_t first, int count) {
     int converged = 0;
     for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
@@ -773,7 +738,7 @@ TEST_CASE("Radau IIA: what converges has a small residual, in random scenes", "[
     CHECK(check_random_scenes(1, 100) >= 98);
 }
 
-// test_dynamics "[radau-long]", half a minute
+// test_dynamics "[radau-long]", ten seconds
 TEST_CASE("Radau IIA: what converges has a small residual, in ten thousand random scenes",
           "[.][radau-long]") {
     CHECK(check_random_scenes(1000, 10000) >= 9900);

@@ -77,37 +77,47 @@ inline void spin(Scene& model, const Vector3& turn, const Vector3& translation) 
     return scene;
 }
 
-/// Returns the swing after half a second by the Runge-Kutta method of fourth order on the
-/// accelerations, every step projected on the constraints: exact to 1e-7 (w h < 0.04).
+/// Returns states at equal times by the Runge-Kutta method of fourth order, every step projected on
+/// the constraints.
+/// @param outputs  how many, the start not among them
+[[nodiscard]] inline std::vector<State> by_runge_kutta(Scene& model, double end, int steps,
+                                                       int outputs) {
+    DynamicProblem problem(model);
+    const Start start = problem.start();
+    REQUIRE(start.status == Status::converged);
+    VectorX lambda;
+    const auto acceleration = [&](double t, const VectorX& q, const VectorX& v) {
+        VectorX a;
+        REQUIRE(problem.accelerations(t, q, v, a, lambda) == Status::converged);
+        return a;
+    };
+    const double h = end / steps;
+    VectorX q = start.q, v = start.v;
+    std::vector<State> states;
+    for (int k = 1; k <= steps; ++k) {
+        const double t = (k - 1) * h;
+        const VectorX a1 = acceleration(t, q, v);
+        const VectorX v2 = v + 0.5 * h * a1;
+        const VectorX a2 = acceleration(t + 0.5 * h, q + 0.5 * h * v, v2);
+        const VectorX v3 = v + 0.5 * h * a2;
+        const VectorX a3 = acceleration(t + 0.5 * h, q + 0.5 * h * v2, v3);
+        const VectorX v4 = v + h * a3;
+        const VectorX a4 = acceleration(t + h, q + h * v3, v4);
+        q += h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4);
+        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+        REQUIRE(problem.project(k * h, q, v));
+        if (k % (steps / outputs) != 0) continue;
+        static_cast<void>(acceleration(k * h, q, v));  // for its multipliers
+        states.push_back(problem.state(k * h, q, v, lambda));
+    }
+    return states;
+}
+
+/// Returns the swing after half a second by that method: exact to 1e-7 (w h < 0.04).
 [[nodiscard]] inline const State& exact_swing() {
     static const State state = [] {
         Chain scene = swing();
-        DynamicProblem problem(scene.model);
-        const Start start = problem.start();
-        VectorX lambda;
-        const auto acceleration = [&](double t, const VectorX& q, const VectorX& v) {
-            VectorX a;
-            REQUIRE(problem.accelerations(t, q, v, a, lambda) == Status::converged);
-            return a;
-        };
-        constexpr int steps = 2500;
-        constexpr double h = 0.5 / steps;
-        VectorX q = start.q, v = start.v;
-        for (int k = 0; k < steps; ++k) {
-            const double t = k * h;
-            const VectorX a1 = acceleration(t, q, v);
-            const VectorX v2 = v + 0.5 * h * a1;
-            const VectorX a2 = acceleration(t + 0.5 * h, q + 0.5 * h * v, v2);
-            const VectorX v3 = v + 0.5 * h * a2;
-            const VectorX a3 = acceleration(t + 0.5 * h, q + 0.5 * h * v2, v3);
-            const VectorX v4 = v + h * a3;
-            const VectorX a4 = acceleration(t + h, q + h * v3, v4);
-            q += h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4);
-            v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
-            REQUIRE(problem.project(t + h, q, v));
-        }
-        static_cast<void>(acceleration(0.5, q, v));  // for its multipliers
-        return problem.state(0.5, q, v, lambda);
+        return by_runge_kutta(scene.model, 0.5, 2500, 1).front();
     }();
     return state;
 }

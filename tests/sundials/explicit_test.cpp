@@ -64,13 +64,6 @@ Seen move(Hanging& scene, ancf::Schedule schedule, const ExplicitOptions& option
     return seen;
 }
 
-ancf::Schedule until(double end, std::vector<double> times = {}) {
-    ancf::Schedule schedule;
-    schedule.end = end;
-    schedule.times = std::move(times);
-    return schedule;
-}
-
 ExplicitOptions with_tolerance(double tolerance) {
     ExplicitOptions options;
     options.tolerance = tolerance;
@@ -345,24 +338,6 @@ TEST_CASE("Explicit: a step into what cannot be evaluated is taken again, shorte
     CHECK(stopped.report.convergence_failures >= 12);
     CHECK(stopped.report.time == Approx(std::sqrt(2.0 * 0.01 / 9.81)).epsilon(1e-4));
 }
-
-/// A load whose value after a time is the user's trouble.
-struct Trouble {
-    ancf::NodeId node;
-    double after, value;
-    bool throws;
-
-    struct Code {
-        int number;
-    };
-
-    [[nodiscard]] ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
-    void evaluate(const ancf::LoadState& state, ancf::LoadResult& out) const {
-        if (state.time <= after) return;
-        if (throws) throw Code{42};
-        out.force[1] = value;
-    }
-};
 
 TEST_CASE("Explicit: a force that is no number ends the run where it begins",
           "[explicit][failure]") {

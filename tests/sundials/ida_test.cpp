@@ -30,25 +30,6 @@ using ancf::sundials::IdaOptions;
 using ancf::sundials::Order;
 using namespace ancf_test;
 
-/// A load whose value after a time is the user's trouble.
-struct Trouble {
-    ancf::NodeId node;
-    double after;
-    double value;  // returned then; NaN or a number
-    bool throws;
-
-    struct Code {
-        int number;
-    };
-
-    [[nodiscard]] ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
-    void evaluate(const ancf::LoadState& state, ancf::LoadResult& out) const {
-        if (state.time <= after) return;
-        if (throws) throw Code{42};
-        out.force[1] = value;
-    }
-};
-
 /// What a file descriptor receives while this lives.
 class Captured {
 public:
@@ -74,13 +55,6 @@ private:
     int descriptor_, kept_;
     std::FILE* file_;
 };
-
-ancf::Schedule until(double end, std::vector<double> times = {}) {
-    ancf::Schedule schedule;
-    schedule.end = end;
-    schedule.times = std::move(times);
-    return schedule;
-}
 
 TEST_CASE("Ida: options that cannot be meant are refused by name", "[ida][input]") {
     const auto refused = [](auto change, const std::string& name) {

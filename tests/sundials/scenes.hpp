@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Scenes that the tests of IDA share, and a record of what a run reported.
+/// Scenes that the tests of this folder share, and a record of what a run reported.
 
 #pragma once
 
@@ -69,6 +69,33 @@ inline Hanging link_pendulum(int elements) {
     Hanging scene = soft_beam(elements);
     scene.model->add(ancf::Distance<3>(scene.beam.first(), Point(0.0, 0.4, 0.0), 0.4));
     return scene;
+}
+
+/// A load whose value after a time is the user's trouble.
+struct Trouble {
+    ancf::NodeId node;
+    double after;
+    double value;  // returned then; NaN or a number
+    bool throws;
+
+    struct Code {
+        int number;
+    };
+
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, ancf::Field::r}}; }
+    void evaluate(const ancf::LoadState& state, ancf::LoadResult& out) const {
+        if (state.time <= after) return;
+        if (throws) throw Code{42};
+        out.force[1] = value;
+    }
+};
+
+/// Returns the schedule of a run that is observed at these times.
+inline ancf::Schedule until(double end, std::vector<double> times = {}) {
+    ancf::Schedule schedule;
+    schedule.end = end;
+    schedule.times = std::move(times);
+    return schedule;
 }
 
 /// What an observer saw at one time.
