@@ -34,7 +34,7 @@ function(_ancf_compiled_layers result)
     foreach(layer IN LISTS ARGN)
         file(GLOB_RECURSE definitions RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
             ${PROJECT_SOURCE_DIR}/include/ancf/${layer}/*.ipp)
-        if(layer MATCHES "^(solver|dynamics|suitesparse|sundials)$") # each of them is large
+        if(layer MATCHES "^(solver|dynamics|suitesparse|sundials|petsc)$") # each of them is large
             foreach(file IN LISTS definitions)
                 string(REGEX REPLACE "^ancf/|[.]ipp$" "" stem ${file})
                 string(REPLACE "/" "_" stem ${stem})

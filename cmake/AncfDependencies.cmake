@@ -4,7 +4,7 @@
 # Looks for what ancf stands on; used by ancf's own build and by its installed package alike, so that
 # the same header package serves a consumer with Eigen only and one with everything.
 #
-# ancf_find_dependencies(PART): PART is core, compiled, suitesparse or sundials. Sets ancf_PART_FOUND and, where it
+# ancf_find_dependencies(PART): PART is core, compiled, suitesparse, sundials or petsc. Sets ancf_PART_FOUND and, where it
 # is false, ancf_PART_MESSAGE: what is missing and how to get it.
 #
 # These are macros: find_package must leave its targets and variables with the caller.
@@ -20,10 +20,12 @@ macro(ancf_find_dependencies part)
         _ancf_find_suitesparse()
     elseif("${part}" STREQUAL "sundials")
         _ancf_find_sundials()
+    elseif("${part}" STREQUAL "petsc")
+        _ancf_find_petsc()
     else()
         set(ancf_${part}_FOUND FALSE)
         set(ancf_${part}_MESSAGE
-            "ancf has no component '${part}'; there are: compiled, suitesparse, sundials (the core needs no name)")
+            "ancf has no component '${part}'; there are: compiled, suitesparse, sundials, petsc (the core needs no name)")
     endif()
 endmacro()
 
@@ -145,5 +147,36 @@ macro(_ancf_find_sundials)
             libsundials-dev sundials-devel sundials sundials)
     else()
         set(ancf_sundials_FOUND TRUE)
+    endif()
+endmacro()
+
+# PETSc has no CMake package; its pkg-config file leaves out MPI, which the compiler wrapper of MPI knows.
+macro(_ancf_find_petsc)
+    set(ancf_petsc_FOUND FALSE)
+    find_package(PkgConfig QUIET)
+    if(PkgConfig_FOUND AND NOT TARGET PkgConfig::ANCF_PETSC)
+        pkg_search_module(ANCF_PETSC QUIET IMPORTED_TARGET GLOBAL PETSc petsc)
+        if(TARGET PkgConfig::ANCF_PETSC)
+            # what it was compiled with is no business of its users
+            set_property(TARGET PkgConfig::ANCF_PETSC PROPERTY INTERFACE_COMPILE_OPTIONS)
+        endif()
+    endif()
+    if(NOT TARGET MPI::MPI_CXX)
+        find_package(MPI QUIET COMPONENTS CXX)
+    endif()
+    if(NOT PkgConfig_FOUND)
+        ancf_explain(petsc "ancf's component petsc needs pkg-config, which was not found."
+            pkg-config pkgconf pkgconf pkg-config)
+    elseif(NOT TARGET PkgConfig::ANCF_PETSC)
+        ancf_explain(petsc "ancf's component petsc needs PETSc 3.18 or newer with MPI, which pkg-config does not find."
+            petsc-dev petsc-openmpi-devel petsc petsc)
+    elseif(ANCF_PETSC_VERSION AND ANCF_PETSC_VERSION VERSION_LESS 3.18)
+        ancf_explain(petsc "ancf's component petsc needs PETSc 3.18 or newer, found ${ANCF_PETSC_VERSION} in ${ANCF_PETSC_PREFIX}."
+            petsc-dev petsc-openmpi-devel petsc petsc)
+    elseif(NOT TARGET MPI::MPI_CXX)
+        ancf_explain(petsc "ancf's component petsc needs MPI for C++, which was not found."
+            mpi-default-dev openmpi-devel open-mpi openmpi)
+    else()
+        set(ancf_petsc_FOUND TRUE)
     endif()
 endmacro()

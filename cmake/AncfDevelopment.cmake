@@ -5,6 +5,8 @@
 #
 # ancf_core_development: the headers of the core with the warnings and the sanitizers.
 # ancf_development: all components that are there as well; ANCF_WITH_SUITESPARSE and ANCF_WITH_SUNDIALS are 1 or 0.
+# ancf_link_petsc(NAME LIBRARY): the component petsc, where it is there, for a program that asks for it; ANCF_WITH_PETSC
+# is 1 or 0. Others are spared the loading of its libraries.
 # ancf_add_program(NAME LIBRARY SOURCE...): an example or bench program with ancf_development and a compiled library,
 # ancf_compiled or ancf_compiled_native.
 
@@ -44,6 +46,15 @@ function(ancf_link name library)
     endforeach()
 endfunction()
 
+function(ancf_link_petsc name library)
+    if(TARGET ancf::petsc)
+        target_link_libraries(${name} PUBLIC ${library}_petsc)
+        target_compile_definitions(${name} PRIVATE ANCF_WITH_PETSC=1)
+    else()
+        target_compile_definitions(${name} PRIVATE ANCF_WITH_PETSC=0)
+    endif()
+endfunction()
+
 function(ancf_add_program name library)
     add_executable(${name} ${ARGN})
     ancf_link(${name} ${library})
@@ -81,7 +92,7 @@ if(NOT MSVC)
     set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp
         ${PROJECT_BINARY_DIR}/compiled/solver_subspace.cpp PROPERTIES COMPILE_OPTIONS
         "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=20;--param=ggc-min-heapsize=32768>")
-    foreach(component suitesparse sundials)
+    foreach(component suitesparse sundials petsc)
         if(TARGET ancf::${component})
             ancf_add_compiled_component(ancf_compiled_native ${component})
         endif()

@@ -5,7 +5,7 @@
 
 file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/include/ancf/*.hpp)
-foreach(component suitesparse sundials)
+foreach(component suitesparse sundials petsc)
     if(NOT TARGET ancf::${component})
         list(FILTER headers EXCLUDE REGEX "^ancf/${component}/")
     endif()
@@ -19,5 +19,5 @@ foreach(header IN LISTS headers)
     list(APPEND sources ${source})
 endforeach()
 add_library(ancf_header_check OBJECT ${sources})
-target_link_libraries(ancf_header_check PRIVATE ancf_development)
+target_link_libraries(ancf_header_check PRIVATE ancf_development $<$<TARGET_EXISTS:ancf::petsc>:ancf::petsc>)
 target_compile_options(ancf_header_check PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>)

@@ -15,7 +15,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(TARGETS ancf EXPORT ancfTargets)
 install(TARGETS ancf_suitesparse EXPORT ancfSuitesparseTargets)
 install(TARGETS ancf_sundials EXPORT ancfSundialsTargets)
-foreach(export ancfTargets ancfSuitesparseTargets ancfSundialsTargets)
+install(TARGETS ancf_petsc EXPORT ancfPetscTargets)
+foreach(export ancfTargets ancfSuitesparseTargets ancfSundialsTargets ancfPetscTargets)
     install(EXPORT ${export} NAMESPACE ancf:: DESTINATION ${ANCF_INSTALL_CMAKEDIR})
 endforeach()
 
@@ -43,7 +44,7 @@ if(ANCF_INSTALL_COMPILED)
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT compiled)
     install(EXPORT ancfCompiledTargets NAMESPACE ancf:: DESTINATION ${ANCF_INSTALL_COMPILED_CMAKEDIR}
         COMPONENT compiled)
-    foreach(component suitesparse sundials)
+    foreach(component suitesparse sundials petsc)
         if(TARGET ancf_compiled_${component})
             list(APPEND libraries ancf_compiled_${component})
             install(TARGETS ancf_compiled_${component} EXPORT ancfCompiled_${component}Targets

@@ -25,6 +25,12 @@ target_link_libraries(ancf_sundials INTERFACE
 target_link_libraries(ancf_sundials INTERFACE $<$<TARGET_EXISTS:SUNDIALS::core>:SUNDIALS::core>)
 set_target_properties(ancf_sundials PROPERTIES EXPORT_NAME sundials)
 
+# Their own C++ bindings, which MPI has given up, need a library more.
+add_library(ancf_petsc INTERFACE)
+target_link_libraries(ancf_petsc INTERFACE ancf PkgConfig::ANCF_PETSC MPI::MPI_CXX)
+target_compile_definitions(ancf_petsc INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+set_target_properties(ancf_petsc PROPERTIES EXPORT_NAME petsc)
+
 # ancf_use_component(NAME WANTED): makes ancf::NAME usable in this build. WANTED is AUTO (when its third party is
 # there), ON (must be there) or OFF.
 macro(ancf_use_component name wanted)

@@ -197,6 +197,14 @@ private:
         int last;
     };
 
+    [[nodiscard]] std::optional<Fault> evaluate_own(const Configuration& at, Request request,
+                                                    const VectorX* increment,
+                                                    const Correction* last);
+    // The same for all parts of a scene, which then have each other's forces.
+    [[nodiscard]] std::optional<Fault> evaluate_part(const Exchange& exchange,
+                                                     const Configuration& at, Request request,
+                                                     const VectorX* increment,
+                                                     const Correction* last);
     void check_size(const char* call, const char* what, const VectorX& given) const;
     void list_coordinates();
     void build_pattern(Storage storage);

@@ -16,7 +16,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -260,6 +262,44 @@ ANCF_INLINE void Assembly::build_gravity() {
 ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
                                                     const VectorX* increment,
                                                     const Correction* last) {
+    if (const Exchange* const exchange = model_.exchange())
+        return evaluate_part(*exchange, at, request, increment, last);
+    return evaluate_own(at, request, increment, last);
+}
+
+ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const Exchange& exchange,
+                                                         const Configuration& at, Request request,
+                                                         const VectorX* increment,
+                                                         const Correction* last) {
+    constexpr double threw = 1000.0;
+    std::optional<Fault> fault;
+    std::exception_ptr thrown;  // none may leave the other parts waiting
+    try {
+        fault = evaluate_own(at, request, increment, last);
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    const double own = thrown ? threw : fault ? 1.0 + static_cast<int>(fault->status) : 0.0;
+    const double worst = exchange.largest(own);
+    if (thrown) std::rethrow_exception(thrown);
+    if (worst == threw) throw std::runtime_error("another part of the scene threw an exception");
+    if (worst > 0.0) {
+        const auto status = static_cast<Status>(static_cast<int>(worst) - 1);
+        return own == worst ? *fault : Fault{status, -1, -1};
+    }
+    exchange.add(internal_);
+    exchange.add(external_);
+    exchange.add(constraint_);
+    double energies[2] = {strain_energy_, load_potential_};
+    exchange.sum(energies, 2);
+    strain_energy_ = energies[0];
+    load_potential_ = energies[1];
+    return std::nullopt;
+}
+
+ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at, Request request,
+                                                        const VectorX* increment,
+                                                        const Correction* last) {
     refresh();
     detail::require(at.q.size() == numbering_.coordinates() && at.v.size() == at.q.size() &&
                         at.multipliers.size() == numbering_.multipliers(),
@@ -311,6 +351,7 @@ ANCF_INLINE double Assembly::strain_energy() const {
             return energy;
         });
     }
+    if (model_.exchange() != nullptr) model_.exchange()->sum(&strain_energy_, 1);
     energy_known_ = true;
     return strain_energy_;
 }
@@ -636,6 +677,7 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
         least =
             std::min(least, detail::least_cosine(model_.layout(), *group, model_.dimension(), q));
     }
+    if (model_.exchange() != nullptr) least = -model_.exchange()->largest(-least);
     return std::acos(std::max(least, -1.0));
 }
 
@@ -719,6 +761,7 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
         for (int i = 0; i < model_.dimension(); ++i) result[at + i] += point.mass * a[at + i];
     }
     numbering_.dependence().carry(result);
+    if (model_.exchange() != nullptr) model_.exchange()->add(result);
     return result;
 }
 

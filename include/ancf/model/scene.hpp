@@ -15,6 +15,7 @@
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
+#include <ancf/model/exchange.hpp>
 #include <ancf/model/group_of.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
@@ -58,6 +59,15 @@ struct Revision {
 struct PointMass {
     NodeId node;  ///< where
     double mass;  ///< kg
+};
+
+/// What of a scene a part holds: places in the lists of the scene.
+struct ScenePart {
+    std::vector<std::vector<int>> elements;  ///< of each group
+    std::vector<int> loads;                  ///< of these
+    std::vector<int> constraints;            ///< of these
+    std::vector<int> masses;                 ///< of these
+    std::vector<char> nodes;                 ///< of every node: whether the part has it
 };
 
 /// What a model is, whatever its dimension. Model and PlanarModel are what a program makes.
@@ -223,6 +233,19 @@ public:
     /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
     void add_mass(NodeId node, double mass);
 
+    // Parts -----------------------------------------------------------------------------------
+
+    /// Returns a part of the scene, in its present state, with the numbers of all nodes: those that
+    /// the part has not carry no vectors. Supports and attachments come with their nodes.
+    /// @param exchange  tells the parts of each other's forces.
+    /// @throws InvalidArgument for another number of groups or nodes than the scene has, or a part
+    ///         that has a node and not the nodes that it follows.
+    [[nodiscard]] std::unique_ptr<Scene> part(const ScenePart& held,
+                                              std::shared_ptr<const Exchange> exchange) const;
+
+    /// Returns what joins a part to the others; none of a whole scene.
+    [[nodiscard]] const Exchange* exchange() const noexcept { return exchange_.get(); }
+
     // What a scene holds ----------------------------------------------------------------------
 
     /// Returns how often the model has changed, its state aside.
@@ -362,6 +385,7 @@ private:
     std::vector<PointMass> masses_;
     std::array<double, 3> gravity_ = {};
     Amplitude gravity_amplitude_;
+    std::shared_ptr<const Exchange> exchange_;
 
     Revision revision_;
 

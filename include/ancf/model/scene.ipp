@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,7 @@ ANCF_INLINE Scene::Scene(const Scene& other)
       masses_(other.masses_),
       gravity_(other.gravity_),
       gravity_amplitude_(other.gravity_amplitude_),
+      exchange_(other.exchange_),
       revision_(other.revision_),
       stale_(other.stale_),
       layout_(other.layout_),
@@ -63,11 +66,74 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(masses_, other.masses_);
     std::swap(gravity_, other.gravity_);
     std::swap(gravity_amplitude_, other.gravity_amplitude_);
+    std::swap(exchange_, other.exchange_);
     std::swap(revision_, other.revision_);
     std::swap(stale_, other.stale_);
     std::swap(layout_, other.layout_);
     std::swap(dependence_, other.dependence_);
     std::swap(state_, other.state_);
+}
+
+ANCF_INLINE std::unique_ptr<Scene> Scene::part(const ScenePart& held,
+                                               std::shared_ptr<const Exchange> exchange) const {
+    detail::require(held.nodes.size() == initial_.size() && held.elements.size() == groups_.size(),
+                    "Scene::part: expected ", initial_.size(), " nodes and ", groups_.size(),
+                    " groups, got ", held.nodes.size(), " and ", held.elements.size());
+    const auto has = [&](NodeId node) {
+        return held.nodes[static_cast<std::size_t>(node.index)] != 0;
+    };
+    std::unique_ptr<Scene> part(new Scene(dimension_));
+    part->initial_ = initial_;
+    for (std::size_t k = 0; k < initial_.size(); ++k)
+        if (held.nodes[k] == 0) part->initial_[k].fields = Fields();
+    for (std::size_t k = 0; k < groups_.size(); ++k) {
+        part->groups_.push_back(groups_[k]->clone());
+        std::vector<Connection>& connections = part->groups_.back()->connections;
+        connections.clear();
+        connections.shrink_to_fit();
+        for (const int element : held.elements[k])
+            connections.push_back(groups_[k]->connection(element));
+    }
+    for (const Support& support : supports_) {
+        if (!has(support.node)) continue;
+        part->support_at_[component_of(support.node, support.field, support.component)] =
+            part->supports_.size();
+        part->supports_.push_back(support);
+    }
+    for (const AttachedVector& attachment : attachments_) {
+        if (!has(attachment.vector.node)) continue;
+        detail::require(has(attachment.to), "Scene::part: node ", attachment.vector.node.index,
+                        " follows node ", attachment.to.index, ", which is no part");
+        part->attachment_at_[component_of(attachment.vector.node, attachment.vector.field, 0)] =
+            part->attachments_.size();
+        part->attachments_.push_back(attachment);
+    }
+    for (const int k : held.loads) part->loads_.push_back(loads_[static_cast<std::size_t>(k)]);
+    for (const int k : held.constraints)
+        part->constraints_.push_back(constraints_[static_cast<std::size_t>(k)]);
+    for (const int k : held.masses) part->masses_.push_back(masses_[static_cast<std::size_t>(k)]);
+    part->gravity_ = gravity_;
+    part->gravity_amplitude_ = gravity_amplitude_;
+    part->exchange_ = std::move(exchange);
+    State& to = part->state();
+    const State& from = state();
+    for (int node = 0; node < nodes(); ++node) {
+        const int first = part->layout_.first(node), size = part->layout_.size(node);
+        for (int k = 0; k < size; ++k) {
+            to.q[first + k] = from.q[layout_.first(node) + k];
+            to.v[first + k] = from.v[layout_.first(node) + k];
+        }
+    }
+    to.time = from.time;
+    std::vector<int> first = {0};  // multiplier of each constraint
+    for (const AnyConstraint& constraint : constraints_)
+        first.push_back(first.back() + constraint.equations());
+    Eigen::Index next = 0;
+    for (const int k : held.constraints)
+        for (int i = first[static_cast<std::size_t>(k)]; i < first[static_cast<std::size_t>(k) + 1];
+             ++i)
+            to.multipliers[next++] = from.multipliers[i];
+    return part;
 }
 
 ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_count>& vectors) {

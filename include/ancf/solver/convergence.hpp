@@ -21,7 +21,9 @@ namespace ancf {
 namespace detail {
 
 /// Returns the diagonal of the box around all positions, m; 0 of none.
-[[nodiscard]] double diagonal_of(const Layout& layout, int dimension, const VectorX& q);
+/// @param exchange  of a part of a scene, whose other parts count too
+[[nodiscard]] double diagonal_of(const Layout& layout, int dimension, const VectorX& q,
+                                 const Exchange* exchange = nullptr);
 
 }  // namespace detail
 
@@ -59,6 +61,7 @@ private:
     [[nodiscard]] double violation(const Assembly& assembly) const;
 
     const Numbering& numbering_;
+    const Exchange* exchange_;        // of a part of a scene
     std::vector<signed char> power_;  // of a length in the unit, per coordinate
     double size_ = 1.0;               // diagonal of the scene, m
     double element_size_ = 1.0;       // mean reference length, m

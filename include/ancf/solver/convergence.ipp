@@ -20,7 +20,8 @@ namespace ancf {
 
 namespace detail {
 
-ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const VectorX& q) {
+ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const VectorX& q,
+                               const Exchange* exchange) {
     double square = 0.0;
     for (int k = 0; k < dimension; ++k) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -28,6 +29,10 @@ ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const Vector
             if (!layout.fields(node).contains(Field::r)) continue;
             low = std::min(low, q[layout.first(node) + k]);
             high = std::max(high, q[layout.first(node) + k]);
+        }
+        if (exchange != nullptr) {
+            low = -exchange->largest(-low);
+            high = exchange->largest(high);
         }
         if (high > low) square += (high - low) * (high - low);
     }
@@ -37,7 +42,7 @@ ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const Vector
 }  // namespace detail
 
 ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numbering)
-    : numbering_(numbering) {
+    : numbering_(numbering), exchange_(model.exchange()) {
     const Layout& layout = model.layout();
     power_.assign(static_cast<std::size_t>(layout.size()), 0);
     for (int node = 0; node < layout.nodes(); ++node)
@@ -45,30 +50,41 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
             if (const int first = layout.index({{node}, field}); first >= 0)
                 std::fill_n(power_.begin() + first, model.dimension(),
                             static_cast<signed char>(length_power(field)));
-    double length = 0.0;
-    int count = 0;
+    double length = 0.0, count = 0.0;
     for (const auto& group : model.groups()) {
         if (group->one_node()) continue;
         for (const Connection& connection : group->connections) {
             length += group->length(connection.prototype);
-            ++count;
+            count += 1.0;
         }
     }
-    if (count == 0) return;
+    if (exchange_ != nullptr) {
+        double sums[2] = {length, count};
+        exchange_->sum(sums, 2);
+        length = sums[0];
+        count = sums[1];
+    }
+    if (count == 0.0) return;
     element_size_ = length / count;
     const VectorX& q = model.state().q;
     detail::require(q.size() == layout.size(), "the state has ", q.size(),
                     " coordinates, the model has ", layout.size());
-    size_ = std::max(detail::diagonal_of(layout, model.dimension(), q), element_size_);
+    size_ = std::max(detail::diagonal_of(layout, model.dimension(), q, exchange_), element_size_);
 }
 
 template <class Entry>
 ConvergenceMonitor::Norms ConvergenceMonitor::norms(const Entry& entry) const {
     Norms sums;
     for (std::size_t k = 0; k < power_.size(); ++k) {
+        if (exchange_ != nullptr && !exchange_->owns(static_cast<int>(k))) continue;
         double value = entry(static_cast<int>(k));
         if (power_[k] < 0) value /= element_size_;
         (power_[k] > 0 ? sums.force : sums.moment) += value * value;
+    }
+    if (exchange_ != nullptr) {
+        double both[2] = {sums.force, sums.moment};
+        exchange_->sum(both, 2);
+        sums = {both[0], both[1]};
     }
     return {std::sqrt(sums.force), std::sqrt(sums.moment)};
 }
@@ -83,6 +99,7 @@ ANCF_INLINE double ConvergenceMonitor::violation(const Assembly& assembly) const
         const double share = scale[k] > 0.0 || std::isnan(value) ? value / scale[k] : 1.0;
         sum += share * share;
     }
+    if (exchange_ != nullptr) exchange_->sum(&sum, 1);
     return std::sqrt(sum);
 }
 
@@ -128,6 +145,12 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
             floor[i] += value * std::abs(at[j]);
             if (lower && i != j) floor[j] += value * std::abs(at[i]);
         }
+    VectorX sums;  // of the coordinates, over all parts
+    if (exchange_ != nullptr) {
+        sums.setZero(numbering_.coordinates());
+        numbering_.add_free_force(floor, 1.0, sums);
+        exchange_->add(sums);
+    }
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Norms rest = norms([&](int k) {
         return numbering_.equation(k) < 0
@@ -137,10 +160,12 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
     });
     const Norms limit = norms([&](int k) {
         const int equation = numbering_.equation(k);
-        return equation < 0 ? 0.0 : epsilon * floor[equation];
+        if (equation < 0) return 0.0;
+        return epsilon * (exchange_ != nullptr ? sums[k] : floor[equation]);
     });
+    const double violated = violation(assembly);
     return std::isfinite(rest.force + rest.moment) && rest.force <= limit.force &&
-           rest.moment <= limit.moment && violation(assembly) <= 16.0 * epsilon;
+           rest.moment <= limit.moment && violated <= 16.0 * epsilon;
 }
 
 ANCF_INLINE double ConvergenceMonitor::correction(const VectorX& unknowns) const {
@@ -153,6 +178,7 @@ ANCF_INLINE double ConvergenceMonitor::correction(const VectorX& unknowns) const
                                     : power_[k] < 0 ? value * element_size_
                                                     : value);
     }
+    if (exchange_ != nullptr) largest = exchange_->largest(largest);
     return largest;
 }
 

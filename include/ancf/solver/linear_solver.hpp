@@ -33,6 +33,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -82,6 +83,13 @@ public:
 
     /// The word that tables print.
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+
+    /// Returns why the last factorisation or solution failed, where there is more to say than the
+    /// status of the one or the entries of the other, which are NaN then; else empty.
+    [[nodiscard]] virtual std::string failure() const { return {}; }
+
+    /// Tells whether it is chosen because a factorisation is out of reach: none is made beside it.
+    [[nodiscard]] virtual bool iterative() const noexcept { return false; }
 
     /// Returns a solver of complex matrices by the same library, or none: complex_solver_for takes
     /// one of the core then.

@@ -52,6 +52,8 @@ public:
           assembly_(model, solver.storage()),
           monitor_(model, assembly_.numbering()),
           turning_(model, assembly_.numbering()),
+          exchange_(model.exchange()),
+          constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
           newton_(possible(options.newton)) {
         solver_.analyze(assembly_.tangent());
     }
@@ -68,10 +70,10 @@ public:
             if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
                 wanted = options_.last_factor;
             const double next = within_turn(done, wanted);
-            const DrivenTurn turn = driven_turn(model_.constraints(), done, next);
+            const DrivenTurn turn = driven_turn(constraints_, done, next);
             if (!turn.fits()) {
                 report_.status = Status::diverged;
-                report_.message = driven_turn_text(model_.constraints(), turn, done, next);
+                report_.message = driven_turn_text(constraints_, turn, done, next);
                 break;
             }
             const LoadStep& result = advance(next);
@@ -110,7 +112,7 @@ private:
         const double most = part_ * largest_driven_turn * (1.0 + 1e-10);
         double next = wanted;
         for (int halving = 0; halving < 30; ++halving) {
-            const double turn = driven_turn(model_.constraints(), done, next).angle;
+            const double turn = driven_turn(constraints_, done, next).angle;
             if (!(turn > most)) break;
             // equal parts of an even drive at first
             const double parts = halving == 0 ? std::ceil(turn / most) : 2.0;
@@ -129,10 +131,15 @@ private:
     /// The iteration asked for, or the plain one where no element has another.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
         const auto& groups = model_.groups();
-        const bool evaluates_mixed = std::any_of(
+        const bool evaluates_mixed = any(std::any_of(
             groups.begin(), groups.end(),
-            [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; });
+            [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; }));
         return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
+    }
+
+    /// Whether something holds here, or in any part of the scene.
+    [[nodiscard]] bool any(bool own) const {
+        return exchange_ == nullptr ? own : exchange_->largest(own ? 1.0 : 0.0) > 0.0;
     }
 
     const LoadStep& attempt(double factor, NewtonKind newton) {
@@ -147,6 +154,7 @@ private:
         } keep{model_.state(), model_.state()};
         report_.fault.reset();
         report_.message.clear();
+        failure_.clear();
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
@@ -163,7 +171,9 @@ private:
         std::string text = joined({"the step to load factor ", step.factor, " failed after ",
                                    step.iterations, " iterations"},
                                   6);
-        if (step.status == Status::singular) return text + ": its tangent is singular";
+        if (step.status == Status::singular) text += ": its tangent is singular";
+        if (!failure_.empty()) text += ": " + failure_;
+        if (step.status == Status::singular || !failure_.empty()) return text;
         if (!step.residuals.empty())
             text += joined({", the last relative residual was ", step.residuals.back()}, 6);
         if (!step.corrections.empty())
@@ -177,7 +187,7 @@ private:
         VectorX driven = state.q;
         assembly_.apply_supports(instant_, driven);
         const VectorX increment = difference(driven, state.q);
-        const bool moved = !vanishes(increment);
+        const bool moved = any(!vanishes(increment));
 
         if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
         last_.before = state.q;
@@ -191,7 +201,7 @@ private:
             if (at_rest && residual <= options_.residual_tolerance) return accept(state);
             // a scene without loads that is at rest needs no correction to know it
             const bool idle =
-                step.iterations == 0 && !moved && vanishes(assembly_.external_force());
+                step.iterations == 0 && !moved && !any(!vanishes(assembly_.external_force()));
             if (idle || settled(step) || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
@@ -199,15 +209,18 @@ private:
             if (step.iterations >= most_iterations(step.newton)) return Status::max_iterations;
 
             report_.factorisation = solver_.factorize(assembly_.tangent());
+            failure_ = solver_.failure();
             if (report_.factorisation.status != Status::converged)
                 return report_.factorisation.status;
             assembly_.residual(residual_);
             solver_.solve(residual_, correction_);
+            failure_ = solver_.failure();
             for (double& entry : correction_) entry = -entry;
             ++step.iterations;
             if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
                 ++step.indefinite;
-            if (!all_finite(correction_)) return Status::not_finite;
+            if (any(!all_finite(correction_)))
+                return failure_.empty() ? Status::not_finite : Status::diverged;
             if (!move(state, residual, step.newton)) return report_.fault->status;
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
@@ -257,6 +270,12 @@ private:
     /// A root of the equations counts only where every element is in order.
     Status accept(const State& state) {
         report_.fault = assembly_.inspect(state.q);
+        if (exchange_ != nullptr) {
+            const auto worst = static_cast<Status>(static_cast<int>(exchange_->largest(
+                report_.fault ? static_cast<double>(report_.fault->status) : 0.0)));
+            if (worst != Status::converged && (!report_.fault || report_.fault->status != worst))
+                report_.fault = Fault{worst, -1, -1};
+        }
         return report_.fault ? report_.fault->status : Status::converged;
     }
 
@@ -295,19 +314,27 @@ private:
         // the last tangent of a run that failed is not of the state that it keeps
         const bool counted = report_.status == Status::converged && !report_.steps.empty() &&
                              report_.steps.back().iterations > 0;
-        report_.stability = stability(assembly_, counted ? report_.factorisation : FactorReport{});
+        const bool alone = exchange_ == nullptr && !solver_.iterative();
+        if (alone)
+            report_.stability =
+                stability(assembly_, counted ? report_.factorisation : FactorReport{});
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
-        if (report_.status == Status::singular) {
+        if (report_.status == Status::singular && alone) {
             std::string found =
                 singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
             if (!found.empty()) report_.message = std::move(found);
         }
-        report_.imbalance = resultant(model_, state.q,
-                                      combination({{1.0, assembly_.external_force()},
-                                                   {-1.0, assembly_.constraint_force()},
-                                                   {1.0, report_.reactions}}));
+        VectorX outer = combination({{1.0, assembly_.external_force()},
+                                     {-1.0, assembly_.constraint_force()},
+                                     {1.0, report_.reactions}});
+        for (Eigen::Index k = 0; exchange_ != nullptr && k < outer.size(); ++k)
+            if (!exchange_->owns(static_cast<int>(k))) outer[k] = 0.0;
+        report_.imbalance = resultant(model_, state.q, outer);
+        if (exchange_ == nullptr) return;
+        exchange_->sum(report_.imbalance.force.data(), 3);
+        exchange_->sum(report_.imbalance.moment.data(), 3);
     }
 
     Scene& model_;
@@ -316,12 +343,15 @@ private:
     Assembly assembly_;
     ConvergenceMonitor monitor_;
     Turning turning_;
+    const Exchange* exchange_;                       // of a part of a scene
+    const std::vector<AnyConstraint>& constraints_;  // of the whole one
     NewtonKind newton_;
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;
-    Correction last_;  // of the attempt that runs
+    Correction last_;     // of the attempt that runs
+    std::string failure_;  // of the solver, in words
 };
 
 }  // namespace detail
