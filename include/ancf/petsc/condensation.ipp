@@ -86,8 +86,7 @@ ANCF_INLINE bool Condensation::reduce(const SparseMatrix& matrix, double* values
         if (!inverse.allFinite()) return false;
         right.noalias() = inverse * en;
         change.noalias() = ne * right;
-        if (!symmetric_)
-            Eigen::Map<MatrixX>(factors + m * (m + n), n, m).noalias() = ne * inverse;
+        if (!symmetric_) Eigen::Map<MatrixX>(factors + m * (m + n), n, m).noalias() = ne * inverse;
         for (Eigen::Index j = 0; j < n; ++j) {
             const int column = set.others[static_cast<std::size_t>(j)];
             std::size_t place = start_[static_cast<std::size_t>(column)], i = 0;
@@ -111,7 +110,8 @@ ANCF_INLINE void Condensation::shift(const VectorX& b, VectorX& out) const {
         for (std::size_t i = 0; i < m; ++i) {
             const double own = b[set.own[i]];
             for (std::size_t j = 0; j < n; ++j)
-                out[set.others[j]] -= own * (symmetric_ ? right[j * m + i] : right[m * n + i * n + j]);
+                out[set.others[j]] -=
+                    own * (symmetric_ ? right[j * m + i] : right[m * n + i * n + j]);
         }
     }
 }

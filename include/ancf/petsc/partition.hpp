@@ -74,6 +74,10 @@ public:
     /// Returns the number of rows that form a block: those of a node where all nodes are alike,
     /// else those of a vector; 1 with multipliers.
     [[nodiscard]] int block_size() const noexcept { return block_; }
+    /// Tells whether a block is that of a node with slopes.
+    [[nodiscard]] bool blocks_are_nodes() const noexcept {
+        return by_node_ && block_ > whole_.dimension();
+    }
     /// Returns the first row of this process, and one past its last.
     [[nodiscard]] PetscInt first_row() const noexcept { return first_row_; }
     [[nodiscard]] PetscInt last_row() const noexcept { return last_row_; }
@@ -114,9 +118,9 @@ private:
     std::vector<PetscInt> constraint_row_;  // of each constraint
     PetscInt first_row_ = 0, last_row_ = 0;
 
-    std::vector<char> own_;      // of each coordinate of the part
-    std::vector<int> mine_;      // own coordinates, in the order of the roots
-    std::vector<int> rim_;       // the others, in the order of the leaves
+    std::vector<char> own_;  // of each coordinate of the part
+    std::vector<int> mine_;  // own coordinates, in the order of the roots
+    std::vector<int> rim_;   // the others, in the order of the leaves
     PetscSF shared_ = nullptr;
     mutable std::vector<double> roots_, leaves_;
 };

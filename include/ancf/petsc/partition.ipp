@@ -129,8 +129,8 @@ ANCF_INLINE void Partition::divide(const std::string& prefix) {
     std::vector<int> part(nodes.size());
     if (ranks_ == 1 || count < 16L * ranks_) {
         for (int r = 0; r < ranks_; ++r)
-            std::fill(part.begin() + shares[detail::at(r)], part.begin() + shares[detail::at(r) + 1],
-                      r);
+            std::fill(part.begin() + shares[detail::at(r)],
+                      part.begin() + shares[detail::at(r) + 1], r);
     } else {
         const int first = shares[detail::at(rank_)], last = shares[detail::at(rank_) + 1];
         std::vector<std::pair<int, int>> edges;
@@ -280,7 +280,8 @@ ANCF_INLINE void Partition::connect() {
         if (const int of = owner_[detail::at(node)]; of >= 0)
             first[detail::at(of) + 1] += layout.size(node);
     for (std::size_t r = 0; r + 1 < first.size(); ++r) first[r + 1] += first[r];
-    const PetscInt all = first.back(), own = first[detail::at(rank_) + 1] - first[detail::at(rank_)];
+    const PetscInt all = first.back(),
+                   own = first[detail::at(rank_) + 1] - first[detail::at(rank_)];
     for (int node = 0; node < layout.nodes(); ++node)
         if (const int of = owner_[detail::at(node)]; of >= 0) {
             global[detail::at(node)] = first[detail::at(of)];
@@ -313,8 +314,7 @@ ANCF_INLINE void Partition::add(VectorX& forces) const {
     const detail::QuietErrors quiet;
     for (std::size_t k = 0; k < mine_.size(); ++k) roots_[k] = forces[mine_[k]];
     for (std::size_t k = 0; k < rim_.size(); ++k) leaves_[k] = forces[rim_[k]];
-    detail::check(
-        PetscSFReduceBegin(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
+    detail::check(PetscSFReduceBegin(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
     detail::check(PetscSFReduceEnd(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
     detail::check(
         PetscSFBcastBegin(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));

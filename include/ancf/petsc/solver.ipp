@@ -32,7 +32,10 @@ ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
 }
 
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
-    return {"-ksp_type cg -pc_type gamg -ksp_rtol 1e-8 -ksp_max_it 2000", std::move(prefix)};
+    return {
+        "-ksp_type cg -ksp_rtol 1e-8 -ksp_max_it 2000 -pc_type gamg "
+        "-pc_gamg_aggressive_coarsening 0 -mg_levels_pc_type pbjacobi -pc_mg_cycle_type w",
+        std::move(prefix)};
 }
 
 namespace detail {
@@ -49,11 +52,12 @@ public:
         };
         const auto set = [&](const std::string& value) {
             if (name.empty()) return;
+            const bool again = std::find(names_.begin(), names_.end(), name) != names_.end();
             PetscBool given = PETSC_FALSE;  // on the command line
-            check(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
+            if (!again) check(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
             if (given == PETSC_FALSE) {
                 check(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
-                names_.push_back(name);
+                if (!again) names_.push_back(name);
             }
             name.clear();
         };
@@ -183,8 +187,9 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
         rows.own.assign(rows.row.size(), 1);
     } else {
         numbering = Numbering(*scene);
-        ancf::detail::require(pattern.rows() == numbering.unknowns(), "petsc::Solver: the scene has ",
-                              numbering.unknowns(), " unknowns, the matrix ", pattern.rows());
+        ancf::detail::require(pattern.rows() == numbering.unknowns(),
+                              "petsc::Solver: the scene has ", numbering.unknowns(),
+                              " unknowns, the matrix ", pattern.rows());
         if (alone) {  // the scene may have changed
             alone.reset();
             alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
@@ -217,11 +222,15 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
     values.resize(is.size());
 
     detail::check(MatCreate(comm, &matrix));
-    detail::check(MatSetSizes(matrix, last - first, last - first, PETSC_DETERMINE, PETSC_DETERMINE));
+    detail::check(
+        MatSetSizes(matrix, last - first, last - first, PETSC_DETERMINE, PETSC_DETERMINE));
     detail::check(MatSetType(matrix, MATAIJ));
     detail::check(MatSetBlockSize(matrix, block));
-    detail::check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(),
-                                         js.data()));
+    detail::check(
+        MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(), js.data()));
+    Mat own = nullptr;  // PETSc 3.18 forgets the blocks of this process's part
+    detail::check(MatGetDiagonalBlock(matrix, &own));
+    detail::check(MatSetBlockSize(own, block));
     if (symmetric) {
         detail::check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
         detail::check(MatSetOption(matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
@@ -268,9 +277,11 @@ ANCF_INLINE void Solver::Run::set_values(const SparseMatrix& from) {
     detail::check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
 }
 
-// Translations of positions, and w x v of positions and slopes, where the scene stands now.
+// Translations of positions, and w x v of positions and slopes, where the scene stands now. Where
+// nodes differ, or have positions alone, a few of them cannot hold six motions: PETSc's own choice
+// of three, a constant in each direction, stays.
 ANCF_INLINE void Solver::Run::set_rigid_motions() {
-    if (scene == nullptr || numbering.unknowns() == 0 || partition->block_size() == 1) return;
+    if (scene == nullptr || size == 0 || !partition->blocks_are_nodes()) return;
     const Layout& layout = scene->layout();
     const VectorX& q = scene->state().q;
     const int dimension = layout.dimension(), turns = dimension == 3 ? 3 : 1;
@@ -342,8 +353,8 @@ ANCF_INLINE FactorReport Solver::Run::factorize(const SparseMatrix& from) {
     iterations = 0;
     FactorReport report;
     if (size == 0) {
-        report.status = condensation.reduce(from, values.data()) ? Status::converged
-                                                                  : Status::singular;
+        report.status =
+            condensation.reduce(from, values.data()) ? Status::converged : Status::singular;
         return report;
     }
     double finite = 1.0;

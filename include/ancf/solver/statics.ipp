@@ -131,9 +131,10 @@ private:
     /// The iteration asked for, or the plain one where no element has another.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
         const auto& groups = model_.groups();
-        const bool evaluates_mixed = any(std::any_of(
-            groups.begin(), groups.end(),
-            [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; }));
+        const bool evaluates_mixed =
+            any(std::any_of(groups.begin(), groups.end(), [](const auto& group) {
+                return group->evaluates_mixed() && group->size() > 0;
+            }));
         return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
     }
 
@@ -350,7 +351,7 @@ private:
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;
-    Correction last_;     // of the attempt that runs
+    Correction last_;      // of the attempt that runs
     std::string failure_;  // of the solver, in words
 };
 

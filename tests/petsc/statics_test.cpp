@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/petsc/statics.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <petsc/scenes.hpp>
+#include <support/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace statics_test {
+
+using namespace ancf;
+using namespace petsc_test;
+
+double largest(const VectorX& v) { return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff(); }
+
+/// Newton until the residual stops falling.
+StaticsOptions exact() {
+    StaticsOptions options;
+    options.steps = 2;
+    options.residual_tolerance = 1e-15;
+    options.correction_tolerance = 1e-9;
+    return options;
+}
+
+/// Compares what all processes find together with what one finds alone.
+void same_as_in_series(const std::function<Model()>& make, const petsc::SolverOptions& options,
+                       double tolerance) {
+    Model serial = make(), model = make();
+    EigenLu lu;
+    const StaticsReport expected = solve_statics(serial, lu, exact());
+    CHECK(expected.message.empty());
+    REQUIRE(expected.status == Status::converged);
+    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, options);
+    const StaticsReport report = statics.solve(exact());
+    INFO(report.message);
+    INFO(expected.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.factor == 1.0);
+    CHECK(report.steps.size() == expected.steps.size());
+    statics.gather();
+    const VectorX reactions = statics.gathered(report.reactions);
+    const double error = largest(model.state().q - serial.state().q);  // scenes of one metre
+    const double of_reactions =
+        largest(reactions - expected.reactions) / largest(expected.reactions);
+    const double of_energy = std::abs(report.strain_energy / expected.strain_energy - 1.0);
+    if (petsc::Session::rank() == 0)
+        UNSCOPED_INFO("rows " << statics.solver().rows() << ", block "
+                              << statics.solver().block_size() << ", iterations "
+                              << report.iterations() << " (" << expected.iterations() << "), KSP "
+                              << statics.solver().most_iterations() << ", positions " << error
+                              << ", reactions " << of_reactions << ", energy " << of_energy);
+    CHECK(largest(serial.state().q) > 0.5);
+    CHECK(error < tolerance);
+    CHECK(of_reactions < tolerance);
+    CHECK(of_energy < tolerance);
+    CHECK(report.largest_turn == Approx(expected.largest_turn).epsilon(1e-8));
+    // of forces of some hundred newton; measured up to 2e-8
+    CHECK(report.imbalance.force.norm() < 1e-6);
+    CHECK(report.imbalance.moment.norm() < 1e-6);
+}
+
+const std::vector<std::function<Model()>> scenes = {
+    [] { return lattice(4); }, [] { return chain(); }, [] { return curved_beam(); },
+    [] { return net(); }};
+
+TEST_CASE("DistributedStatics: by MUMPS, any number of processes finds the serial solution",
+          "[petsc]") {
+    const std::size_t k = GENERATE(0U, 1U, 2U, 3U);
+    // 1e-10 of the scenes' size, one metre; measured: see docs/petsc.md
+    same_as_in_series(scenes[k], petsc::SolverOptions::direct(), 1e-10);
+}
+
+TEST_CASE("DistributedStatics: by conjugate gradients it finds the serial solution to 1e-8",
+          "[petsc]") {
+    const std::size_t k = GENERATE(0U, 1U, 2U, 3U);
+    petsc::SolverOptions options = petsc::SolverOptions::iterative();
+    options.options += " -ksp_rtol 1e-10 -pc_mg_cycle_type v";  // fewer messages
+    same_as_in_series(scenes[k], options, 1e-8);
+}
+
+TEST_CASE("DistributedStatics: the iteration of mixed integration points is the serial one",
+          "[petsc]") {
+    Model serial = chain(), model = chain();
+    EigenLu lu;
+    StaticsOptions options;
+    options.newton = NewtonKind::mixed;
+    const StaticsReport expected = solve_statics(serial, lu, options);
+    petsc::DistributedStatics statics(model);
+    const StaticsReport report = statics.solve(options);
+    statics.gather();
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.iterations() == expected.iterations());
+    CHECK(report.steps.front().newton == NewtonKind::mixed);
+    CHECK(largest(model.state().q - serial.state().q) < 1e-9);
+    options.newton = NewtonKind::turned;
+    CHECK_THROWS_AS(statics.solve(options), InvalidArgument);
+}
+
+TEST_CASE("DistributedStatics: a scene with multipliers is solved by MUMPS and refused by others",
+          "[petsc]") {
+    const auto pinned = [] {
+        Model model = lattice(3);
+        const NodeId corner{26};
+        model.add(Pin<3>(corner, Point(0.5, 0.5, 0.5)));
+        return model;
+    };
+    same_as_in_series(pinned, petsc::SolverOptions::direct(), 1e-10);
+    Model model = pinned();
+    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
+    const StaticsReport report = statics.solve();
+    CHECK(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("multipliers"));
+}
+
+TEST_CASE("DistributedStatics: a load with an unsymmetric stiffness is refused by cg", "[petsc]") {
+    const auto followed = [] {
+        Model model = lattice(3);
+        model.add(FollowerForce(NodeId{26}, Point(0, 0, 30)));
+        return model;
+    };
+    same_as_in_series(followed, petsc::SolverOptions::direct(), 1e-10);
+    Model model = followed();
+    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
+    const StaticsReport report = statics.solve();
+    CHECK(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("unsymmetric"));
+    CHECK_THAT(report.message, ContainsSubstring("cg"));
+}
+
+TEST_CASE("DistributedStatics: processes without elements wait and learn the result", "[petsc]") {
+    const auto short_beam = [] {
+        Model model;
+        const auto frame = ancf::frame<petsc_test::Beam>(
+            model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 1}});
+        model.clamp(frame.joints.front());
+        model.add(Force<3>(frame.joints.back(), Point(0, 0, -100)));
+        return model;
+    };
+    same_as_in_series(short_beam, petsc::SolverOptions::direct(), 1e-10);
+    const Model model = short_beam();
+    const petsc::Partition partition(model, PETSC_COMM_WORLD);
+    double counts[2] = {static_cast<double>(partition.held().elements[0].size()),
+                        partition.held().elements[0].empty() ? 1.0 : 0.0};
+    partition.sum(counts, 2);
+    CHECK(counts[0] == 1.0);
+    CHECK(counts[1] == petsc::Session::ranks() - 1.0);
+}
+
+TEST_CASE("DistributedStatics: a fault in one process ends all with its status and its element",
+          "[petsc]") {
+    Model model = lattice(4);
+    const int last = model.group<petsc_test::Beam>().size() - 1;
+    const NodeId end = model.group<petsc_test::Beam>().connection(last).second;
+    // the own slope r_x of one member's end has no length: its element is degenerate
+    const int at = model.coordinate(end, Field::r_x);
+    for (int k = 0; k < 3; ++k) model.state().q[at + k] = 0.0;
+    petsc::DistributedStatics statics(model);
+    const VectorX before = statics.part().state().q;
+    const StaticsReport report = statics.solve();
+    CHECK(report.status == Status::degenerate);
+    CHECK(report.factor == 0.0);
+    CHECK_THAT(report.message, ContainsSubstring("element " + std::to_string(last) + " "));
+    REQUIRE(report.fault);
+    CHECK((report.fault->element == last || report.fault->element == -1));
+    double knowing = report.fault->element == last ? 1.0 : 0.0;
+    statics.partition().sum(&knowing, 1);
+    CHECK(knowing == 1.0);
+    CHECK(statics.part().state().q == before);
+}
+
+/// A load that throws.
+struct Thrower {
+    NodeId node;
+    static constexpr bool symmetric_stiffness = true;
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const LoadState&, LoadResult&) const { throw std::domain_error("no such load"); }
+};
+
+TEST_CASE("DistributedStatics: what a user's function throws in one process ends all", "[petsc]") {
+    Model model = lattice(4);
+    model.add(Thrower{NodeId{63}});
+    petsc::DistributedStatics statics(model);
+    CHECK_THROWS_AS(statics.solve(), std::exception);
+    Model calm = lattice(4);
+    petsc::DistributedStatics other(calm);
+    StaticsOptions options;
+    options.steps = 3;
+    const int rank = petsc::Session::rank();
+    options.progress = [&](double factor, const State&) { return rank != 0 || factor < 0.5; };
+    const StaticsReport report = other.solve(options);
+    CHECK(report.status == Status::stopped);
+    CHECK(report.factor == Approx(2.0 / 3.0));
+}
+
+TEST_CASE("DistributedStatics: a KSP that diverges is a status with PETSc's reason", "[petsc]") {
+    Model model = lattice(4);
+    petsc::SolverOptions options = petsc::SolverOptions::iterative();
+    options.options += " -ksp_max_it 2";
+    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, options);
+    const StaticsReport report = statics.solve();
+    CHECK(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("DIVERGED_ITS"));
+}
+
+TEST_CASE("DistributedStatics: a tangent that is singular has that status everywhere", "[petsc]") {
+    Model model;
+    const auto frame = ancf::frame<petsc_test::Beam>(
+        model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 40}});
+    model.pin(frame.joints.front());  // it turns freely
+    model.add(Force<3>(frame.joints.back(), Point(0, 0, -10)));
+    petsc::DistributedStatics statics(model);
+    const StaticsReport report = statics.solve();
+    CHECK(report.status != Status::converged);
+    const double status = static_cast<double>(report.status);
+    CHECK(statics.partition().largest(status) == -statics.partition().largest(-status));
+}
+
+}  // namespace statics_test
