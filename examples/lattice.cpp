@@ -27,9 +27,15 @@
 #include <support/report.hpp>
 #include <support/solver.hpp>
 
+#if ANCF_WITH_PETSC
+#include <ancf/petsc/statics.hpp>
+#endif
+
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +54,7 @@ struct Lattice {
     std::string load = "compression";
     double force = 200.0;  // N at each joint of the top
     bool csv = false;
+    bool petsc = false;
     std::string vtk, lines;
     examples::SolverOptions solver;
 
@@ -70,6 +77,11 @@ void Lattice::parse(int argc, char** argv) {
     line.add_choice("--load", load, {"compression", "shear", "twist"}, "what acts on the top");
     line.add_number("--force", force, examples::Range::finite, "at each joint of the top, N");
     solver.add_to(line);
+#if ANCF_WITH_PETSC
+    line.add_flag("--petsc", petsc,
+                  "by conjugate gradients and multigrid of PETSc, and by all processes of mpirun; "
+                  "the variable PETSC_OPTIONS has options, such as -lattice_ksp_monitor");
+#endif
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "the deformed lattice for ParaView: .vtp, .vtu or .vtk");
@@ -141,6 +153,20 @@ void write_lines(const std::string& file, const ancf::Model& model,
     ancf::detail::require(!out.fail(), "cannot write ", file);
 }
 
+/// Solves by one process, or by all of them.
+ancf::StaticsReport solve(ancf::Model& model, const Lattice& lattice) {
+#if ANCF_WITH_PETSC
+    if (lattice.petsc) {
+        ancf::petsc::DistributedStatics statics(
+            model, PETSC_COMM_WORLD, ancf::petsc::SolverOptions::iterative("lattice_"));
+        ancf::StaticsReport report = statics.solve(lattice.solver.statics);
+        statics.gather();
+        return report;
+    }
+#endif
+    return examples::solve(model, lattice.solver);
+}
+
 bool study(const Lattice& lattice) {
     const auto steel = ancf::Material::isotropic(young, poisson, density);
     const auto section = ancf::rectangle(side, side);
@@ -155,7 +181,7 @@ bool study(const Lattice& lattice) {
         const auto at = static_cast<std::size_t>(top + k);
         model.add(ancf::Force<3>(frame.joints[at], lattice.force_at(points[at])));
     }
-    const ancf::StaticsReport report = examples::solve(model, lattice.solver);
+    const ancf::StaticsReport report = solve(model, lattice);
     Point moved = Point::Zero(), corner = Point::Zero();  // mean of the top, and its last joint
     for (int k = 0; k < layer; ++k) {
         const auto at = static_cast<std::size_t>(top + k);
@@ -206,6 +232,17 @@ int main(int argc, char** argv) {
     return examples::run([&] {
         Lattice lattice;
         lattice.parse(argc, argv);
+#if ANCF_WITH_PETSC
+        std::unique_ptr<ancf::petsc::Session> session;
+        if (lattice.petsc) {
+            session = std::make_unique<ancf::petsc::Session>();
+            if (ancf::petsc::Session::rank() > 0) {  // the first one writes
+                lattice.vtk.clear();
+                lattice.lines.clear();
+                if (std::freopen("/dev/null", "w", stdout) == nullptr) return examples::exit_missed;
+            }
+        }
+#endif
         return study(lattice) ? examples::exit_done : examples::exit_missed;
     });
 }
