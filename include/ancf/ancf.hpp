@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// All of the core, which needs Eigen alone. The components suitesparse and sundials are included
-/// by name.
+/// All of the core, which needs Eigen alone. The components suitesparse, sundials and petsc
+/// are included by name.
 ///
 /// It is the quick way in; the narrower headers compile faster.
 
@@ -63,3 +63,6 @@
 
 /// @namespace ancf::sundials
 /// IDA of SUNDIALS as integrator: the component of that name.
+
+/// @namespace ancf::petsc
+/// Solvers of PETSc, and statics by several processes: the component of that name.

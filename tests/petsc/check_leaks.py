@@ -5,7 +5,7 @@
 
     check_leaks.py TEST_PROGRAM LAUNCHER [ARGUMENT...]
 
-The same run with a solver that is never destroyed has to show: else the bookkeeping is not on.
+Without the test whose options PETSc refuses: there PETSc itself forgets a few names, 48 bytes in 3.18. The same run with a solver that is never destroyed has to show: else the bookkeeping is not on.
 """
 
 import subprocess
@@ -23,7 +23,7 @@ def left_over(program, launcher, tests):
 
 def main():
     program, launcher = sys.argv[1], sys.argv[2:]
-    found = left_over(program, launcher, ["[petsc]"])
+    found = left_over(program, launcher, ["[petsc]~[refused]"])
     if found:
         sys.exit("left at the end:\n" + "\n".join(found[:40]))
     planted = left_over(program, launcher, ["planted leak"])

@@ -144,7 +144,7 @@ TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[pe
     CHECK_THAT(short_of_steps.failure(), ContainsSubstring("DIVERGED_ITS"));
 }
 
-TEST_CASE("petsc::Solver: an error of PETSc is a status with its words", "[petsc]") {
+TEST_CASE("petsc::Solver: an error of PETSc is a status with its words", "[petsc][refused]") {
     const Model model = lattice(2);
     const SparseMatrix a = tangent_of(model);
     // ICC of a package that has none
