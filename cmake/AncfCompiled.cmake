@@ -81,6 +81,7 @@ function(ancf_add_compiled name)
     endif()
     _ancf_compiled_layers(layers ${wanted_LAYERS})
     _ancf_compiled_elements(elements ${wanted_ELEMENTS})
+    set(sources)
     file(GLOB common RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ancf/*.ipp)
     _ancf_compiled_unit(sources common "${common}" "namespace ancf::detail {
 const char ANCF_LAYOUT = 0;
