@@ -5,8 +5,8 @@
 /// Seeded random rotations, motions and deformed states for any element type.
 ///
 /// An element type has `dimension`, `dofs`, `fields` and `length()`; its nodal coordinates are
-/// vectors in Field order, node by node. What is computed depends on its Shape alone, and is compiled
-/// once for all types. The generator is our own, so that a seed means the same everywhere.
+/// vectors in Field order, node by node. What is computed depends on its Shape alone, and is
+/// compiled once for all types. The generator is our own, so that a seed means the same everywhere.
 
 #pragma once
 
