@@ -108,6 +108,7 @@ ANCF_INLINE void RadauSystem::solve(const Stages& force, const Stages& lengths, 
             for (Eigen::Index k = 0; k < m; ++k) complex_[n + k] += u * lengths[i][k];
         }
         complex_solvers_[mode - 1]->solve(complex_);
+        pairs = reinterpret_cast<double*>(complex_.data());  // a solver may take another memory
         for (std::size_t i = 0; i < stages; ++i) {
             const std::complex<double> w = 2.0 * column[i], u = w * inverse;
             for (Eigen::Index k = 0; k < n; ++k)
