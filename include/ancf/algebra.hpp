@@ -113,6 +113,13 @@ void symmetrise(SparseMatrix& A);
 /// constraints, 2^e_0 over their largest scaled entry.
 [[nodiscard]] VectorX unit_scales(const SparseMatrix& matrix);
 
+/// Returns scales of the rows of a square matrix, powers of two that bring the largest entry of
+/// each row into [1, 2) where its unknowns are measured by `columns`; 1 for rows of zeros.
+///
+/// With the unit_scales of a scene's tangent they depend on no unit, and so does which entries of a
+/// column count as large.
+[[nodiscard]] VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns);
+
 /// Returns the lower half of a compressed matrix, with its zeros.
 [[nodiscard]] SparseMatrix lower_half(const SparseMatrix& A);
 
