@@ -105,6 +105,9 @@ void symmetrise(SparseMatrix& A);
 /// True unless a stored value of a compressed matrix is a NaN or an infinity.
 [[nodiscard]] bool all_finite(const SparseMatrix& matrix) noexcept;
 
+/// Returns 2^exponent, the exponent held within 1000 of 0.
+[[nodiscard]] double power_of_two(int exponent) noexcept;
+
 /// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of
 /// two that the units of lengths, masses and times multiply, up to one factor for all, by powers of
 /// two that are exact.

@@ -156,8 +156,7 @@ ANCF_INLINE bool all_finite(const SparseMatrix& matrix) noexcept {
     return true;
 }
 
-/// Returns 2^exponent, within what keeps its products with numbers of usual size finite.
-[[nodiscard]] ANCF_INLINE double power_of_two(int exponent) noexcept {
+ANCF_INLINE double power_of_two(int exponent) noexcept {
     return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
 }
 
