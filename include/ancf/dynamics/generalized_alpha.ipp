@@ -183,7 +183,12 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
         const Step step = propose();
         shift_algorithmic(step.width);
         next_.time = step.end;
-        const DrivenTurn turn = driven_turn(problem_.model().constraints(), now_.time, next_.time);
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        if (!turn.fits() && !adaptive && part_ == 0.0) {
+            part_ = step.width / parts_for_turns(constraints, now_.time, next_.time);
+            if (part_ < step.width) continue;
+        }
         const Status status = turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
         if (status == Status::converged && adaptive)

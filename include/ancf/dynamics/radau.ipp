@@ -201,7 +201,12 @@ ANCF_INLINE bool RadauRun::advance() {
     for (;;) {
         const Step step = propose();
         next_.time = step.end;
-        const DrivenTurn turn = driven_turn(problem_.model().constraints(), now_.time, next_.time);
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        if (!turn.fits() && !adaptive() && part_ == 0.0) {
+            part_ = step.width / parts_for_turns(constraints, now_.time, next_.time);
+            if (part_ < step.width) continue;
+        }
         const Status status = turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
         if (status == Status::converged && adaptive()) error = this->error(step.width);
@@ -214,8 +219,7 @@ ANCF_INLINE bool RadauRun::advance() {
             status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         const auto why = [&] {
             return turn.fits() ? std::string()
-                               : "; " + driven_turn_text(problem_.model().constraints(), turn,
-                                                         now_.time, next_.time);
+                               : "; " + driven_turn_text(constraints, turn, now_.time, next_.time);
         };
         if (!adaptive()) {
             part_ = 0.5 * step.width;
