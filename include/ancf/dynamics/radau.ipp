@@ -98,6 +98,7 @@ private:
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
     double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
+    int parts_ = 1;  // into which the turn of a joint divides the step
 
     // of the stages: (2), accelerations, residuals, multipliers, corrections
     Stages Y_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
@@ -204,7 +205,8 @@ ANCF_INLINE bool RadauRun::advance() {
         const auto& constraints = problem_.model().constraints();
         const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
         if (!turn.fits() && !adaptive() && part_ == 0.0) {
-            part_ = step.width / parts_for_turns(constraints, now_.time, next_.time);
+            parts_ = parts_for_turns(constraints, now_.time, next_.time);
+            part_ = step.width / parts_;
             if (part_ < step.width) continue;
         }
         const Status status = turn.fits() ? newton(step.width) : Status::diverged;
@@ -223,7 +225,7 @@ ANCF_INLINE bool RadauRun::advance() {
         };
         if (!adaptive()) {
             part_ = 0.5 * step.width;
-            if (part_ > smallest_part * step_) continue;
+            if (parts_ * part_ > smallest_part * step_) continue;
             fail(status, joined({"Newton's method failed in the step from ", now_.time,
                                  " s: ", to_string(status), ", also in parts of ", step.width,
                                  " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
@@ -263,6 +265,7 @@ ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
     rejected_ = failed_ = false;
     if (step.ends == Ends::within) return;
     part_ = 0.0;
+    parts_ = 1;
     count_ += 1.0;
     bool change = false;
     if (adaptive() && step.width == step_) {
