@@ -4,7 +4,7 @@
 /// @file
 /// What a lattice of beams costs: members against seconds and memory of each stage.
 ///
-///     lattices                             cubes, plates and towers up to 5,000 members, both joints
+///     lattices                             up to 5,000 members, and the same with multipliers
 ///     lattices --joints 50 50 20           one lattice
 ///     lattices --joints 7 7 7 --weld       the same with multipliers at its joints, by UMFPACK
 ///     lattices --swing                     a thousand members in motion, and their modes
