@@ -162,7 +162,11 @@ private:
         const Layout& layout = model_.layout();
         weights_.setZero(numbering_.unknowns());
         const double size = std::max(monitor_.size(), std::numeric_limits<double>::min());
-        const double nodes = std::max(1, layout.nodes());
+        int nodes = 0;  // that do not follow others
+        for (int node = 0; node < layout.nodes(); ++node) {
+            const int first = layout.index({{node}, Field::r});
+            if (first < 0 || !numbering_.dependence().attached(first)) ++nodes;
+        }
         for (int node = 0; node < layout.nodes(); ++node)
             for (int k = 0; k < field_count; ++k) {
                 const auto field = static_cast<Field>(k);

@@ -221,6 +221,9 @@ ANCF_INLINE int IdaRun::order_limit() {
     constexpr double steps_in_a_period = 20000.0;
     constexpr double stable = 0.7;
     report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
+    // a stiff joint carries no motion of its own, but its frequency would hold order 5's step down
+    for (const auto& group : problem_.model().groups())
+        if (group->one_node()) return 2;
     if (slow_frequency_ == 0.0) return 5;
     const double period = 2.0 * pi / slow_frequency_;
     return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
