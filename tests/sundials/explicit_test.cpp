@@ -415,6 +415,25 @@ TEST_CASE("Explicit: a run goes on where another one ended", "[explicit][restart
     CHECK((whole.model->state().v - parts.model->state().v).norm() <= 1e-9);
 }
 
+TEST_CASE("Explicit: a run that chooses its steps goes on within its tolerance",
+          "[explicit][restart]") {
+    Hanging exact = supported(4), whole = supported(4), parts = supported(4);
+    ExplicitOptions options;
+    options.tolerance = 1e-10;
+    REQUIRE(move(exact, until(0.5), options).report.status == Status::converged);
+    options.tolerance = 1e-6;
+    REQUIRE(move(whole, until(0.5), options).report.status == Status::converged);
+    REQUIRE(move(parts, until(0.2), options).report.status == Status::converged);
+    REQUIRE(move(parts, until(0.5), options).report.status == Status::converged);
+    const auto error = [&](const Hanging& scene) {
+        return (scene.model->state().q - exact.model->state().q).cwiseAbs().maxCoeff();
+    };
+    CAPTURE(error(whole), error(parts));
+    CHECK(error(whole) > 1e-10);
+    CHECK(error(whole) <= 1e-5);
+    CHECK(error(parts) <= 1e-5);
+}
+
 TEST_CASE("Explicit: a driven support moves the beam as it moves under IDA",
           "[explicit][support]") {
     const auto driven = [] {
