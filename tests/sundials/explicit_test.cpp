@@ -169,6 +169,15 @@ TEST_CASE("Explicit: the error falls with the tolerance, and IDA agrees", "[expl
         before = error;
     }
     CHECK(before <= 1e-6);  // 2.4e-7 measured
+    constexpr double size = 1.2;  // m
+    before = std::numeric_limits<double>::infinity();
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+        const double error = (tip_by(tolerance) - exact).norm() / size;
+        CAPTURE(tolerance, error, before);
+        CHECK(error / tolerance <= 3.0);
+        CHECK(error < before);
+        before = error;
+    }
 }
 
 TEST_CASE("Explicit: what is seen between steps has the accuracy of the run",
