@@ -168,7 +168,7 @@ TEST_CASE("Explicit: the error falls with the tolerance, and IDA agrees", "[expl
         CHECK(error <= 0.2 * before);
         before = error;
     }
-    CHECK(before <= 1e-6);  // 2.4e-7 measured
+    CHECK(before <= 1e-6);        // 2.4e-7 measured
     constexpr double size = 1.2;  // m
     before = std::numeric_limits<double>::infinity();
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
