@@ -282,14 +282,14 @@ Outcome run(double accuracy) {
 int main() try {
     bool good = true;
     double before = 0.0;
-    for (const double accuracy : {1e-2, 1e-3, 1e-4}) {  // Simbody's own default is 1e-3
+    for (const double accuracy : {1e-3, 1e-4}) {  // the first is Simbody's default
         const Outcome seen = run(accuracy);
         const double drift = seen.energy / seen.kinetic;
         std::cout << "accuracy " << accuracy << ": " << seen.steps
                   << " steps, kinetic energy up to " << seen.kinetic << " J, energy changes by "
                   << drift << " of it, angular momentum by " << seen.momentum << ", load out to "
                   << seen.swing << " m" << std::endl;
-        if (before > 0.0) good &= drift < 0.1 * before && drift < 1e-5;
+        good &= drift < 1e-5 && (before == 0.0 || drift < 0.1 * before);
         good &= seen.momentum < 1e-9 && seen.swing > jib_length + 2.0;
         before = drift;
     }
