@@ -26,8 +26,8 @@ int main() {
     ancf::GeneralizedAlphaOptions options;
     options.step = 5e-4;  // s
 
-    ancf::PlanarModel shown(model);                  // a copy, to draw the states that are seen
-    ancf::VtkSeries series("pendulum", "pendulum");  // folder, name
+    ancf::PlanarModel shown(model);                // a copy, to draw the states that are seen
+    ancf::VtkSeries series("frames", "pendulum");  // folder, name
     auto schedule = ancf::equal_intervals(0.0, 0.5, 0.05);
     schedule.observe = [&](const ancf::Snapshot& seen) {
         shown.state() = seen.state;
