@@ -224,7 +224,8 @@ std::vector<Row> all_rows() {
 
 const std::vector<std::pair<std::string, NewtonKind>>& kinds() {
     static const std::vector<std::pair<std::string, NewtonKind>> all = {
-        {"plain", NewtonKind::plain}, {"mixed", NewtonKind::mixed}, {"turned", NewtonKind::turned}};
+        {"plain", NewtonKind::plain}, {"mixed", NewtonKind::mixed}, {"turned", NewtonKind::turned},
+        {"automatic", NewtonKind::automatic}};
     return all;
 }
 
@@ -307,8 +308,8 @@ int run_random(int count, unsigned seed, const std::string& only, bool check, bo
         const unsigned own = seed + static_cast<unsigned>(k);
         Problem slow = random_problem(own, name);
         bool followed = false;
-        if (check) followed = solve(slow.scene, NewtonKind::plain, 60, true).status ==
-                              ancf::Status::converged;
+        double slow_energy = 0; int slow_stab = 0;
+        if (check) {const auto r =  solve(slow.scene, NewtonKind::plain, 60, true); followed = r.status == ancf::Status::converged; slow_energy = r.strain_energy; slow_stab = static_cast<int>(r.stability);}
         if (check && !followed) std::cout << own << ' ' << name << ": sixty steps fail\n";
         for (std::size_t n = 0; n < kinds().size(); ++n) {
             if (!only.empty() && only != kinds()[n].first) continue;
@@ -328,6 +329,9 @@ int run_random(int count, unsigned seed, const std::string& only, bool check, bo
                 if (report.status != ancf::Status::converged)
                     std::cout << " at " << report.factor;
                 if (other) std::cout << ", elsewhere by " << off;
+                std::cout << ", stability " << static_cast<int>(report.stability) << " turn " << report.largest_turn;
+                if (other) std::cout << " slow energy " << slow_energy << " here " << report.strain_energy << " slow stab " << slow_stab << " tip " << p.scene.position(p.end).transpose() << " slow " << slow.scene.position(slow.end).transpose();
+                if (other || verbose) for (const auto& step : report.steps) { std::cout << "\n     " << step.factor << " " << to_string(step.status) << ":"; for (double c : step.corrections) std::cout << " " << c; }
                 std::cout << std::endl;
             }
         }

@@ -30,12 +30,16 @@ namespace ancf {
 enum class NewtonKind {
     plain,  ///< the derivative of the residual
     mixed,  ///< that of mixed integration points: fewer iterations and larger steps
-    turned  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
+    turned,  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
+    /// mixed, where an element has it; large corrections turn slopes and chords, by the angle where
+    /// moments do more work and by its tangent where forces do; a step that will not converge is cut
+    automatic
 };
 
 /// How a static problem is solved.
 struct StaticsOptions {
-    NewtonKind newton = NewtonKind::plain;  ///< a step that fails otherwise is repeated as plain
+    NewtonKind newton = NewtonKind::automatic;  ///< a step that fails otherwise is repeated as
+                                                ///< plain; automatic takes it in parts before
     int steps = 1;                          ///< equal load steps; one in which a driven joint
                                             ///< turns by more than pi/3 is taken in parts
     int max_iterations = 100;               ///< linear solves per step

@@ -67,7 +67,9 @@ public:
                                               : options_.first_factor + whole * k / options_.steps;
             if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
                 wanted = options_.last_factor;
-            const double next = within_turn(done, wanted);
+            const bool cut = newton_ == NewtonKind::automatic &&
+                             std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
+            const double next = within_turn(done, cut ? done + step : wanted);
             const DrivenTurn turn = driven_turn(model_.constraints(), done, next);
             if (!turn.fits()) {
                 report_.status = Status::diverged;
@@ -78,6 +80,9 @@ public:
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
+                if (result.iterations <= 6)
+                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
+                           (whole < 0.0 ? -1.0 : 1.0);
                 if (next != wanted) continue;  // a part of a step
                 part_ = 1.0;
                 ++k;
@@ -86,15 +91,12 @@ public:
                     report_.message = "the progress callback asked to stop";
                     break;
                 }
-                if (result.iterations <= 6)
-                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
-                           (whole < 0.0 ? -1.0 : 1.0);
             } else if (turn.angle > smallest_turn) {
                 part_ = 0.5 * turn.angle / largest_driven_turn;
             } else {
-                step *= 0.5;
-                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
-                    break;
+                step = 0.5 * (next - done);
+                const bool cuts = options_.adaptive || newton_ == NewtonKind::automatic;
+                if (!cuts || std::abs(step) < options_.min_step * std::abs(whole)) break;
             }
         }
         finish();
@@ -122,7 +124,9 @@ private:
     /// Solves at a load factor from the model's state; keeps the state where that fails.
     const LoadStep& advance(double factor) {
         const LoadStep& step = attempt(factor, newton_);
-        if (step.status == Status::converged || newton_ == NewtonKind::plain) return step;
+        if (step.status == Status::converged || newton_ == NewtonKind::plain ||
+            newton_ == NewtonKind::automatic)
+            return step;
         return attempt(factor, NewtonKind::plain);
     }
 
@@ -132,7 +136,8 @@ private:
         const bool evaluates_mixed = std::any_of(
             groups.begin(), groups.end(),
             [](const auto& group) { return group->evaluates_mixed() && group->size() > 0; });
-        return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
+        const bool turns = wanted == NewtonKind::turned || wanted == NewtonKind::plain;
+        return turns || evaluates_mixed ? wanted : NewtonKind::plain;
     }
 
     const LoadStep& attempt(double factor, NewtonKind newton) {
@@ -152,6 +157,7 @@ private:
         step.newton = newton;
         instant_ = {factor, factor};
         step.status = iterate(step);
+        if (step.status == Status::converged && !followed(step)) step.status = Status::diverged;
         keep.reached = step.status == Status::converged;
         if (!keep.reached) report_.message = cause(step);
         return step;
@@ -196,7 +202,8 @@ private:
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
-            if (step.iterations >= most_iterations(step.newton)) return Status::max_iterations;
+            if (step.iterations >= most_iterations(step.newton) || hopeless(step))
+                return Status::max_iterations;
 
             report_.factorisation = solver_.factorize(assembly_.tangent());
             if (report_.factorisation.status != Status::converged)
@@ -240,11 +247,26 @@ private:
     void bend(NewtonKind newton, VectorX& q) {
         constexpr double small = 0.05;  // rad: below, the linear sum is better
         last_.change = difference(q, last_.before);
-        if (newton == NewtonKind::turned &&
-            turning_.largest_angle(last_.before, last_.change) > small)
-            turning_.turn(last_.before, last_.change, q);
-        else
+        if (newton == NewtonKind::mixed ||
+            !(turning_.largest_angle(last_.before, last_.change) > small))
             turning_.twist(last_.before, last_.change, q);
+        else
+            turning_.turn(last_.before, last_.change, q,
+                          newton == NewtonKind::turned || moments_lead() ? TurnBy::angle
+                                                                         : TurnBy::tangent);
+    }
+
+    /// Whether loads do more work through slopes than through positions.
+    [[nodiscard]] bool moments_lead() {
+        const Layout& layout = model_.layout();
+        double of_positions = 0.0, of_slopes = 0.0;
+        for (int node = 0; node < layout.nodes(); ++node) {
+            const int slopes = layout.fields({node}).contains(Field::r) ? model_.dimension() : 0;
+            for (int k = layout.first(node); k < layout.first(node + 1); ++k)
+                (k < layout.first(node) + slopes ? of_positions : of_slopes) +=
+                    assembly_.external_force()[k] * last_.change[k];
+        }
+        return moments_led_ = std::abs(of_slopes) > std::abs(of_positions);
     }
 
     bool evaluate(const State& state, const VectorX* increment, const Correction* last = nullptr) {
@@ -272,6 +294,26 @@ private:
         const double last = step.corrections.back();
         return last <= 1e-2 * options_.correction_tolerance &&
                last <= 1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
+    }
+
+    /// Whether a step ended where the load leads from the state before: in a stable state, or by
+    /// corrections so small that no other branch was near.
+    [[nodiscard]] bool followed(const LoadStep& step) {
+        constexpr double to_unstable = 0.1, to_unknown = 0.5;
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_) return true;
+        const double largest = *std::max_element(step.corrections.begin(), step.corrections.end());
+        if (!(largest > to_unstable)) return true;
+        const Stability reached = stability(assembly_, report_.factorisation);
+        if (reached == Stability::unstable) return false;
+        return reached == Stability::stable || moments_led_ || !(largest > to_unknown);
+    }
+
+    /// Whether corrections are too large for an iteration that would converge.
+    static bool hopeless(const LoadStep& step) {
+        if (step.newton != NewtonKind::automatic) return false;
+        const std::size_t count = step.corrections.size();
+        return (count >= 2 && step.corrections.back() > 2.5) ||
+               (count >= 3 && step.corrections.back() > 1.5);
     }
 
     static bool stagnates(const LoadStep& step) {
@@ -317,6 +359,7 @@ private:
     ConvergenceMonitor monitor_;
     Turning turning_;
     NewtonKind newton_;
+    bool stable_ = true, moments_led_ = false;
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
