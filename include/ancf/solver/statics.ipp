@@ -61,42 +61,49 @@ public:
         const double equal = whole / options_.steps;
         double step = equal;
         double done = options_.first_factor;
+        bool last_resort = false;
         report_.factor = done;
         for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
             double wanted = options_.adaptive ? done + step
                                               : options_.first_factor + whole * k / options_.steps;
             if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
                 wanted = options_.last_factor;
-            const bool cut = newton_ == NewtonKind::automatic &&
-                             std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
-            const double next = within_turn(done, cut ? done + step : wanted);
+            const bool in_parts = newton_ == NewtonKind::automatic &&
+                                  std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
+            const double next = within_turn(done, in_parts ? done + step : wanted);
             const DrivenTurn turn = driven_turn(model_.constraints(), done, next);
             if (!turn.fits()) {
                 report_.status = Status::diverged;
                 report_.message = driven_turn_text(model_.constraints(), turn, done, next);
                 break;
             }
-            const LoadStep& result = advance(next);
+            const LoadStep& result = last_resort ? attempt(next, NewtonKind::plain) : advance(next);
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
-                if (result.iterations <= 6)
+                last_resort = false;
+                if (grows(result))
                     step = std::min(2.0 * std::abs(step), std::abs(equal)) *
                            (whole < 0.0 ? -1.0 : 1.0);
                 if (next != wanted) continue;  // a part of a step
                 part_ = 1.0;
+                spent_ = report_.iterations();
                 ++k;
                 if (options_.progress && !options_.progress(done, model_.state())) {
                     report_.status = Status::stopped;
                     report_.message = "the progress callback asked to stop";
                     break;
                 }
+            } else if (last_resort) {
+                break;
             } else if (turn.angle > smallest_turn) {
                 part_ = 0.5 * turn.angle / largest_driven_turn;
             } else {
-                step = 0.5 * (next - done);
-                const bool cuts = options_.adaptive || newton_ == NewtonKind::automatic;
-                if (!cuts || std::abs(step) < options_.min_step * std::abs(whole)) break;
+                step = share_after(result) * (next - done);
+                if (cuts(result) && std::abs(step) >= options_.min_step * std::abs(whole)) continue;
+                if (newton_ != NewtonKind::automatic || result.iterations == 0) break;
+                last_resort = true;  // what a run without cuts would have tried
+                step = equal;
             }
         }
         finish();
@@ -119,6 +126,29 @@ private:
             next = done + (next - done) / parts;
         }
         return next;
+    }
+
+    /// Whether the next step may be longer. After a failed one, two have to succeed.
+    [[nodiscard]] bool grows(const LoadStep& step) {
+        if (newton_ != NewtonKind::automatic) return step.iterations <= 6;
+        return step.iterations <= 8 && ++successes_ > 1;
+    }
+
+    /// Whether a step that failed is worth a shorter one: an automatic one where it has moved at
+    /// all, as long as that is not endless.
+    [[nodiscard]] bool cuts(const LoadStep& failed) const {
+        if (options_.adaptive) return true;
+        return newton_ == NewtonKind::automatic && failed.iterations > 0 &&
+               report_.iterations() - spent_ < 10 * options_.max_iterations;
+    }
+
+    /// Returns how much of a step that failed to try next: less at first where its first correction
+    /// says that a half will not do.
+    [[nodiscard]] double share_after(const LoadStep& failed) {
+        const bool far = newton_ == NewtonKind::automatic && successes_ == none_failed &&
+                         !failed.corrections.empty() && failed.corrections.front() > 2.0;
+        successes_ = 0;
+        return far ? 0.25 : 0.5;
     }
 
     /// Solves at a load factor from the model's state; keeps the state where that fails.
@@ -251,9 +281,9 @@ private:
             !(turning_.largest_angle(last_.before, last_.change) > small))
             turning_.twist(last_.before, last_.change, q);
         else
-            turning_.turn(last_.before, last_.change, q,
-                          newton == NewtonKind::turned || moments_lead() ? TurnBy::angle
-                                                                         : TurnBy::tangent);
+            turning_.turn(
+                last_.before, last_.change, q,
+                newton == NewtonKind::turned || moments_lead() ? TurnBy::angle : TurnBy::tangent);
     }
 
     /// Whether loads do more work through slopes than through positions.
@@ -300,20 +330,24 @@ private:
     /// corrections so small that no other branch was near.
     [[nodiscard]] bool followed(const LoadStep& step) {
         constexpr double to_unstable = 0.1, to_unknown = 0.5;
-        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_) return true;
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_)
+            return true;
         const double largest = *std::max_element(step.corrections.begin(), step.corrections.end());
-        if (!(largest > to_unstable)) return true;
+        const bool small = !(largest > to_unstable);
+        if (small && !doubted_) return true;
         const Stability reached = stability(assembly_, report_.factorisation);
-        if (reached == Stability::unstable) return false;
-        return reached == Stability::stable || moments_led_ || !(largest > to_unknown);
+        // small corrections from a stable state to an unstable one: the path itself gets there
+        if (small) stable_ = reached != Stability::unstable;
+        doubted_ = !small && reached != Stability::stable &&
+                   (reached == Stability::unstable || (!moments_led_ && largest > to_unknown));
+        return !doubted_;
     }
 
     /// Whether corrections are too large for an iteration that would converge.
-    static bool hopeless(const LoadStep& step) {
-        if (step.newton != NewtonKind::automatic) return false;
+    [[nodiscard]] static bool hopeless(const LoadStep& step) {
         const std::size_t count = step.corrections.size();
-        return (count >= 2 && step.corrections.back() > 2.5) ||
-               (count >= 3 && step.corrections.back() > 1.5);
+        return step.newton == NewtonKind::automatic && count >= 2 &&
+               step.corrections.back() > (count == 2 ? 2.0 : 1.2);
     }
 
     static bool stagnates(const LoadStep& step) {
@@ -359,7 +393,12 @@ private:
     ConvergenceMonitor monitor_;
     Turning turning_;
     NewtonKind newton_;
-    bool stable_ = true, moments_led_ = false;
+    static constexpr int none_failed = 2;
+    int successes_ = none_failed;  // steps that converged since one failed
+    int spent_ = 0;                // iterations before the step that the options ask for
+    bool stable_ = true;           // as far as is known, the last state that was accepted
+    bool doubted_ = false;         // the last step ended elsewhere
+    bool moments_led_ = false;     // in the last large correction
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;

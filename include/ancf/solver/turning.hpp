@@ -41,8 +41,7 @@ public:
 
     /// Turns slopes by their rotation and the chords of elements by theirs; positions follow the
     /// chords as well as they can, in least squares.
-    void turn(const VectorX& before, const VectorX& change, VectorX& q,
-              TurnBy by = TurnBy::angle);
+    void turn(const VectorX& before, const VectorX& change, VectorX& q, TurnBy by = TurnBy::angle);
 
     /// Returns the largest angle by which a correction turns a slope, to first order.
     [[nodiscard]] double largest_angle(const VectorX& before, const VectorX& change) const;
