@@ -101,7 +101,7 @@ public:
             } else {
                 step = share_after(result) * (next - done);
                 if (cuts(result) && std::abs(step) >= options_.min_step * std::abs(whole)) continue;
-                if (newton_ != NewtonKind::automatic || result.iterations == 0) break;
+                if (!may_retry(result)) break;
                 last_resort = true;  // what a run without cuts would have tried
                 step = equal;
             }
@@ -134,12 +134,18 @@ private:
         return step.iterations <= 8 && ++successes_ > 1;
     }
 
-    /// Whether a step that failed is worth a shorter one: an automatic one where it has moved at
-    /// all, as long as that is not endless.
+    /// Whether a step that failed is worth a shorter one, as long as that is not endless.
     [[nodiscard]] bool cuts(const LoadStep& failed) const {
-        if (options_.adaptive) return true;
+        return options_.adaptive ||
+               (may_retry(failed) &&
+                report_.iterations() - spent_ < 10 * options_.max_iterations);
+    }
+
+    /// Whether an automatic step that failed may do better in another way: not where it could not
+    /// move at all, or the user's own bound ended it.
+    [[nodiscard]] bool may_retry(const LoadStep& failed) const {
         return newton_ == NewtonKind::automatic && failed.iterations > 0 &&
-               report_.iterations() - spent_ < 10 * options_.max_iterations;
+               failed.iterations < options_.max_iterations;
     }
 
     /// Returns how much of a step that failed to try next: less at first where its first correction
