@@ -303,8 +303,8 @@ Problem random_problem(unsigned seed, std::string& name) {
     return p;
 }
 
-/// Prints the largest strains, axial and of the section in its plane, and the negative pivots of the
-/// tangent in the iterates of the elastica under 10 E I/L^2.
+/// Prints the largest strains, axial and of the section in its plane, and the tangent's negative
+/// pivots in the iterates of the elastica under 10 E I/L^2.
 template <class Element>
 void print_iterates(bool mixed, bool turned) {
     Problem p = cantilever<Element>(0.01, 32, 10.0 * Point(0.0, std::cos(0.6), std::sin(0.6)),

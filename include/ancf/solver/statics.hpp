@@ -31,8 +31,9 @@ enum class NewtonKind {
     plain,   ///< the derivative of the residual
     mixed,   ///< that of mixed integration points: fewer iterations and larger steps
     turned,  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
-    /// mixed, where an element has it; large corrections turn slopes and chords, by the angle where
-    /// moments do more work and by its tangent where forces do; a step that will not converge is cut
+    /// mixed where an element is; large corrections turn slopes and chords, by the angle where
+    /// moments do most work and by its tangent where forces do; a step that will not converge, or
+    /// ends on another branch, is cut: docs/theory-statics.md, "The automatic iteration"
     automatic
 };
 
