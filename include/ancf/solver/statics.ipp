@@ -137,8 +137,7 @@ private:
     /// Whether a step that failed is worth a shorter one, as long as that is not endless.
     [[nodiscard]] bool cuts(const LoadStep& failed) const {
         return options_.adaptive ||
-               (may_retry(failed) &&
-                report_.iterations() - spent_ < 10 * options_.max_iterations);
+               (may_retry(failed) && report_.iterations() - spent_ < 10 * options_.max_iterations);
     }
 
     /// Whether an automatic step that failed may do better in another way: not where it could not
@@ -333,10 +332,12 @@ private:
     }
 
     /// Whether a step ended where the load leads from the state before: in a stable state, or by
-    /// corrections so small that no other branch was near.
+    /// corrections so small that no other branch was near. States under moments fixed in space are
+    /// unstable as a rule, and tell nothing.
     [[nodiscard]] bool followed(const LoadStep& step) {
         constexpr double to_unstable = 0.1, to_unknown = 0.5;
-        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_)
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
+            moments_led_)
             return true;
         const double largest = *std::max_element(step.corrections.begin(), step.corrections.end());
         const bool small = !(largest > to_unstable);
@@ -344,8 +345,8 @@ private:
         const Stability reached = stability(assembly_, report_.factorisation);
         // small corrections from a stable state to an unstable one: the path itself gets there
         if (small) stable_ = reached != Stability::unstable;
-        doubted_ = !small && reached != Stability::stable &&
-                   (reached == Stability::unstable || (!moments_led_ && largest > to_unknown));
+        doubted_ = !small && (reached == Stability::unstable ||
+                              (reached == Stability::unknown && largest > to_unknown));
         return !doubted_;
     }
 
