@@ -52,7 +52,9 @@ public:
           assembly_(model, solver.storage()),
           monitor_(model, assembly_.numbering()),
           turning_(model, assembly_.numbering()),
-          newton_(possible(options.newton)) {
+          newton_(possible(options.newton)),
+          potential_(std::all_of(model.loads().begin(), model.loads().end(),
+                                 [](const ScaledLoad& load) { return load.load.symmetric(); })) {
         solver_.analyze(assembly_.tangent());
     }
 
@@ -345,8 +347,10 @@ private:
         const Stability reached = stability(assembly_, report_.factorisation);
         // small corrections from a stable state to an unstable one: the path itself gets there
         if (small) stable_ = reached != Stability::unstable;
-        doubted_ = !small && (reached == Stability::unstable ||
-                              (reached == Stability::unknown && largest > to_unknown));
+        // of loads with a potential `unknown` is a matter of round-off
+        doubted_ =
+            !small && (reached == Stability::unstable ||
+                       (reached == Stability::unknown && !potential_ && largest > to_unknown));
         return !doubted_;
     }
 
@@ -400,6 +404,7 @@ private:
     ConvergenceMonitor monitor_;
     Turning turning_;
     NewtonKind newton_;
+    bool potential_;  // of all loads
     static constexpr int none_failed = 2;
     int successes_ = none_failed;  // steps that converged since one failed
     int spent_ = 0;                // iterations before the step that the options ask for
