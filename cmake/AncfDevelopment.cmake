@@ -69,18 +69,22 @@ if(ANCF_WITH_OPENMP)
     endif()
 endif()
 
-# For benchmarks, the compiled library with all instructions of this machine and with threads: its objects have another
-# layout.
-if(NOT MSVC)
-    ancf_add_compiled(ancf_compiled_native)
-    target_link_libraries(ancf_compiled_native PUBLIC ancf_threads)
+# Lets a compiled library take all instructions of this machine and threads: its objects have another layout.
+function(ancf_make_native name)
+    target_link_libraries(${name} PUBLIC ancf_threads)
     # GCC 12 takes fault with its own AVX-512 header.
-    target_compile_options(ancf_compiled_native PUBLIC -march=native
+    target_compile_options(${name} PUBLIC -march=native
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
     # With wide registers these two take more than 700 MB otherwise: the compiler collects its garbage more often.
     set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp
         ${PROJECT_BINARY_DIR}/compiled/solver_subspace.cpp PROPERTIES COMPILE_OPTIONS
         "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=20;--param=ggc-min-heapsize=32768>")
+endfunction()
+
+# For benchmarks.
+if(NOT MSVC)
+    ancf_add_compiled(ancf_compiled_native)
+    ancf_make_native(ancf_compiled_native)
     foreach(component suitesparse sundials)
         if(TARGET ancf::${component})
             ancf_add_compiled_component(ancf_compiled_native ${component})

@@ -7,6 +7,7 @@
 #include <ancf/element/cable/cable.hpp>
 
 #include <element/cable_samples.hpp>
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/random_state.hpp>
@@ -21,10 +22,13 @@
 namespace cable_curved_test {
 
 using namespace ancf;
+using test::AnyElement;
 using test::cable_length;
 using test::cable_material;
 using test::cable_section;
 using test::Helix;
+using test::Random;
+using test::Shape;
 
 const double axial = cable_material().young * cable_section().moments().area;
 const double bending = cable_material().young * cable_section().moments().yy;
@@ -50,14 +54,14 @@ Element curved(const typename Element::Coordinates& reference, const Rule& rule 
     return {cable_material(), cable_section(), reference, cable_length, {rule, 1.0}};
 }
 
-/// Visits every reference with every rule.
+/// Visits every reference with every rule: visit(element, reference).
 template <class Element, class Visit>
 int for_each_curved(const Visit& visit) {
     int count = 0;
     for (const auto& reference : references<Element::dimension>()) {
         for (const Rule& rule : rules()) {
             INFO("reference " << reference.transpose() << ", rule " << rule.name());
-            visit(curved<Element>(reference, rule), reference);
+            visit(curved<Element>(reference, rule), VectorX(reference));
             ++count;
         }
     }
@@ -65,73 +69,63 @@ int for_each_curved(const Visit& visit) {
 }
 
 /// The reference turned and moved at random, and bent out of shape.
-template <class Element>
-typename Element::Coordinates disturbed(const typename Element::Coordinates& reference,
-                                        test::Random& random, double size) {
-    constexpr int dimension = Element::dimension;
-    typename Element::Coordinates e = reference + size * random.vector<Element::dofs>();
-    const auto turn = test::random_rotation<dimension>(random);
-    return test::moved<Element>(e, turn, random.vector<dimension>());
+VectorX disturbed(const Shape& shape, const VectorX& reference, Random& random, double size) {
+    const VectorX e = reference + size * random.vector(shape.dofs());
+    const MatrixX turn = test::random_rotation(shape.dimension, random);
+    return test::moved(shape, e, turn, random.vector(shape.dimension));
+}
+
+void check_no_force(const AnyElement& element, const VectorX& reference) {
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const int dimension = element.shape.dimension;
+        Random random(seed);
+        const MatrixX turn = test::random_rotation(dimension, random);
+        const VectorX e = test::moved(element.shape, reference, turn, random.vector(dimension));
+        CHECK(element.force(e).norm() <= 1e-14 * axial);  // asked for 1e-12; measured 2e-15
+        CHECK(std::abs(element.energy(e)) <= 1e-15 * axial * cable_length);
+    }
+}
+
+void check_rigid_modes(const AnyElement& element, const VectorX& reference) {
+    const int dimension = element.shape.dimension;
+    const int motions = dimension == 3 ? 6 : 3;
+    VectorX scale = VectorX::Constant(element.shape.dofs(), 1.0 / cable_length);
+    scale.segment(0, dimension).setOnes();
+    scale.segment(2 * dimension, dimension).setOnes();
+    const MatrixX tangent =
+        scale.asDiagonal() * element.evaluate(reference).tangent * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixX> modes(tangent);
+    const VectorX values = modes.eigenvalues() / modes.eigenvalues().maxCoeff();
+    CHECK(values.head(motions).cwiseAbs().maxCoeff() <= 1e-14);
+    CHECK(values(motions) >= 1e-4);  // bending, (radius/length)^2; measured 1e-3
 }
 
 TEMPLATE_TEST_CASE("Cable: a curved element has no force in its reference, however moved",
                    "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
                    (Cable<3, EngineeringAxial>)) {
-    constexpr int dimension = TestType::dimension;
-    const int count = for_each_curved<TestType>([](const auto& element, const auto& reference) {
-        for (std::uint64_t seed = 0; seed < 50; ++seed) {
-            test::Random random(seed);
-            const auto turn = test::random_rotation<dimension>(random);
-            const auto e = test::moved<TestType>(reference, turn, random.vector<dimension>());
-            CHECK(element.force(e).norm() <= 1e-14 * axial);  // asked for 1e-12; measured 2e-15
-            CHECK(std::abs(element.energy(e)) <= 1e-15 * axial * cable_length);
-        }
-    });
-    CHECK(count >= 12);
+    CHECK(for_each_curved<TestType>(check_no_force) >= 12);
 }
 
 TEMPLATE_TEST_CASE(
     "Cable: force and tangent of a curved element equal the complex-step derivatives",
     "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<3, EngineeringAxial>)) {
-    double force = 0.0, tangent = 0.0, symmetry = 0.0;
-    const int count = for_each_curved<TestType>([&](const auto& element, const auto& reference) {
+    test::DerivativeErrors worst;
+    const int count = for_each_curved<TestType>([&](const auto& curve, const VectorX& reference) {
+        const AnyElement element(curve);
         for (std::uint64_t seed = 0; seed < 100; ++seed) {
-            test::Random random(seed);
-            const auto e = disturbed<TestType>(reference, random, 0.2);
-            const auto evaluation = element.evaluate(e);
-            const auto gradient =
-                test::complex_step_gradient([&](const auto& c) { return element.energy(c); }, e);
-            const auto jacobian =
-                test::complex_step_jacobian([&](const auto& c) { return element.force(c); }, e);
-            force = std::max(force, test::relative_error(evaluation.force, gradient));
-            tangent = std::max(tangent, test::relative_error(evaluation.tangent, jacobian));
-            symmetry = std::max(
-                symmetry,
-                test::relative_error(evaluation.tangent, evaluation.tangent.transpose().eval()));
+            Random random(seed);
+            test::raise(worst, element, curve, disturbed(element.shape, reference, random, 0.2));
         }
     });
     CHECK(count >= 12);
-    CHECK(force <= 1e-12);    // measured 2e-15
-    CHECK(tangent <= 1e-12);  // measured 3e-15
-    CHECK(symmetry <= 1e-14);
+    CHECK(worst.force <= 1e-12);    // measured 2e-15
+    CHECK(worst.tangent <= 1e-12);  // measured 3e-15
+    CHECK(worst.symmetry <= 1e-14);
 }
 
 TEMPLATE_TEST_CASE("Cable: a curved element at rest has the zero eigenvalues of a rigid body",
                    "[element][cable][curved]", Cable<2>, Cable<3>) {
-    constexpr int dimension = TestType::dimension;
-    constexpr int motions = dimension == 3 ? 6 : 3;
-    const int count = for_each_curved<TestType>([](const auto& element, const auto& reference) {
-        typename TestType::Coordinates scale = TestType::Coordinates::Constant(1.0 / cable_length);
-        scale.template segment<dimension>(0).setOnes();
-        scale.template segment<dimension>(2 * dimension).setOnes();
-        const Matrix<double, TestType::dofs> tangent =
-            scale.asDiagonal() * element.evaluate(reference).tangent * scale.asDiagonal();
-        const Eigen::SelfAdjointEigenSolver<Matrix<double, TestType::dofs>> modes(tangent);
-        const auto values = (modes.eigenvalues() / modes.eigenvalues().maxCoeff()).eval();
-        CHECK(values.head(motions).cwiseAbs().maxCoeff() <= 1e-14);
-        CHECK(values(motions) >= 1e-4);  // bending, (radius/length)^2; measured 1e-3
-    });
-    CHECK(count >= 12);
+    CHECK(for_each_curved<TestType>(check_rigid_modes) >= 12);
 }
 
 TEST_CASE(
@@ -210,7 +204,8 @@ TEMPLATE_TEST_CASE("Cable: a parameter of another speed leaves the element as it
     CHECK(fast.length() == Approx(slow.length()).epsilon(1e-14));
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         test::Random random(seed);
-        const auto e = disturbed<TestType>(reference, random, 0.2);
+        const typename TestType::Coordinates e =
+            disturbed(test::shape_of<TestType>(), reference, random, 0.2);
         CHECK(fast.energy(halved(e)) == Approx(slow.energy(e)).epsilon(1e-12));
         CHECK(fast.axial_strain(halved(e), 0.3) ==
               Approx(slow.axial_strain(e, 0.3)).epsilon(1e-12));

@@ -9,9 +9,9 @@
 #include <ancf/element/pack.hpp>
 
 #include <element/cable_samples.hpp>
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
-#include <support/element_properties.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>

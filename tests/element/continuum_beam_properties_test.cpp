@@ -6,8 +6,8 @@
 
 #include <ancf/element/continuum/beam.hpp>
 
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
-#include <support/element_properties.hpp>
 
 #include <iterator>
 

@@ -8,8 +8,10 @@
 #include <ancf/element/cross_section/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
-#include <support/element_properties.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
 
 #include <Eigen/SVD>
 

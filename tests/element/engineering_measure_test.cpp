@@ -9,9 +9,9 @@
 #include <ancf/element/planar/beam.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
-#include <support/element_properties.hpp>
 #include <support/random_state.hpp>
 
 #include <cstdint>

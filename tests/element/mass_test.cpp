@@ -12,8 +12,8 @@
 #include <ancf/section/polygon.hpp>
 #include <ancf/section/section.hpp>
 
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
-#include <support/element_properties.hpp>
 
 namespace mass_test {
 

@@ -8,9 +8,9 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
-#include <support/element_properties.hpp>
 #include <support/random_state.hpp>
 
 #include <iterator>

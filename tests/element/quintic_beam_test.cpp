@@ -9,8 +9,10 @@
 #include <ancf/element/hermite.hpp>
 
 #include <element/cross_section_beam_samples.hpp>
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
-#include <support/element_properties.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,12 @@
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/section.hpp>
 
+#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
-#include <support/element_properties.hpp>
 #include <support/random_state.hpp>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 /// Seeded random rotations, motions and deformed states for any element type.
 ///
 /// An element type has `dimension`, `dofs`, `fields` and `length()`; its nodal coordinates are
-/// vectors in Field order, node by node. The generator is our own, so that a seed means the same
-/// everywhere.
+/// vectors in Field order, node by node. What is computed depends on its Shape alone, and is
+/// compiled once for all types. The generator is our own, so that a seed means the same everywhere.
 
 #pragma once
 
@@ -28,22 +28,30 @@ public:
         return low + (high - low) * static_cast<double>(next() >> 11U) * 0x1.0p-53;
     }
 
-    /// Returns a vector uniform in the cube [-1, 1)^N.
-    template <int N>
-    Vector<double, N> vector() noexcept {
-        Vector<double, N> v;
-        for (int i = 0; i < N; ++i) v(i) = uniform(-1.0, 1.0);
+    /// Returns a vector uniform in the cube [-1, 1)^n.
+    VectorX vector(int n) {
+        VectorX v(n);
+        for (double& each : v) each = uniform(-1.0, 1.0);
         return v;
     }
 
-    /// Returns a unit vector, uniform on the sphere.
-    template <int N>
-    Vector<double, N> direction() noexcept {
+    /// Returns a unit vector of n components, uniform on the sphere.
+    VectorX direction(int n) {
         for (;;) {
-            const Vector<double, N> v = vector<N>();
+            const VectorX v = vector(n);
             const double norm = v.norm();
             if (norm > 0.1 && norm < 1.0) return v / norm;
         }
+    }
+
+    template <int N>
+    Vector<double, N> vector() {
+        return vector(N);
+    }
+
+    template <int N>
+    Vector<double, N> direction() {
+        return direction(N);
     }
 
 private:
@@ -75,100 +83,133 @@ private:
     return result;
 }
 
-/// Returns a rotation of up to `angle` radians about a random axis.
+/// Returns a rotation of up to `angle` radians about a random axis, in the plane or in space.
+[[nodiscard]] inline MatrixX random_rotation(int dimension, Random& random,
+                                             double angle = 3.14159265358979) {
+    if (dimension == 2) return rotation(random.uniform(-angle, angle));
+    const double turn = random.uniform(0.0, angle);
+    return rotation(Vector<double, 3>(turn * random.direction<3>()));
+}
+
 template <int Dimension>
 [[nodiscard]] Matrix<double, Dimension> random_rotation(Random& random,
                                                         double angle = 3.14159265358979) {
-    if constexpr (Dimension == 2) {
-        return rotation(random.uniform(-angle, angle));
-    } else {
-        return rotation(Vector<double, 3>(random.uniform(0.0, angle) * random.direction<3>()));
+    return random_rotation(Dimension, random, angle);
+}
+
+/// What a state depends on.
+struct Shape {
+    int dimension;
+    Fields fields;
+    double length;  ///< m
+
+    [[nodiscard]] int dofs() const { return 2 * dimension * fields.count(); }
+
+    /// Calls visit(node, field, first coordinate) for every vector of an element.
+    template <class Visit>
+    void for_each_vector(const Visit& visit) const {
+        for (int node = 0; node < 2; ++node) {
+            for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z, Field::r_xx}) {
+                if (!fields.contains(field)) continue;
+                visit(node, field, dimension * (node * fields.count() + fields.rank(field)));
+            }
+        }
     }
+};
+
+template <class Element>
+[[nodiscard]] Shape shape_of(double length = 1.0) {
+    return {Element::dimension, Element::fields, length};
+}
+
+template <class Element, class Visit>
+void for_each_vector(const Visit& visit) {
+    shape_of<Element>().for_each_vector(visit);
 }
 
 /// Returns the unit vector along which a field of the straight reference points: e_x, e_y, e_z of
 /// slopes, 0 of the others.
-template <int Dimension>
-[[nodiscard]] Vector<double, Dimension> reference_direction(Field field) {
-    return length_power(field) != 0
-               ? Vector<double, Dimension>::Zero().eval()
-               : Vector<double, Dimension>::Unit(static_cast<int>(field) - 1).eval();
-}
-
-/// Calls visit(node, field, first coordinate) for every vector of an element.
-template <class Element, class Visit>
-void for_each_vector(const Visit& visit) {
-    constexpr int dimension = Element::dimension;
-    for (int node = 0; node < 2; ++node) {
-        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z, Field::r_xx}) {
-            if (!Element::fields.contains(field)) continue;
-            visit(node, field,
-                  dimension * (node * Element::fields.count() + Element::fields.rank(field)));
-        }
-    }
+[[nodiscard]] inline VectorX reference_direction(int dimension, Field field) {
+    if (length_power(field) != 0) return VectorX::Zero(dimension);
+    return VectorX::Unit(dimension, static_cast<int>(field) - 1);
 }
 
 /// Returns the coordinates of the straight element along e_x from the origin.
-template <class Element>
-[[nodiscard]] Vector<double, Element::dofs> reference_coordinates(const Element& element) {
-    constexpr int dimension = Element::dimension;
-    Vector<double, Element::dofs> e;
-    for_each_vector<Element>([&](int node, Field field, int first) {
-        Vector<double, dimension> v = reference_direction<dimension>(field);
-        if (field == Field::r) v(0) = node * element.length();
-        e.template segment<dimension>(first) = v;
+[[nodiscard]] inline VectorX reference_coordinates(const Shape& shape) {
+    VectorX e(shape.dofs());
+    shape.for_each_vector([&](int node, Field field, int first) {
+        VectorX v = reference_direction(shape.dimension, field);
+        if (field == Field::r) v(0) = node * shape.length;
+        e.segment(first, shape.dimension) = v;
     });
     return e;
 }
 
+template <class Element>
+[[nodiscard]] Vector<double, Element::dofs> reference_coordinates(const Element& element) {
+    return reference_coordinates(shape_of<Element>(element.length()));
+}
+
 /// Returns R e on every vector, plus the shift on the positions.
+[[nodiscard]] inline VectorX moved(const Shape& shape, const VectorX& e, const MatrixX& rotation,
+                                   const VectorX& shift) {
+    VectorX result(e.size());
+    shape.for_each_vector([&](int, Field field, int first) {
+        VectorX v = rotation * e.segment(first, shape.dimension);
+        if (field == Field::r) v += shift;
+        result.segment(first, shape.dimension) = v;
+    });
+    return result;
+}
+
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> moved(
     const Vector<double, Element::dofs>& e, const Matrix<double, Element::dimension>& rotation,
     const Vector<double, Element::dimension>& shift) {
-    constexpr int dimension = Element::dimension;
-    Vector<double, Element::dofs> result;
-    for_each_vector<Element>([&](int, Field field, int first) {
-        Vector<double, dimension> v = rotation * e.template segment<dimension>(first);
-        if (field == Field::r) v += shift;
-        result.template segment<dimension>(first) = v;
-    });
-    return result;
+    return moved(shape_of<Element>(), e, rotation, shift);
 }
 
 /// Returns a deformed element: its end frames turned against each other (bending and twist, up to
 /// about 40 degrees a node), every slope sheared and stretched and the chord stretched by up to
 /// `strain`.
-template <class Element>
-[[nodiscard]] Vector<double, Element::dofs> deformed_state(const Element& element, Random& random,
-                                                           double strain = 0.3) {
-    constexpr int dimension = Element::dimension;
-    Vector<double, Element::dofs> e;
-    Matrix<double, dimension> frame[2];
-    for (auto& each : frame) each = random_rotation<dimension>(random, 2.3 * strain);
-    for_each_vector<Element>([&](int node, Field field, int first) {
-        Vector<double, dimension> v = reference_direction<dimension>(field);
+[[nodiscard]] inline VectorX deformed_state(const Shape& shape, Random& random,
+                                            double strain = 0.3) {
+    const int dimension = shape.dimension;
+    VectorX e(shape.dofs());
+    MatrixX frame[2];
+    for (auto& each : frame) each = random_rotation(dimension, random, 2.3 * strain);
+    shape.for_each_vector([&](int node, Field field, int first) {
+        VectorX v = reference_direction(dimension, field);
         if (field == Field::r) {
             if (node == 1) v(0) = 1.0;
-            if (node == 1) v += strain * random.vector<dimension>();
-            v *= element.length();
+            if (node == 1) v += strain * random.vector(dimension);
+            v *= shape.length;
         } else {
-            v = frame[node] * (v + strain * random.vector<dimension>());
-            if (field == Field::r_xx) v /= element.length();
+            v = frame[node] * (v + strain * random.vector(dimension));
+            if (field == Field::r_xx) v /= shape.length;
         }
-        e.template segment<dimension>(first) = v;
+        e.segment(first, dimension) = v;
     });
     return e;
 }
 
+template <class Element>
+[[nodiscard]] Vector<double, Element::dofs> deformed_state(const Element& element, Random& random,
+                                                           double strain = 0.3) {
+    return deformed_state(shape_of<Element>(element.length()), random, strain);
+}
+
 /// Returns a deformed element, rotated at random and shifted by up to one length.
+[[nodiscard]] inline VectorX random_state(const Shape& shape, Random& random, double strain = 0.3) {
+    const VectorX e = deformed_state(shape, random, strain);
+    const MatrixX turn = random_rotation(shape.dimension, random);
+    return moved(shape, e, turn, shape.length * random.vector(shape.dimension));
+}
+
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> random_state(const Element& element, Random& random,
                                                          double strain = 0.3) {
-    constexpr int dimension = Element::dimension;
-    const Vector<double, Element::dofs> e = deformed_state(element, random, strain);
-    const Matrix<double, dimension> turn = random_rotation<dimension>(random);
-    return moved<Element>(e, turn, element.length() * random.vector<dimension>());
+    return random_state(shape_of<Element>(element.length()), random, strain);
 }
 
 }  // namespace ancf::test
