@@ -34,6 +34,9 @@ namespace ancf {
 struct TorsionBeamOptions {
     /// Stations of the axial, bending and torsion terms; the group of shear does not apply.
     Rule rule = Rule::mixed();
+
+    /// What is most accurate for its cost: the default.
+    [[nodiscard]] static TorsionBeamOptions best() { return {}; }
 };
 
 /// The Euler-Bernoulli beam with Saint-Venant's torsion.
