@@ -4,7 +4,7 @@
 /// @file
 /// The integrators that the benchmarks compare, each with its one setting.
 ///
-/// A chain without constraints is solved by the solver for chains, everything else by a general
+/// One beam without constraints is solved by the solver for chains, everything else by a general
 /// one. Newton's method goes to 1e-10 of the scene's size, far below any error that is measured.
 
 #pragma once
@@ -67,8 +67,8 @@ inline Integrator explicit_method(std::string name, sundials::Table table) {
 /// Runs an integrator with the solver that suits the scene.
 template <class Method>
 DynamicsReport run_with_solver(Scene& model, const Schedule& schedule, const Method& integrator) {
-    const auto solver =
-        solver_named(model.constraints().empty() ? "block-tridiagonal" : general_solver);
+    const bool chain = model.constraints().empty() && model.attachments().empty();
+    const auto solver = solver_named(chain ? "block-tridiagonal" : general_solver);
     ProblemOptions for_solver;
     for_solver.storage = solver->storage();
     DynamicProblem problem(model, for_solver);

@@ -197,7 +197,10 @@ private:
     static void solve(Scene& scene, Row& row, ancf::NewtonKind newton, int steps = 1,
                       bool symmetric = true) {
         ancf::StaticsOptions how;
-        how.newton = newton;
+        // mixed iterations by themselves where off the axes nothing else hinders them
+        how.newton = keeps_order<Element> && newton == ancf::NewtonKind::mixed
+                         ? ancf::NewtonKind::automatic
+                         : newton;
         how.steps = steps;
         how.adaptive = true;
         ancf::EigenLdlt lower;

@@ -87,6 +87,7 @@ inline const char* newton_suffix(ancf::NewtonKind newton) {
     switch (newton) {
         case ancf::NewtonKind::mixed: return "+mixed-newton";
         case ancf::NewtonKind::turned: return "+turned-newton";
+        case ancf::NewtonKind::automatic: return "+automatic-newton";
         case ancf::NewtonKind::plain: break;
     }
     return "";

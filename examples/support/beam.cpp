@@ -23,6 +23,8 @@ void BeamOptions::add_element_to(CommandLine& line, const std::vector<std::strin
     line.add_choice("--rule", rule, rules, "integration along the element");
     line.add_choice("--directors", directors, {"projected", "transported", "geodesic"},
                     "how directors follow the slopes");
+    line.add_choice("--measure", measure, {"green", "engineering"},
+                    "strain of a section: Green's, or that of Reissner's beam");
     line.add_choice("--transverse", transverse, {"green", "stretch"},
                     "transverse strain of the cross-section element");
     line.add_choice("--section", section_model, {"paper", "saint-venant"},
@@ -84,6 +86,7 @@ void BeamOptions::settle(const CommandLine& line) {
     }
     if (is_quintic()) line.settle<std::string>("--rule", rule, "quintic");
     refuse(has_directors(), "--directors", directors, is_quintic() ? "geodesic" : paper.directors);
+    refuse(has_measures(), "--measure", measure, paper.measure);
     if (moving)
         refuse(is_cross_section(), "--rotary-inertia", rotary_inertia, paper.rotary_inertia);
     refuse(is_cross_section(), "--transverse", transverse, paper.transverse);
@@ -97,6 +100,7 @@ std::string BeamOptions::description() const {
     std::string text = element + " element, rule " + rule;
     if (!is_cross_section()) return text;
     if (!is_planar()) text += ", directors " + directors + ", section model " + section_model;
+    if (measure != "green") text += ", " + measure + " strain";
     if (moving) text += ", rotary inertia " + rotary_inertia;
     return text + ", transverse strain " + transverse;
 }

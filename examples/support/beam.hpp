@@ -58,6 +58,7 @@ struct BeamOptions {
     std::string element = "cross-section";
     std::string rule = "paper";
     std::string directors = "projected";
+    std::string measure = "green";
     std::string transverse = "green";
     std::string section_model = "paper";
     std::string rotary_inertia = "consistent";
@@ -95,12 +96,19 @@ struct BeamOptions {
     /// Returns whether the element's directors may be chosen.
     [[nodiscard]] bool has_directors() const { return element == "cross-section"; }
 
+    /// Returns whether the element's strain measure may be chosen.
+    [[nodiscard]] bool has_measures() const {
+        return (element == "cross-section" && directors != "transported") ||
+               element == "cross-section-2d";
+    }
+
     /// Returns whether every choice but that of the element is the paper's.
     [[nodiscard]] bool as_paper() const {
         const BeamOptions paper{};
-        return std::tie(rule, directors, transverse, section_model, rotary_inertia, clamp) ==
-               std::tie(paper.rule, paper.directors, paper.transverse, paper.section_model,
-                        paper.rotary_inertia, paper.clamp);
+        return std::tie(rule, directors, measure, transverse, section_model, rotary_inertia,
+                        clamp) == std::tie(paper.rule, paper.directors, paper.measure,
+                                           paper.transverse, paper.section_model,
+                                           paper.rotary_inertia, paper.clamp);
     }
 
     /// Returns the element and its options in words.

@@ -37,9 +37,15 @@ auto with_element(const BeamOptions& options, const Visit& visit) {
             return visit(ElementType<CrossSectionBeam<3, Projected, PointwiseShear>>{});
         if (options.directors == "transported")
             return visit(ElementType<CrossSectionBeam<3, Transported>>{});
+        if (options.measure == "engineering" && options.directors == "geodesic")
+            return visit(
+                ElementType<CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>>{});
         if (options.directors == "geodesic")
             return visit(ElementType<CrossSectionBeam<3, Geodesic>>{});
     }
+    if (options.measure == "engineering")
+        return visit(
+            ElementType<CrossSectionBeam<Dimension, Projected, LinearShear, EngineeringMeasure>>{});
     return visit(ElementType<CrossSectionBeam<Dimension>>{});
 }
 
@@ -58,6 +64,7 @@ Options element_options(const BeamOptions& beam) {
     } else {
         Options options;
         options.rule = quadrature;
+        options.three_points_where_short = beam.preset == "best";
         options.transverse = beam.transverse == "green" ? ancf::TransverseStrain::green
                                                         : ancf::TransverseStrain::stretch;
         options.section_model = beam.section_model == "paper" ? ancf::SectionModel::paper

@@ -19,8 +19,8 @@ namespace examples {
 
 /// How a static problem is solved, from the command line.
 struct SolverOptions {
-    std::string solver;            ///< cholmod or umfpack where SuiteSparse is there, or eigen
-    std::string newton = "plain";  ///< plain, mixed or turned
+    std::string solver;                ///< cholmod or umfpack where SuiteSparse is there, or eigen
+    std::string newton = "automatic";  ///< plain, mixed, turned or automatic
     ancf::StaticsOptions statics;
 
     SolverOptions();

@@ -105,6 +105,9 @@ void symmetrise(SparseMatrix& A);
 /// True unless a stored value of a compressed matrix is a NaN or an infinity.
 [[nodiscard]] bool all_finite(const SparseMatrix& matrix) noexcept;
 
+/// Returns 2^exponent, the exponent held within 1000 of 0.
+[[nodiscard]] double power_of_two(int exponent) noexcept;
+
 /// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of
 /// two that the units of lengths, masses and times multiply, up to one factor for all, by powers of
 /// two that are exact.
@@ -112,6 +115,13 @@ void symmetrise(SparseMatrix& A);
 /// That is 2^-floor((e_i - e_0)/2), e the exponent of a_ii; of rows without a diagonal, which are
 /// constraints, 2^e_0 over their largest scaled entry.
 [[nodiscard]] VectorX unit_scales(const SparseMatrix& matrix);
+
+/// Returns scales of the rows of a square matrix, powers of two that bring the largest entry of
+/// each row into [1, 2) where its unknowns are measured by `columns`; 1 for rows of zeros.
+///
+/// With the unit_scales of a scene's tangent they depend on no unit, and so does which entries of a
+/// column count as large.
+[[nodiscard]] VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns);
 
 /// Returns the lower half of a compressed matrix, with its zeros.
 [[nodiscard]] SparseMatrix lower_half(const SparseMatrix& A);

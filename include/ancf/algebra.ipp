@@ -156,6 +156,10 @@ ANCF_INLINE bool all_finite(const SparseMatrix& matrix) noexcept {
     return true;
 }
 
+ANCF_INLINE double power_of_two(int exponent) noexcept {
+    return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
+}
+
 ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     const auto size = static_cast<int>(matrix.cols());
     const auto for_each_entry = [&](const auto& visit) {
@@ -163,9 +167,6 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
             for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
                 if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
                     visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
-    };
-    const auto power = [](int exponent) {
-        return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
     };
     VectorX scales = VectorX::Zero(size);
     int first = 0;
@@ -176,7 +177,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
         if (!found) first = exponent;
         found = true;
         const int apart = exponent - first;
-        scales[i] = power(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
+        scales[i] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
     });
     VectorX largest = VectorX::Zero(size);
     for_each_entry([&](int i, int j, double value) {
@@ -185,7 +186,18 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     });
     for (int i = 0; i < size; ++i)
         if (scales[i] == 0.0)
-            scales[i] = largest[i] > 0.0 ? power(first - std::ilogb(largest[i])) : 1.0;
+            scales[i] = largest[i] > 0.0 ? power_of_two(first - std::ilogb(largest[i])) : 1.0;
+    return scales;
+}
+
+ANCF_INLINE VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns) {
+    VectorX scales = VectorX::Zero(matrix.rows());
+    for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
+        for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
+            double& largest = scales[matrix.innerIndexPtr()[k]];
+            largest = std::max(largest, std::abs(matrix.valuePtr()[k]) * columns[j]);
+        }
+    for (double& scale : scales) scale = scale > 0.0 ? power_of_two(-std::ilogb(scale)) : 1.0;
     return scales;
 }
 

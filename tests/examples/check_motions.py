@@ -133,6 +133,13 @@ def check_refusals(checks):
         checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
 
 
+def check_explicit(checks):
+    """Explicit methods refuse constraints and name what takes them."""
+    run, = run_all(checks.folder, [("double_pendulum", ["--integrator", "explicit"])])
+    told = run.code == 2 and run.output == "" and all(name in run.errors for name in ("multipliers", "RadauIIA", "Ida"))
+    checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
+
+
 def main(folder):
     checks = Checks(folder)
     probe, = run_all(folder, [("pendulum", ["--integrator", "ida-index3", "--duration", "1e-3"])])
@@ -147,6 +154,7 @@ def main(folder):
         check_convergence(checks)
         check_steel(checks)
         motions(checks, [("double_pendulum", [])])
+        check_explicit(checks)
     report(checks.findings, checks.count, "checks")
 
 

@@ -440,6 +440,38 @@ TEST_CASE("attachments: scales, driven joints, copies and state files", "[model]
     }
 }
 
+TEST_CASE("attachments: a path counts a node that follows another one no second time",
+          "[model][attachment][path]") {
+    const auto path = [](int parts) {
+        Model model;
+        NodeId foot, tip;
+        for (int k = 0; k < parts; ++k) {
+            const double from = static_cast<double>(k) / parts, to = from + 1.0 / parts;
+            const auto beam = straight_beam<Spatial>(model, steel(), square(), {from, 0, 0},
+                                                     {to, 0, 0}, 4 / parts);
+            if (k == 0)
+                model.clamp(beam.first());
+            else  // with its r_x: the same unknowns as an undivided beam
+                model.attach(beam.first(), tip,
+                             Field::r | Field::r_x | Field::r_y | Fields(Field::r_z));
+            tip = beam.last();
+        }
+        model.add(Force<3>(tip, {0, 2e4, 0}));
+        EigenLdlt solver;
+        PathOptions options;
+        options.critical_points = false;
+        options.last_factor = 1.0;
+        return follow_path(model, solver, options);
+    };
+    const PathReport whole = path(1), divided = path(4);
+    REQUIRE(whole.status == Status::converged);
+    REQUIRE(divided.points.size() == whole.points.size());
+    REQUIRE(whole.points.size() > 3);
+    for (std::size_t k = 0; k < whole.points.size(); ++k)
+        CHECK(divided.points[k].factor ==
+              Approx(whole.points[k].factor).epsilon(1e-9).margin(1e-12));
+}
+
 TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][bad-input]") {
     Model model;
     const auto a = straight_beam<Spatial>(model, steel(), square(), {0, 0, 0}, {1, 0, 0}, 1);
@@ -504,6 +536,13 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
         options.y_axis = P3(1, 0, 0);
         frame<Spatial>(other, profiles, points, {{0, 1}}, options);
     });
+    says("point 1 must be finite", [&] {
+        frame<Spatial>(other, profiles, {{0, 0, 0}, {0, std::nan(""), 0}}, {});
+    });
+    says("apart", [&] { frame<Spatial>(other, profiles, points, {{0, 1}, {1, 2}}); });
+    // what is refused leaves nothing behind
+    CHECK(other.nodes() == 0);
+    CHECK(other.groups().empty());
     says("joint_stiffness", [&] {
         FrameOptions<3> options;
         options.joint_stiffness = -1.0;

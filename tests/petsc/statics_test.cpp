@@ -146,7 +146,7 @@ TEST_CASE("DistributedStatics: processes without elements wait and learn the res
     };
     same_as_in_series(short_beam, petsc::SolverOptions::direct(), 1e-10);
     const Model model = short_beam();
-    const petsc::Partition partition(model, PETSC_COMM_WORLD);
+    const petsc::detail::Partition partition(model, PETSC_COMM_WORLD);
     double counts[2] = {static_cast<double>(partition.held().elements[0].size()),
                         partition.held().elements[0].empty() ? 1.0 : 0.0};
     partition.sum(counts, 2);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/section/section.hpp>
-#include <ancf/section/torsion.hpp>
+#include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>
 

@@ -243,6 +243,98 @@ TEST_CASE("statics: a step that mixed iterations fail is repeated as plain", "[s
     CHECK(report.iterations() == 3 + report.steps[1].iterations);
 }
 
+/// Returns a slender cantilever of 32 elements, E I = 1, as best() has it.
+template <class Beam>
+ancf::NodeId straight(ancf::Model& scene, double height) {
+    const auto beam = ancf::straight_beam<Beam>(
+        scene, ancf::Material::isotropic(12.0 / std::pow(height, 4), 0.3, 1.0),
+        ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0}, 32, Beam::Options::best());
+    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    return beam.last();
+}
+
+using Green = ancf::CrossSectionBeam<3, ancf::Geodesic>;
+using Engineering =
+    ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
+
+TEMPLATE_TEST_CASE("statics: a force off the section's axes takes one load step by default",
+                   "[statics][newton]", Green, Engineering) {
+    for (const double height : {1e-1, 1e-2, 1e-3}) {
+        INFO(height);
+        ancf::Model scene;
+        const auto end = straight<TestType>(scene, height);
+        scene.add(ancf::Force<3>(end, {0, 10.0 * std::cos(0.6), 10.0 * std::sin(0.6)}));
+        ancf::EigenLu solver;
+        const auto report = ancf::solve_statics(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.steps.size() == 1);
+        CHECK(report.steps.front().newton == NewtonKind::automatic);
+        CHECK(report.iterations() <= 8);  // measured 6 and 7; mixed ones fail
+        CHECK(report.stability == ancf::Stability::stable);
+        if (height < 2e-2)  // of the elastica
+            CHECK(scene.position(end)[0] == Approx(0.445004402246).margin(3e-4));
+    }
+}
+
+TEST_CASE("statics: a default step that fails is cut, within the user's own bound",
+          "[statics][newton]") {
+    const auto solve = [](int max_iterations) {
+        ancf::Model scene;
+        const auto end = straight<Green>(scene, 1e-2);
+        scene.add(ancf::Force<3>(end, {0, 100.0 * std::cos(0.6), 100.0 * std::sin(0.6)}));
+        ancf::StaticsOptions options;
+        options.max_iterations = max_iterations;
+        ancf::EigenLu solver;
+        return ancf::solve_statics(scene, solver, options);
+    };
+    const auto cut = solve(100);
+    CHECK(cut.status == Status::converged);
+    CHECK(cut.steps.size() > 1);
+    CHECK(cut.iterations() <= 40);  // measured 27
+    const auto bounded = solve(2);
+    CHECK(bounded.status == Status::max_iterations);
+    CHECK(bounded.steps.size() == 1);
+    CHECK(bounded.iterations() == 2);
+}
+
+TEST_CASE("statics: an end moment off the axes closes a thick beam to a circle",
+          "[statics][newton]") {
+    ancf::Model scene;
+    const auto end = straight<Engineering>(scene, 1.0 / 28.0);
+    scene.add(ancf::Moment(end, {0, -2.0 * pi * std::sin(0.7), 2.0 * pi * std::cos(0.7)}));
+    ancf::EigenLu solver;
+    REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
+    // measured 5.9e-6; a section that bending shears ends 7e-3 away
+    CHECK(scene.position(end).norm() <= 2e-5);
+}
+
+TEST_CASE("statics: a default step that ends on a branch of its own is taken again",
+          "[statics][newton]") {
+    // a force that pushes the beam back: one correction from the straight beam and those after it
+    // end in an unstable state, with the force still pushing
+    int rejected = 0;
+    for (const double angle : {2.6, 2.7, 2.8, 2.9, 3.0}) {
+        ancf::Model once, slowly;
+        for (auto* scene : {&once, &slowly}) {
+            const auto end = straight<Engineering>(*scene, 1e-2);
+            scene->add(ancf::Force<3>(end, {8.0 * std::cos(angle), 8.0 * std::sin(angle) * 0.8,
+                                            8.0 * std::sin(angle) * 0.6}));
+        }
+        ancf::EigenLu solver;
+        const auto report = ancf::solve_statics(once, solver);
+        ancf::StaticsOptions steps;
+        steps.newton = NewtonKind::plain;
+        steps.steps = 60;
+        steps.adaptive = true;
+        REQUIRE(ancf::solve_statics(slowly, solver, steps).status == Status::converged);
+        REQUIRE(report.status == Status::converged);
+        for (const auto& step : report.steps) rejected += step.status == Status::diverged ? 1 : 0;
+        // what the tolerances of both leave
+        CHECK((once.state().q - slowly.state().q).lpNorm<Eigen::Infinity>() <= 1e-5);
+    }
+    CHECK(rejected > 0);
+}
+
 TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][newton]") {
     for (const int steps : {1, 10}) {
         Cantilever beam(4, 1.0, 0.1, ancf::Rule::gauss(3));

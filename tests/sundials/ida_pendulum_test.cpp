@@ -120,7 +120,14 @@ TEST_CASE("Ida: both forms reach the same link pendulum as the tolerance falls",
         return Point(got.rows.back().state.q.segment<3>(scene.tip()));
     };
     const Point exact = tip(Form::gear_gupta_leimkuhler, 1e-9);
-    CHECK((tip(Form::index3, 1e-8) - exact).norm() <= 5e-5);   // 1e-5 measured
+    // what is left of index 3 depends on round-off: 3e-6 to 7e-5 between 0.8e-8 and 1.2e-8, with a
+    // geometric mean of 2e-5
+    std::vector<double> errors;
+    for (const double tolerance : {0.98e-8, 0.99e-8, 1e-8, 1.01e-8, 1.02e-8})
+        errors.push_back((tip(Form::index3, tolerance) - exact).norm());
+    std::sort(errors.begin(), errors.end());
+    CHECK(errors[2] <= 5e-5);                                  // 1.3e-5 measured
+    CHECK(errors[4] <= 5e-4);                                  // 5.1e-5
     CHECK((tip(Form::index3, 1e-11) - exact).norm() <= 1e-6);  // 2e-7
     CHECK((tip(Form::gear_gupta_leimkuhler, 1e-7) - exact).norm() <= 1e-5);
 }

@@ -37,7 +37,7 @@ void check(const Make& make, double end) {
             CHECK(other.status == Status::converged);
             CHECK(other.order == one.order);
             CHECK(other.steps == one.steps);
-            CHECK(std::abs(other.iterations - one.iterations) <= 1);
+            CHECK(std::abs(other.iterations - one.iterations) <= (base == 2.0 ? 0 : 1));
             CHECK(other.convergence_failures == one.convergence_failures);
             ++checked;
         }
@@ -72,11 +72,9 @@ Outcome reach(const Make& make, const Scale& scale, double end, ancf::sundials::
     return outcome;
 }
 
-/// Checks that a scene moves alike in any units, in about as many steps.
-/// @param apart  by what part the steps may differ
+/// Checks that a scene moves in the same steps in any units: to the bit where they are powers of 2.
 template <class Make>
-void check_about(const Make& make, double end, ancf::sundials::Form form, double base,
-                 double apart) {
+void check_alike(const Make& make, double end, ancf::sundials::Form form, double base) {
     const Outcome one = reach(make, Scale{}, end, form);
     REQUIRE(one.report.status == Status::converged);
     int checked = 0;
@@ -86,36 +84,41 @@ void check_about(const Make& make, double end, ancf::sundials::Form form, double
         CAPTURE(other.report.message);
         CHECK(other.report.status == Status::converged);
         CHECK(other.report.order == one.report.order);
-        const auto steps = static_cast<double>(other.report.steps);
-        const auto wanted = static_cast<double>(one.report.steps);
-        CHECK(std::abs(steps - wanted) <= apart * wanted);
-        CHECK(std::abs(other.tip - one.tip) <= 1e-7);  // a tenth of the tolerance; measured 2e-8
+        CHECK(other.report.steps == one.report.steps);
+        CHECK(other.report.rejected == one.report.rejected);
+        CHECK(other.report.convergence_failures == one.report.convergence_failures);
+        if (base == 2.0) {
+            CHECK(other.report.iterations == one.report.iterations);
+            CHECK(other.report.largest_step == one.report.largest_step * scale.time);
+            CHECK(other.tip == one.tip);
+        } else {
+            // one in a hundred steps at most: 14 of 1393 measured, mostly none
+            CHECK(std::abs(other.report.iterations - one.report.iterations) <=
+                  1 + one.report.steps / 90);
+            CHECK(std::abs(other.tip - one.tip) <= 1e-7);  // measured 2e-8 in 3857 steps
+        }
         ++checked;
     }
     CHECK(checked == 11);
 }
 
-TEST_CASE("scales: IDA moves scenes alike in any units, in about as many steps", "[ida][scales]") {
+TEST_CASE("scales: IDA moves scenes alike in any units, by both forms", "[ida][scales]") {
     using ancf::sundials::Form;
     const auto free_tip = [](const Scale& s) { return cantilever(s); };
     const auto linked = [](const Scale& s) { return linkage(s); };
     const auto welded = [](const Scale& s) { return elbow(s); };
     const Form ggl = Form::gear_gupta_leimkuhler;
-    SECTION("short runs of the second form, units of powers of two") {
-        check_about(free_tip, 2e-5, ggl, 2.0, 0.0);
-        check_about(linked, 4e-4, ggl, 2.0, 0.02);  // measured 0
-        check_about(welded, 4e-4, ggl, 2.0, 0.02);  // measured 0
+    for (const double base : {2.0, 1e3, 1e9}) {
+        CAPTURE(base);
+        check_alike(free_tip, 2e-5, ggl, base);  // 56 steps
+        check_alike(linked, 4e-4, ggl, base);    // 249
+        check_alike(welded, 4e-4, ggl, base);    // 212
     }
-    SECTION("short runs of the second form, units of 1e-9 to 1e9") {
-        check_about(free_tip, 2e-5, ggl, 1e9, 0.0);
-        check_about(linked, 4e-4, ggl, 1e9, 0.05);  // 249 steps, 247 with all three 1e-9
-        check_about(welded, 4e-4, ggl, 1e9, 0.2);   // 212, 188 with all three units 1e-9
+    SECTION("a thousand steps of the second form") {
+        for (const double base : {2.0, 1e9}) check_alike(welded, 2e-3, ggl, base);
     }
-    SECTION("a thousand steps of the second form, units of powers of two") {
-        check_about(welded, 2e-3, ggl, 2.0, 0.05);  // 1393, 1418 with a time of 1/2
-    }
-    SECTION("thousands of steps of index 3, units of powers of two") {
-        check_about(welded, 8e-3, Form::index3, 2.0, 0.05);  // 3857 in all, other iterations
+    SECTION("thousands of steps of index 3") {
+        for (const double base : {2.0, 1e9}) check_alike(welded, 8e-3, Form::index3, base);
     }
 }
 

@@ -201,7 +201,7 @@ private:
                                                     const VectorX* increment,
                                                     const Correction* last);
     // The same for all parts of a scene, which then have each other's forces.
-    [[nodiscard]] std::optional<Fault> evaluate_part(const Exchange& exchange,
+    [[nodiscard]] std::optional<Fault> evaluate_part(const detail::Exchange& exchange,
                                                      const Configuration& at, Request request,
                                                      const VectorX* increment,
                                                      const Correction* last);

@@ -262,12 +262,12 @@ ANCF_INLINE void Assembly::build_gravity() {
 ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
                                                     const VectorX* increment,
                                                     const Correction* last) {
-    if (const Exchange* const exchange = model_.exchange())
+    if (const detail::Exchange* const exchange = model_.exchange())
         return evaluate_part(*exchange, at, request, increment, last);
     return evaluate_own(at, request, increment, last);
 }
 
-ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const Exchange& exchange,
+ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const detail::Exchange& exchange,
                                                          const Configuration& at, Request request,
                                                          const VectorX* increment,
                                                          const Correction* last) {

@@ -47,7 +47,6 @@ private:
     void recall(const Memory& memory);
     void remember();
     [[nodiscard]] bool advance(double target, double whole);
-    [[nodiscard]] int parts_for_turns(double target) const;
     [[nodiscard]] Status step(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status evaluate(double h, bool matrix);
@@ -96,29 +95,11 @@ ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
     remember();
 }
 
-/// Returns into how many equal parts a step to a time is cut, so that no joint is driven by more
-/// than pi/12 in one: beyond that the step has other solutions, with energies of their own, that
-/// Newton's method may find. 1 where no number of parts is enough: the angle jumps.
-ANCF_INLINE int EnergyMomentumRun::parts_for_turns(double target) const {
-    constexpr double largest_turn = 0.25 * largest_driven_turn;
-    constexpr int most = 1024;
-    const auto& constraints = problem_.model().constraints();
-    for (int parts = 1; parts <= most; parts *= 2) {
-        const double width = (target - now_.time) / parts;
-        bool fits = true;
-        for (int k = 0; k < parts && fits; ++k) {
-            const double from = now_.time + k * width;
-            fits = !(driven_turn(constraints, from, from + width).angle > largest_turn);
-        }
-        if (fits) return parts;
-    }
-    return 1;
-}
-
 /// Moves now_ on to a time, in one step or, where a joint is driven far or Newton's method fails,
-/// in shorter ones.
+/// in shorter ones. Beyond pi/12 in a step there are other solutions, with energies of their own,
+/// that Newton's method may find.
 ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
-    whole /= parts_for_turns(target);
+    whole /= parts_for_turns(problem_.model().constraints(), now_.time, target);
     double width = whole;
     while (now_.time < target) {
         const double rest = target - now_.time;

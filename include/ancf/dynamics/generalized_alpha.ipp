@@ -88,9 +88,10 @@ private:
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
     double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
-    double width_ = 0.0;                              // step that now_.algorithmic belongs to
-    MotionPoint linearised_;                          // where the factorised matrix was evaluated
-    double linearised_width_ = 0.0;                   // its step; 0: there is no matrix
+    int parts_ = 1;                  // into which the turn of a joint divides the step
+    double width_ = 0.0;             // step that now_.algorithmic belongs to
+    MotionPoint linearised_;         // where the factorised matrix was evaluated
+    double linearised_width_ = 0.0;  // its step; 0: there is no matrix
 
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
@@ -183,7 +184,13 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
         const Step step = propose();
         shift_algorithmic(step.width);
         next_.time = step.end;
-        const DrivenTurn turn = driven_turn(problem_.model().constraints(), now_.time, next_.time);
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        if (!turn.fits() && !adaptive && part_ == 0.0) {
+            parts_ = parts_for_turns(constraints, now_.time, next_.time);
+            part_ = step.width / parts_;
+            if (part_ < step.width) continue;
+        }
         const Status status = turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
         if (status == Status::converged && adaptive)
@@ -194,6 +201,7 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
             width_ = step.width;
             if (step.ends == Ends::within) return true;
             part_ = 0.0;
+            parts_ = 1;
             count_ += 1.0;
             // a step keeps its width, and the matrix, unless a change is worth it
             const bool change = adaptive && step.width == step_ && (factor < 0.95 || factor > 1.4);
@@ -208,7 +216,7 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
             status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         if (!adaptive) {
             part_ = 0.5 * step.width;
-            if (part_ > smallest_part * step_) continue;
+            if (parts_ * part_ > smallest_part * step_) continue;
             fail(status,
                  turn.fits()
                      ? joined({"Newton's method failed in the step from ", now_.time,

@@ -192,6 +192,10 @@ public:
     /// @return false where the iteration does not reach round-off; q and v are then as they came.
     bool project(double t, VectorX& q, VectorX& v);
 
+    /// Moves v on G v + g_t = 0 at (t, q), by the least change in the mass norm.
+    /// @return false where the system cannot be solved; v is then as it came.
+    bool project_rates(double t, const VectorX& q, VectorX& v);
+
     /// Moves accelerations on G v' + c = 0 at (t, q, v), by the least change in the mass norm.
     /// @return false where the system cannot be solved; they are then as they came.
     bool project_accelerations(double t, const VectorX& q, const VectorX& v, VectorX& acceleration);
@@ -286,7 +290,6 @@ private:
     [[nodiscard]] Status factorize_kkt();
     [[nodiscard]] Status solve_kkt(const VectorX& b, VectorX& x);
     bool project_positions(double t, VectorX& q, const VectorX& v);
-    bool project_rates(double t, const VectorX& q, VectorX& v);
 
     Scene& model_;
     ProblemOptions options_;

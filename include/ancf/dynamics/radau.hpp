@@ -53,9 +53,9 @@ public:
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints.
     ///
-    /// Between steps q is the polynomial of q, v and v' at both ends of the step, of five stages at
-    /// the end of the step before too, and v its derivative. Fixed steps stay on the grid start + k
-    /// step; only a last, shorter step leaves it. Where Newton's method fails, or a driven joint
+    /// Between steps q is the polynomial of q, v and v' at both ends of the step, of five stages
+    /// also half a step after its start, and v its derivative. Fixed steps stay on the grid start +
+    /// k step; only a last, shorter step leaves it. Where Newton's method fails, or a driven joint
     /// turns by more than pi/3, a step is taken in halves, quarters and so on. Counts of
     /// factorisations are of real and complex matrices.
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints;

@@ -40,6 +40,12 @@ private:
         VectorX acceleration;
     };
 
+    // What the stages of a step are made of.
+    struct Span {
+        const MotionPoint& from;
+        double width, end;
+    };
+
     enum class Ends { within, on_grid, off_grid };  // within a step that is taken in parts
     struct Step {
         double width, end;
@@ -64,13 +70,15 @@ private:
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] double correct(double h);
     [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
-    [[nodiscard]] Status evaluate_stages(double h, bool renew);
-    void predict(double h);
-    void place_stages(double h);
+    [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
+    void predict(double offset, double ratio);
+    void place_stages(const Span& step);
     [[nodiscard]] double error(double h);
     void end_step(double width);
     [[nodiscard]] MotionPoint between(double time);
     void make_knots();
+    void add_knot(const MotionPoint& at, const VectorX& acceleration);
+    [[nodiscard]] bool solve_half(const Span& half);
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
@@ -93,11 +101,11 @@ private:
     const std::vector<double> at_start_;  // l_i(0)
 
     Point now_, next_;
-    Point earlier_, before_;  // where the last step and the step before it began
-    int history_ = 0;         // how many of the two there are
+    Point earlier_;                                   // where the last step began
     double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
     double whole_ = 0.0;                              // s, from the start to the schedule's end
     double part_ = 0.0;                               // of a step that failed; 0: whole steps
+    int parts_ = 1;  // into which the turn of a joint divides the step
 
     // of the stages: (2), accelerations, residuals, multipliers, corrections
     Stages Y_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
@@ -201,7 +209,13 @@ ANCF_INLINE bool RadauRun::advance() {
     for (;;) {
         const Step step = propose();
         next_.time = step.end;
-        const DrivenTurn turn = driven_turn(problem_.model().constraints(), now_.time, next_.time);
+        const auto& constraints = problem_.model().constraints();
+        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
+        if (!turn.fits() && !adaptive() && part_ == 0.0) {
+            parts_ = parts_for_turns(constraints, now_.time, next_.time);
+            part_ = step.width / parts_;
+            if (part_ < step.width) continue;
+        }
         const Status status = turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
         if (status == Status::converged && adaptive()) error = this->error(step.width);
@@ -214,12 +228,11 @@ ANCF_INLINE bool RadauRun::advance() {
             status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
         const auto why = [&] {
             return turn.fits() ? std::string()
-                               : "; " + driven_turn_text(problem_.model().constraints(), turn,
-                                                         now_.time, next_.time);
+                               : "; " + driven_turn_text(constraints, turn, now_.time, next_.time);
         };
         if (!adaptive()) {
             part_ = 0.5 * step.width;
-            if (part_ > smallest_part * step_) continue;
+            if (parts_ * part_ > smallest_part * step_) continue;
             fail(status, joined({"Newton's method failed in the step from ", now_.time,
                                  " s: ", to_string(status), ", also in parts of ", step.width,
                                  " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
@@ -259,6 +272,7 @@ ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
     rejected_ = failed_ = false;
     if (step.ends == Ends::within) return;
     part_ = 0.0;
+    parts_ = 1;
     count_ += 1.0;
     bool change = false;
     if (adaptive() && step.width == step_) {
@@ -279,13 +293,11 @@ ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
 
 /// Makes the step that was taken the last one.
 ANCF_INLINE void RadauRun::end_step(double width) {
-    std::swap(before_, earlier_);
     std::swap(earlier_, now_);
     std::swap(now_, next_);
     std::swap(acceleration_before_, acceleration_);
     std::swap(lambda_before_, lambda_);
     width_before_ = width;
-    history_ = std::min(history_ + 1, 2);
     knots_.clear();
 }
 
@@ -303,8 +315,8 @@ ANCF_INLINE Status RadauRun::evaluate(const MotionPoint& at, Request request) {
 }
 
 /// Evaluates the residuals of all stages, of the middle one with the tangent where it is renewed.
-ANCF_INLINE Status RadauRun::evaluate_stages(double h, bool renew) {
-    place_stages(h);
+ANCF_INLINE Status RadauRun::evaluate_stages(const Span& step, bool renew) {
+    place_stages(step);
     const std::size_t middle = stages_ / 2;
     for (std::size_t k = 0; k < stages_; ++k) {
         const std::size_t i = (middle + k) % stages_;
@@ -319,7 +331,7 @@ ANCF_INLINE Status RadauRun::evaluate_stages(double h, bool renew) {
         if (!tangent) continue;
         ++report_.jacobians;
         linearised_ = stage_[i];
-        if (const Status status = system_.factorise(h, report_.factorisations);
+        if (const Status status = system_.factorise(step.width, report_.factorisations);
             status != Status::converged)
             return status;
     }
@@ -327,35 +339,37 @@ ANCF_INLINE Status RadauRun::evaluate_stages(double h, bool renew) {
 }
 
 /// Writes positions, rates and accelerations of the stages from Y.
-ANCF_INLINE void RadauRun::place_stages(double h) {
+ANCF_INLINE void RadauRun::place_stages(const Span& step) {
     const Eigen::Index n = problem_.size();
+    const double h = step.width;
+    const VectorX &q = step.from.q, &v = step.from.v;
     for (std::size_t i = 0; i < stages_; ++i) {
         MotionPoint& at = stage_[i];
         const auto row = static_cast<Eigen::Index>(i);
         const double c = tableau_.nodes[i];
-        at.time = i + 1 == stages_ ? next_.time : now_.time + c * h;
+        at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
         at.q.resize(n);
-        at.v = now_.v;
+        at.v = v;
         acceleration_[i].setZero(n);
         at.lambda = lambda_[i];
-        for (Eigen::Index k = 0; k < n; ++k)
-            at.q[k] = now_.q[k] + (h * c * now_.v[k] + h * h * Y_[i][k]);
+        for (Eigen::Index k = 0; k < n; ++k) at.q[k] = q[k] + (h * c * v[k] + h * h * Y_[i][k]);
         for (std::size_t j = 0; j < stages_; ++j) {
             const double* y = Y_[j].data();
             const double rate = h * tableau_.inverse(row, static_cast<Eigen::Index>(j));
             const double twice = tableau_.square(row, static_cast<Eigen::Index>(j));
-            double* v = at.v.data();
+            double* rates = at.v.data();
             double* a = acceleration_[i].data();
             for (Eigen::Index k = 0; k < n; ++k) {
-                v[k] += rate * y[k];
+                rates[k] += rate * y[k];
                 a[k] += twice * y[k];
             }
         }
     }
 }
 
-/// Takes the first Y and multipliers from the polynomials of the step before.
-ANCF_INLINE void RadauRun::predict(double h) {
+/// Takes the first Y and multipliers from the polynomials of the step before, of its places
+/// offset + ratio c_i.
+ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
     for (std::size_t i = 0; i < stages_; ++i) {
         if (width_before_ == 0.0) {
             acceleration_[i] = now_.acceleration;
@@ -363,7 +377,7 @@ ANCF_INLINE void RadauRun::predict(double h) {
             continue;
         }
         const std::vector<double> weights =
-            lagrange_weights(tableau_.nodes, 1.0 + h / width_before_ * tableau_.nodes[i]);
+            lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
         acceleration_[i].setZero();
         lambda_[i].setZero();
         for (std::size_t j = 0; j < stages_; ++j) {
@@ -387,7 +401,8 @@ ANCF_INLINE void RadauRun::predict(double h) {
 /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at hand.
 ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     const bool constrained = problem_.multipliers() > 0;
-    predict(h);
+    const Span step{now_, h, next_.time};
+    predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
     int tangents = 0;  // of this step
     int since = 0;     // corrections by the matrices at hand
     double before = 0.0, ratio_before = 0.0;
@@ -395,7 +410,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
     for (iterations_ = 1;; ++iterations_) {
         if (iterations_ > options_.max_iterations) return Status::max_iterations;
-        if (const Status status = evaluate_stages(h, renew); status != Status::converged)
+        if (const Status status = evaluate_stages(step, renew); status != Status::converged)
             return status;
         if (renew) {
             ++tangents;
@@ -428,7 +443,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     }
     renew_ = contraction_ > good_contraction;
     if (tangents > 0) fresh_ = contraction_;
-    place_stages(h);
+    place_stages(step);
     next_.q = stage_.back().q;
     next_.v = stage_.back().v;
     next_.lambda = lambda_.back();
@@ -438,7 +453,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
 
 /// Solves for one correction and adds it; returns its size.
 ANCF_INLINE double RadauRun::correct(double h) {
-    system_.solve(force_, lengths_, change_, lambda_change_);
+    system_.solve(h, force_, lengths_, change_, lambda_change_);
     ++report_.iterations;
     double largest = 0.0;
     for (std::size_t i = 0; i < stages_; ++i) {
@@ -468,16 +483,45 @@ ANCF_INLINE double RadauRun::error(double h) {
     return std::isfinite(size) ? size : 1e10;
 }
 
-/// Makes the knots of output in the last step, on the constraints of all levels.
+/// Adds a knot of output, its rates and accelerations on the constraints; output itself brings q
+/// there.
+ANCF_INLINE void RadauRun::add_knot(const MotionPoint& at, const VectorX& acceleration) {
+    Knot knot{at.time, at.q, at.v, acceleration};
+    if (problem_.multipliers() > 0 && problem_.project_rates(knot.time, knot.q, knot.v))
+        (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
+    knots_.push_back(std::move(knot));
+}
+
+/// Makes the knots of output in the last step: its ends, of five stages half a step between them.
 ANCF_INLINE void RadauRun::make_knots() {
-    std::vector<const Point*> points = {&earlier_, &now_};
-    if (stages_ > 3 && history_ > 1) points.insert(points.begin(), &before_);
-    for (const Point* point : points) {
-        Knot knot{point->time, point->q, point->v, point->acceleration};
-        if (problem_.project(knot.time, knot.q, knot.v))
-            (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
-        knots_.push_back(std::move(knot));
+    add_knot(earlier_, earlier_.acceleration);
+    const double h = 0.5 * width_before_;
+    if (stages_ > 3 && solve_half({earlier_, h, earlier_.time + h}))
+        add_knot(stage_.back(), acceleration_.back());
+    add_knot(now_, now_.acceleration);
+}
+
+/// Solves the first half of the last step by the whole one's matrices, from its polynomials.
+ANCF_INLINE bool RadauRun::solve_half(const Span& half) {
+    predict(0.0, 0.5);
+    double before = 0.0;
+    for (int iteration = 1; iteration <= options_.max_iterations; ++iteration) {
+        if (evaluate_stages(half, false) != Status::converged) {
+            report_.fault.reset();
+            return false;
+        }
+        const double change = correct(half.width);
+        if (!std::isfinite(change)) return false;
+        const double ratio = iteration > 1 ? change / before : 0.5;
+        if (iteration > 1 && ratio >= 1.0) {
+            if (change > round_off_) return false;
+            break;
+        }
+        if (ratio / (1.0 - ratio) * change <= newton_tolerance_) break;
+        before = change;
     }
+    place_stages(half);
+    return true;
 }
 
 /// Interpolates in the last step.
@@ -521,17 +565,11 @@ ANCF_INLINE void RadauRun::remember() {
     memory.put("acceleration", now_.acceleration);
     memory.put("stage_accelerations", joined_stages(acceleration_before_));
     memory.put("stage_multipliers", joined_stages(lambda_before_));
-    if (history_ > 0) {
-        memory.put("earlier_q", earlier_.q);
-        memory.put("earlier_v", earlier_.v);
-        memory.put("earlier_acceleration", earlier_.acceleration);
-    }
     const double factorised = renew_ ? 0.0 : system_.width();
-    VectorX scalars(18);
-    scalars << now_.time, origin_, count_, step_, width_before_, earlier_.time, history_,
-        linearised_.time, factorised, renew_ ? 1.0 : 0.0, contraction_, fresh_, eta_, most_growth_,
-        rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_),
-        problem_.length_scale();
+    VectorX scalars(15);
+    scalars << now_.time, origin_, count_, step_, width_before_, linearised_.time, factorised,
+        contraction_, fresh_, eta_, most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
+        static_cast<double>(stages_), problem_.length_scale();
     memory.put("scalars", scalars);
     memory.put("signature", signature(problem_, now_));
     if (factorised == 0.0) return;
@@ -545,12 +583,12 @@ ANCF_INLINE void RadauRun::recall(const Memory& memory) {
     const int m = problem_.multipliers();
     const auto stages = static_cast<Eigen::Index>(stages_);
     require(memory.integrator == "radau", "RadauIIA: the memory is that of ", memory.integrator);
-    const VectorX& scalars = memory.get("scalars", 18);
+    const VectorX& scalars = memory.get("scalars", 15);
     require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
             "RadauIIA: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
-    require(scalars[16] == static_cast<double>(stages_), "RadauIIA: the memory is of ", scalars[16],
+    require(scalars[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ", scalars[13],
             " stages, the options have ", options_.stages);
-    problem_.set_length_scale(scalars[17]);
+    problem_.set_length_scale(scalars[14]);
     const MotionPoint start = now_;
     static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
                                        memory.get("lambda", m)};
@@ -559,13 +597,6 @@ ANCF_INLINE void RadauRun::recall(const Memory& memory) {
     part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
     part_stages(memory.get("stage_multipliers", m * stages), lambda_before_);
     width_before_ = scalars[4];
-    if (scalars[6] > 0.0) {
-        history_ = 1;
-        earlier_.time = scalars[5];
-        earlier_.q = memory.get("earlier_q", n);
-        earlier_.v = memory.get("earlier_v", n);
-        earlier_.acceleration = memory.get("earlier_acceleration", n);
-    }
     origin_ = now_.time;
     if (adaptive() || scalars[3] == options_.step) {
         origin_ = scalars[1];
@@ -573,17 +604,17 @@ ANCF_INLINE void RadauRun::recall(const Memory& memory) {
         step_ = scalars[3];
     }
     if (adaptive() && step_ > options_.max_step) change_step(options_.max_step);
-    contraction_ = scalars[10];
-    fresh_ = scalars[11];
-    eta_ = scalars[12];
-    most_growth_ = scalars[13];
-    rejected_ = scalars[14] != 0.0;
-    failed_ = scalars[15] != 0.0;
-    if (scalars[8] == 0.0) return;
-    linearised_ = {scalars[7], memory.get("linearised_q", n), memory.get("linearised_v", n),
+    contraction_ = scalars[7];
+    fresh_ = scalars[8];
+    eta_ = scalars[9];
+    most_growth_ = scalars[10];
+    rejected_ = scalars[11] != 0.0;
+    failed_ = scalars[12] != 0.0;
+    if (scalars[6] == 0.0) return;
+    linearised_ = {scalars[5], memory.get("linearised_q", n), memory.get("linearised_v", n),
                    memory.get("linearised_lambda", m)};
     if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
-        system_.factorise(scalars[8], report_.factorisations) == Status::converged)
+        system_.factorise(scalars[6], report_.factorisations) == Status::converged)
         renew_ = false;  // where that fails the first step takes a tangent of its own
 }
 

@@ -38,9 +38,11 @@ public:
     [[nodiscard]] double width() const noexcept { return width_; }
 
     /// Solves for the corrections of Y and of the multipliers.
+    /// @param h       the step of the equations, s; those of another step than width() are solved
+    ///                by its matrices.
     /// @param force   of each stage the residual of the equation of motion, n entries.
     /// @param lengths of each stage g, m entries.
-    void solve(const Stages& force, const Stages& lengths, Stages& Y, Stages& lambda);
+    void solve(double h, const Stages& force, const Stages& lengths, Stages& Y, Stages& lambda);
 
     /// Solves [M + tau D + tau^2 K, G^T; G, 0] (e, nu) = ((M + tau D) a + M b, 0), tau = h/mu_0.
     [[nodiscard]] const VectorX& filter(const VectorX& a, const VectorX& b);

@@ -69,7 +69,7 @@ ANCF_INLINE Status RadauSystem::factorise(double h, long& count) {
     return Status::converged;
 }
 
-ANCF_INLINE void RadauSystem::solve(const Stages& force, const Stages& lengths, Stages& Y,
+ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages& lengths, Stages& Y,
                                     Stages& lambda) {
     const Eigen::Index n = problem_.size(), m = problem_.multipliers();
     const std::size_t stages = force.size();
@@ -80,7 +80,7 @@ ANCF_INLINE void RadauSystem::solve(const Stages& force, const Stages& lengths, 
     for (std::size_t mode = 0; mode < tableau_.modes.size(); ++mode) {
         const auto& [mu, column, row] = tableau_.modes[mode];
         const std::complex<double> square = mu * mu, inverse = 1.0 / square;
-        const std::complex<double> scale = square / (width_ * width_);
+        const std::complex<double> scale = square / (h * h);
         // Of a pair the sum of both is twice the real part.
         if (mode == 0) {
             rhs_.setZero();
@@ -108,6 +108,7 @@ ANCF_INLINE void RadauSystem::solve(const Stages& force, const Stages& lengths, 
             for (Eigen::Index k = 0; k < m; ++k) complex_[n + k] += u * lengths[i][k];
         }
         complex_solvers_[mode - 1]->solve(complex_);
+        pairs = reinterpret_cast<double*>(complex_.data());  // a solver may take another memory
         for (std::size_t i = 0; i < stages; ++i) {
             const std::complex<double> w = 2.0 * column[i], u = w * inverse;
             for (Eigen::Index k = 0; k < n; ++k)

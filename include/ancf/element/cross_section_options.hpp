@@ -46,15 +46,20 @@ struct CrossSectionOptions {
     TransverseStrain transverse = TransverseStrain::green;  ///< measure of the transverse strains
     SectionModel section_model = SectionModel::paper;       ///< how the section resists torsion
     RotaryInertia rotary_inertia = RotaryInertia::consistent;  ///< where sections resist turning
+    /// Rule::gauss(3) in place of Rule::mixed() where a spatial element with engineering strains is
+    /// shorter than its section is deep, 4 sqrt(I/A): what sections bent to a radius of their depth
+    /// need. docs/limits.md.
+    bool three_points_where_short = false;
 
     /// The element of [Dufva2006]: four Gauss points, Eq. 24, the correction factor on torsion too.
     [[nodiscard]] static CrossSectionOptions paper() { return {}; }
 
     /// What is most accurate for its cost, Geodesic directors with it: the axial term on points of
-    /// its own, the torsional stiffness of a section that warps, rotary inertia at the nodes.
+    /// its own, the torsional stiffness of a section that warps, rotary inertia at the nodes, three
+    /// points where an element with engineering strains is short.
     [[nodiscard]] static CrossSectionOptions best() {
         return {Rule::mixed(), TransverseStrain::green, SectionModel::saint_venant,
-                RotaryInertia::lumped};
+                RotaryInertia::lumped, true};
     }
 };
 

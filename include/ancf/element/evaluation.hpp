@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// What one pass over an element returns: energy, elastic force and tangent together.
+/// What elements return: energy, elastic force and tangent of one pass; resultants of a section.
 
 #pragma once
 
@@ -18,6 +18,21 @@ struct Evaluation {
     Scalar energy;                 ///< U, J
     Vector<Scalar, Dofs> force;    ///< Q = dU/de, N for positions and N m for slopes
     Matrix<Scalar, Dofs> tangent;  ///< K = dQ/de, symmetric
+};
+
+/// Force and moment about the centre line that the part at larger x exerts on the part at smaller
+/// x.
+///
+/// Resolved in the orthonormal frame (t, n, c) of the deformed section: t is the unit tangent, n
+/// and c = t x n are nearest to the slopes r_y and r_z projected on the normal plane. In the plane
+/// only axial, shear_y and moment_z are not zero.
+struct SectionForces {
+    double axial = 0.0;     ///< N = int sigma dA, positive in tension; N
+    double shear_y = 0.0;   ///< Q_y, along n; N
+    double shear_z = 0.0;   ///< Q_z, along c; N
+    double torque = 0.0;    ///< T, about t; N m
+    double moment_y = 0.0;  ///< M_y = int z sigma dA, about n; N m
+    double moment_z = 0.0;  ///< M_z = -int y sigma dA, about c; N m
 };
 
 }  // namespace ancf

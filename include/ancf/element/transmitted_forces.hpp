@@ -10,7 +10,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/requirement.hpp>
-#include <ancf/element/section_forces.hpp>
+#include <ancf/element/evaluation.hpp>
 #include <ancf/types.hpp>
 
 #include <type_traits>

@@ -76,6 +76,22 @@ private:
 
 namespace detail {
 
+/// The vectors that a list of vectors follows: itself where none of them is attached.
+struct FollowedVectors {
+    /// A part of one vector of the list.
+    struct Part {
+        int vector;     ///< place in `firsts`
+        double factor;  ///< what multiplies that vector
+    };
+
+    std::vector<int> firsts;      ///< first coordinates of those that are not attached, once each
+    std::vector<Part> parts;      ///< of all vectors of the list, one after the other
+    std::vector<int> first_part;  ///< of each vector of the list, and the end
+
+    /// @param list  first coordinates
+    [[gnu::cold]] FollowedVectors(const Dependence& dependence, const std::vector<int>& list);
+};
+
 /// The coordinates that a load or a constraint reads, and those that it acts on: the same unless
 /// one of its vectors is attached.
 class LocalCoordinates {
@@ -113,22 +129,9 @@ private:
 struct AttachedElement {
     static constexpr int most_vectors = 16;  ///< that one element can act on
 
-    /// A part of one of the element's vectors.
-    struct Part {
-        int vector;     ///< place in `vectors`
-        double factor;  ///< what multiplies that vector
-    };
-
-    /// A vector that the element acts on.
-    struct Target {
-        int first;  ///< its first coordinate
-        int block;  ///< place in `blocks`
-    };
-
-    std::vector<Target> vectors;  ///< what it acts on
-    std::vector<Part> parts;      ///< of all its own vectors, one after the other
-    std::vector<int> first_part;  ///< of each of its own vectors, and the end
-    std::vector<int> blocks;      ///< of the system: the nodes of `vectors`
+    FollowedVectors vectors;    ///< what its own vectors follow
+    std::vector<int> block_of;  ///< place in `blocks` of each of those that are followed
+    std::vector<int> blocks;    ///< of the system: their nodes
     std::vector<int> base;  ///< where the values of each pair of `blocks` stand, by rows; -1: none
 
     /// Lists all but `base`, which is the assembly's.

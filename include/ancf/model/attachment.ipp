@@ -8,6 +8,7 @@
 
 #include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
+#include <ancf/model/element_group.hpp>
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,19 @@ ANCF_INLINE void Dependence::carry(VectorX& forces) const {
 
 namespace detail {
 
+ANCF_INLINE FollowedVectors::FollowedVectors(const Dependence& dependence,
+                                             const std::vector<int>& list) {
+    for (const int own : list) {
+        first_part.push_back(static_cast<int>(parts.size()));
+        for (const Dependence::Part& part : dependence.parts(own)) {
+            const auto found = std::find(firsts.begin(), firsts.end(), part.first);
+            parts.push_back({static_cast<int>(found - firsts.begin()), part.factor});
+            if (found == firsts.end()) firsts.push_back(part.first);
+        }
+    }
+    first_part.push_back(static_cast<int>(parts.size()));
+}
+
 ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Dependence& dependence,
                                                const Coupling& coupling, const char* what) {
     const int dimension = layout.dimension();
@@ -107,14 +121,18 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
         acted_ = read_;
         return;
     }
-    for (std::size_t row = 0; row < read_.size(); row += static_cast<std::size_t>(dimension))
-        for (const Dependence::Part& part : dependence.parts(read_[row]))
-            for (int k = 0; k < dimension; ++k) {
-                auto found = std::find(acted_.begin(), acted_.end(), part.first + k);
-                if (found == acted_.end()) found = acted_.insert(found, part.first + k);
-                transfer_.push_back({static_cast<int>(row) + k,
-                                     static_cast<int>(found - acted_.begin()), part.factor});
-            }
+    std::vector<int> firsts;
+    for (const NodeField& at : coupling) firsts.push_back(layout.index(at));
+    const FollowedVectors followed(dependence, firsts);
+    for (const int first : followed.firsts)
+        for (int k = 0; k < dimension; ++k) acted_.push_back(first + k);
+    for (std::size_t row = 0; row < firsts.size(); ++row)
+        for (int p = followed.first_part[row]; p < followed.first_part[row + 1]; ++p) {
+            const FollowedVectors::Part& part = followed.parts[static_cast<std::size_t>(p)];
+            for (int k = 0; k < dimension; ++k)
+                transfer_.push_back({static_cast<int>(row) * dimension + k,
+                                     part.vector * dimension + k, part.factor});
+        }
 }
 
 ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
@@ -147,75 +165,105 @@ ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
     stiffness.swap(carried);
 }
 
-ANCF_INLINE AttachedElement::AttachedElement(const Layout& layout, const Dependence& dependence,
-                                             Fields fields, const std::array<int, 2>& nodes) {
-    const auto place_of_block = [&](int node) {
-        const auto found = std::find(blocks.begin(), blocks.end(), node);
-        if (found != blocks.end()) return static_cast<int>(found - blocks.begin());
-        blocks.push_back(node);
-        return static_cast<int>(blocks.size()) - 1;
-    };
+/// Returns the first coordinates of the vectors of an element.
+[[nodiscard]] ANCF_INLINE std::vector<int> vectors_of(const Layout& layout, Fields fields,
+                                                      const std::array<int, 2>& nodes) {
+    std::vector<int> firsts;
     for (const int node : nodes)
-        for (int k = 0; k < fields.count(); ++k) {
-            first_part.push_back(static_cast<int>(parts.size()));
-            for (const Dependence::Part& part :
-                 dependence.parts(layout.index({{node}, fields.at(k)}))) {
-                auto found = std::find_if(vectors.begin(), vectors.end(), [&](const Target& other) {
-                    return other.first == part.first;
-                });
-                if (found == vectors.end())
-                    found = vectors.insert(
-                        found, {part.first, place_of_block(layout.node_of(part.first))});
-                parts.push_back({static_cast<int>(found - vectors.begin()), part.factor});
-            }
+        for (int k = 0; k < fields.count(); ++k)
+            firsts.push_back(layout.index({{node}, fields.at(k)}));
+    return firsts;
+}
+
+ANCF_INLINE AttachedElement::AttachedElement(const Layout& layout, const Dependence& dependence,
+                                             Fields fields, const std::array<int, 2>& nodes)
+    : vectors(dependence, vectors_of(layout, fields, nodes)) {
+    for (const int first : vectors.firsts) {
+        const auto found = std::find(blocks.begin(), blocks.end(), layout.node_of(first));
+        block_of.push_back(static_cast<int>(found - blocks.begin()));
+        if (found == blocks.end()) blocks.push_back(layout.node_of(first));
+    }
+    const std::size_t count = vectors.firsts.size();
+    require(count <= static_cast<std::size_t>(most_vectors), "nodes ", nodes[0], " and ", nodes[1],
+            " follow ", count, " vectors by attachments, expected at most ", most_vectors);
+}
+
+/// Adds K T in the columns of T: `Dimension` columns of K, of `rows` entries, for each of its own
+/// vectors.
+template <int Dimension>
+void multiply_columns(const FollowedVectors& vectors, const double* tangent, int rows,
+                      double* out) {
+    for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
+        for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
+            const FollowedVectors::Part& part = vectors.parts[static_cast<std::size_t>(k)];
+            double* const to = out + part.vector * Dimension * rows;
+            for (int i = 0; i < Dimension * rows; ++i) to[i] += part.factor * tangent[i];
         }
-    first_part.push_back(static_cast<int>(parts.size()));
-    require(vectors.size() <= static_cast<std::size_t>(most_vectors), "nodes ", nodes[0], " and ",
-            nodes[1], " follow ", vectors.size(), " vectors by attachments, expected at most ",
-            most_vectors);
+        tangent += Dimension * rows;
+    }
+}
+
+/// Adds T^T times a vector.
+template <int Dimension>
+void multiply_transposed(const FollowedVectors& vectors, const double* column, double* out) {
+    for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
+        for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
+            const FollowedVectors::Part& part = vectors.parts[static_cast<std::size_t>(k)];
+            double* const to = out + part.vector * Dimension;
+            for (int i = 0; i < Dimension; ++i) to[i] += part.factor * column[i];
+        }
+        column += Dimension;
+    }
+}
+
+/// Adds T^T K T to the values of a system.
+template <int Dimension>
+void add_transformed(const AttachedElement& element, const GroupTarget& target,
+                     const double* tangent) {
+    constexpr int most = Dimension * AttachedElement::most_vectors;
+    const FollowedVectors& vectors = element.vectors;
+    const int rows = Dimension * (static_cast<int>(vectors.first_part.size()) - 1);
+    const int count = static_cast<int>(vectors.firsts.size());
+    const std::size_t blocks = element.blocks.size();
+    int place[most];  // within the node's block, -1 where held
+    for (int vector = 0; vector < count; ++vector) {
+        const auto of = static_cast<std::size_t>(vector);
+        const int node = element.blocks[static_cast<std::size_t>(element.block_of[of])];
+        for (int i = 0; i < Dimension; ++i) {
+            const int equation = target.equation[vectors.firsts[of] + i];
+            place[vector * Dimension + i] = equation < 0 ? -1 : equation - target.first_row[node];
+        }
+    }
+    double half[most * ElementGroup::max_dofs], column[most];
+    std::fill_n(half, Dimension * count * rows, 0.0);
+    multiply_columns<Dimension>(vectors, tangent, rows, half);
+    for (int q = 0; q < Dimension * count; ++q) {
+        const int own = place[q];
+        if (own < 0) continue;
+        std::fill_n(column, Dimension * count, 0.0);
+        multiply_transposed<Dimension>(vectors, half + q * rows, column);
+        const int block = element.block_of[static_cast<std::size_t>(q / Dimension)];
+        const int offset =
+            target.column_offset(element.blocks[static_cast<std::size_t>(block)], own);
+        for (int vector = 0; vector < count; ++vector) {
+            const int other = element.block_of[static_cast<std::size_t>(vector)];
+            const int base = element.base[static_cast<std::size_t>(other) * blocks +
+                                          static_cast<std::size_t>(block)];
+            if (base < 0) continue;
+            const int least = other == block && target.storage == Storage::lower ? own : 0;
+            double* const values = target.values + base + offset;
+            for (int i = 0; i < Dimension; ++i)
+                if (const int row = place[vector * Dimension + i]; row >= least)
+                    values[row] += column[vector * Dimension + i];
+        }
+    }
 }
 
 ANCF_INLINE void AttachedElement::add(const GroupTarget& target, const double* tangent) const {
-    const int dimension = target.layout.dimension();
-    const int own = dimension * (static_cast<int>(first_part.size()) - 1);
-    const int size = dimension * static_cast<int>(vectors.size());
-    double half[9 * most_vectors * most_vectors], whole[9 * most_vectors * most_vectors];
-    // out(:, p) = sum of factor times in(:, j) over the parts p of j; by rows of length `rows`
-    const auto combine = [&](const double* in, int rows, double* out) {
-        std::fill_n(out, rows * size, 0.0);
-        for (std::size_t vector = 0; vector + 1 < first_part.size(); ++vector)
-            for (int k = first_part[vector]; k < first_part[vector + 1]; ++k) {
-                const Part& part = parts[static_cast<std::size_t>(k)];
-                const double* from = in + static_cast<int>(vector) * dimension * rows;
-                double* to = out + part.vector * dimension * rows;
-                for (int i = 0; i < dimension * rows; ++i) to[i] += part.factor * from[i];
-            }
-    };
-    const auto transpose = [](const double* in, int rows, int columns, double* out) {
-        for (int j = 0; j < columns; ++j)
-            for (int i = 0; i < rows; ++i) out[i * columns + j] = in[j * rows + i];
-    };
-    combine(tangent, own, half);  // K T
-    transpose(half, own, size, whole);
-    combine(whole, size, half);  // T^T K^T T
-    const std::size_t count = blocks.size();
-    for (int q = 0; q < size; ++q) {
-        const Target& column = vectors[static_cast<std::size_t>(q / dimension)];
-        const int equation = target.equation[column.first + q % dimension];
-        if (equation < 0) continue;
-        const int node = blocks[static_cast<std::size_t>(column.block)];
-        const int place = equation - target.first_row[node];
-        for (int p = 0; p < size; ++p) {
-            const Target& row = vectors[static_cast<std::size_t>(p / dimension)];
-            const int other = target.equation[row.first + p % dimension];
-            if (other < 0 || (target.storage == Storage::lower && other < equation)) continue;
-            const int from = base[static_cast<std::size_t>(row.block) * count +
-                                  static_cast<std::size_t>(column.block)];
-            const int top = target.first_row[blocks[static_cast<std::size_t>(row.block)]];
-            target.values[from + target.column_offset(node, place) + other - top] +=
-                half[q + p * size];
-        }
-    }
+    if (target.layout.dimension() == 3)
+        add_transformed<3>(*this, target, tangent);
+    else
+        add_transformed<2>(*this, target, tangent);
 }
 
 ANCF_INLINE void add_attached(const GroupTarget& target, int place, const double* tangent) {

@@ -169,6 +169,11 @@ struct DrivenTurn {
 [[nodiscard]] DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
                                      double to);
 
+/// Returns into how many equal parts, a power of two, a step is cut so that no joint is driven by
+/// more than pi/12 in one. 1 where no number of parts is enough: the angle jumps.
+[[nodiscard]] int parts_for_turns(const std::vector<AnyConstraint>& constraints, double from,
+                                  double to);
+
 /// Returns why no step from one time or load factor to another can be taken.
 [[nodiscard]] std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
                                            const DrivenTurn& turn, double from, double to);

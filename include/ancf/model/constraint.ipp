@@ -28,6 +28,22 @@ ANCF_INLINE DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints
     return most;
 }
 
+ANCF_INLINE int parts_for_turns(const std::vector<AnyConstraint>& constraints, double from,
+                                double to) {
+    constexpr double largest_turn = 0.25 * largest_driven_turn;
+    constexpr int most = 1024;
+    for (int parts = 1; parts <= most; parts *= 2) {
+        const double width = (to - from) / parts;
+        bool fits = true;
+        for (int k = 0; k < parts && fits; ++k) {
+            const double begin = from + k * width;
+            fits = !(driven_turn(constraints, begin, begin + width).angle > largest_turn);
+        }
+        if (fits) return parts;
+    }
+    return 1;
+}
+
 ANCF_INLINE std::string driven_turn_text(const std::vector<AnyConstraint>& constraints,
                                          const DrivenTurn& turn, double from, double to) {
     return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),

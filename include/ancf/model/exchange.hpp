@@ -10,13 +10,12 @@
 
 #pragma once
 
+#include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <vector>
 
-namespace ancf {
-
-class AnyConstraint;
+namespace ancf::detail {
 
 /// Sums over the parts of a scene. Every call but owns() and constraints() is collective.
 class Exchange {
@@ -40,4 +39,4 @@ protected:
     Exchange& operator=(const Exchange&) = default;  ///< by derived classes alone
 };
 
-}  // namespace ancf
+}  // namespace ancf::detail

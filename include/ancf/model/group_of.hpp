@@ -166,6 +166,8 @@ private:
         std::copy_n(from.data(), Element::dofs * Element::dofs, to);
     }
 
+    static void add_block(const ElementSlots& slots, const GroupTarget& target,
+                          const Matrix<double, Element::dofs>& tangent);
     double add_element(int index, const GroupTarget& target) const;
     template <int Lanes>
     double add_pack(int first, const GroupTarget& target) const;
@@ -226,13 +228,9 @@ double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) c
     const bool plain = target.increment == nullptr && target.before == nullptr;
     const auto equal = [&](int first) {
         const Connection* const part = &connections[static_cast<std::size_t>(first)];
-        return std::all_of(part + 1, part + lanes,
-                           [part](const Connection& other) {
-                               return other.prototype == part->prototype;
-                           }) &&
-               (target.attached == nullptr ||
-                std::all_of(target.slots + first, target.slots + first + lanes,
-                            [](const ElementSlots& one) { return one.attached < 0; }));
+        return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
+            return other.prototype == part->prototype;
+        });
     };
     for (int k = run.first; k < run.last;) {
         if constexpr (lanes > 1) {
@@ -282,16 +280,22 @@ double GroupOf<Element>::add_element(int index, const GroupTarget& target) const
     }
     for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += result.force[i];
     if (!target.tangent) return result.energy;
+    add_block(slots, target, result.tangent);
+    return result.energy;
+}
+
+template <class Element>
+void GroupOf<Element>::add_block(const ElementSlots& slots, const GroupTarget& target,
+                                 const Matrix<double, Element::dofs>& tangent) {
     if (slots.attached >= 0) {
-        detail::add_attached(target, slots.attached, result.tangent.data());
-        return result.energy;
+        detail::add_attached(target, slots.attached, tangent.data());
+        return;
     }
     constexpr int half = Element::dofs / 2;
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
-            detail::scatter_part<Element>(
-                target, slots, a, b, result.tangent.template block<half, half>(a * half, b * half));
-    return result.energy;
+            detail::scatter_part<Element>(target, slots, a, b,
+                                          tangent.template block<half, half>(a * half, b * half));
 }
 
 template <class Element>
@@ -319,6 +323,15 @@ double GroupOf<Element>::add_pack(int first, const GroupTarget& target) const {
     add_force(result.force);
     // a block of all lanes at a time: the packs are read once, and what is written stays in cache
     constexpr int half = Element::dofs / 2;
+    if (target.attached != nullptr) {
+        Matrix<double, Element::dofs> own;
+        for (int lane = 0; lane < Lanes; ++lane) {
+            for (int j = 0; j < Element::dofs; ++j)
+                for (int i = 0; i < Element::dofs; ++i) own(i, j) = result.tangent(i, j)[lane];
+            add_block(slots[lane], target, own);
+        }
+        return lane_sum(result.energy);
+    }
     Matrix<double, half> blocks[Lanes];
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) {

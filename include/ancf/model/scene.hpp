@@ -240,11 +240,11 @@ public:
     /// @param exchange  tells the parts of each other's forces.
     /// @throws InvalidArgument for another number of groups or nodes than the scene has, or a part
     ///         that has a node and not the nodes that it follows.
-    [[nodiscard]] std::unique_ptr<Scene> part(const ScenePart& held,
-                                              std::shared_ptr<const Exchange> exchange) const;
+    [[nodiscard]] std::unique_ptr<Scene> part(
+        const ScenePart& held, std::shared_ptr<const detail::Exchange> exchange) const;
 
     /// Returns what joins a part to the others; none of a whole scene.
-    [[nodiscard]] const Exchange* exchange() const noexcept { return exchange_.get(); }
+    [[nodiscard]] const detail::Exchange* exchange() const noexcept { return exchange_.get(); }
 
     // What a scene holds ----------------------------------------------------------------------
 
@@ -385,7 +385,7 @@ private:
     std::vector<PointMass> masses_;
     std::array<double, 3> gravity_ = {};
     Amplitude gravity_amplitude_;
-    std::shared_ptr<const Exchange> exchange_;
+    std::shared_ptr<const detail::Exchange> exchange_;
 
     Revision revision_;
 

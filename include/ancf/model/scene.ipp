@@ -74,8 +74,8 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(state_, other.state_);
 }
 
-ANCF_INLINE std::unique_ptr<Scene> Scene::part(const ScenePart& held,
-                                               std::shared_ptr<const Exchange> exchange) const {
+ANCF_INLINE std::unique_ptr<Scene> Scene::part(
+    const ScenePart& held, std::shared_ptr<const detail::Exchange> exchange) const {
     detail::require(held.nodes.size() == initial_.size() && held.elements.size() == groups_.size(),
                     "Scene::part: expected ", initial_.size(), " nodes and ", groups_.size(),
                     " groups, got ", held.nodes.size(), " and ", held.elements.size());

@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include <ancf/element/section_forces.hpp>
+#include <ancf/element/evaluation.hpp>
 #include <ancf/element/transmitted_forces.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/scene.hpp>

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <ancf/dynamics/report.hpp>
-#include <ancf/element/section_forces.hpp>
+#include <ancf/element/evaluation.hpp>
 #include <ancf/element/transmitted_forces.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/node.hpp>

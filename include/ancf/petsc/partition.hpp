@@ -22,10 +22,10 @@
 #include <string>
 #include <vector>
 
-namespace ancf::petsc {
+namespace ancf::petsc::detail {
 
 /// The division of one scene, and what its parts tell each other.
-class Partition final : public Exchange {
+class Partition final : public ancf::detail::Exchange {
 public:
     /// Divides by PETSc's MatPartitioning: PT-Scotch where PETSc has it, or as the option
     /// -PREFIXmat_partitioning_type says; few nodes in the order of their numbers. Collective.
@@ -125,7 +125,7 @@ private:
     mutable std::vector<double> roots_, leaves_;
 };
 
-}  // namespace ancf::petsc
+}  // namespace ancf::petsc::detail
 
 #if !defined(ANCF_COMPILED)
 #include <ancf/petsc/partition.ipp>  // IWYU pragma: export

@@ -15,9 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ancf::petsc {
-
-namespace detail {
+namespace ancf::petsc::detail {
 
 [[nodiscard]] ANCF_INLINE std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -61,8 +59,6 @@ namespace detail {
                    MPI_INT, comm);
     return all;
 }
-
-}  // namespace detail
 
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
     : whole_(whole),
@@ -406,4 +402,4 @@ ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& 
     return rows;
 }
 
-}  // namespace ancf::petsc
+}  // namespace ancf::petsc::detail

@@ -111,9 +111,9 @@ struct Solver::Run {
     SolverOptions options;
     MPI_Comm comm = PETSC_COMM_SELF;
     std::unique_ptr<detail::OptionsInTable> table;
-    const Partition* partition = nullptr;
-    std::unique_ptr<Partition> alone;  // of a whole scene
-    Partition::Rows rows;
+    const detail::Partition* partition = nullptr;
+    std::unique_ptr<detail::Partition> alone;  // of a whole scene
+    detail::Partition::Rows rows;
     detail::Condensation condensation;
     Numbering numbering;
     bool symmetric = false;
@@ -137,9 +137,9 @@ ANCF_INLINE Solver::Run::Run(const Scene* of, SolverOptions wanted)
     if (options.prefix.empty()) options.prefix = detail::fresh_prefix();
     table = std::make_unique<detail::OptionsInTable>(options.options, options.prefix);
     if (scene != nullptr) {
-        partition = static_cast<const Partition*>(scene->exchange());
+        partition = static_cast<const detail::Partition*>(scene->exchange());
         if (partition == nullptr) {
-            alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
+            alone = std::make_unique<detail::Partition>(*scene, PETSC_COMM_SELF);
             partition = alone.get();
         }
         comm = partition->comm();
@@ -192,7 +192,7 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
                               " unknowns, the matrix ", pattern.rows());
         if (alone) {  // the scene may have changed
             alone.reset();
-            alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
+            alone = std::make_unique<detail::Partition>(*scene, PETSC_COMM_SELF);
             partition = alone.get();
         }
         rows = partition->rows(*scene, numbering);

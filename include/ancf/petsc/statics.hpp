@@ -39,7 +39,8 @@ public:
     ///
     /// In the report, reactions are those of the coordinates of this process's part; the fault's
     /// element counts in the whole scene, in the process that has it. Status, message and all other
-    /// numbers are the same in every process. Stability is not judged. The options' `progress` is
+    /// numbers are the same in every process. Stability is not judged, and NewtonKind::automatic is
+    /// iterated as NewtonKind::mixed. The options' `progress` is
     /// called with the part's state; one process that returns false, or throws, ends all.
     /// @throws InvalidArgument for options that cannot be meant, NewtonKind::turned among them:
     ///         its corrections tie all nodes of the scene.
@@ -58,13 +59,13 @@ public:
     /// Returns the part of this process, with the numbers of all nodes.
     [[nodiscard]] Scene& part() noexcept { return *part_; }
     /// Returns who has which node.
-    [[nodiscard]] const Partition& partition() const noexcept { return *partition_; }
+    [[nodiscard]] const detail::Partition& partition() const noexcept { return *partition_; }
     /// Returns the solver.
     [[nodiscard]] Solver& solver() noexcept { return solver_; }
 
 private:
     Scene& model_;
-    std::shared_ptr<const Partition> partition_;
+    std::shared_ptr<const detail::Partition> partition_;
     std::unique_ptr<Scene> part_;
     Solver solver_;
 };

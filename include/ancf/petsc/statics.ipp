@@ -34,7 +34,7 @@ ANCF_INLINE DistributedStatics::DistributedStatics(Scene& model, MPI_Comm comm,
                                                    const SolverOptions& options)
     : model_(model),
       partition_((detail::require_session(),
-                  std::make_shared<const Partition>(model, comm, options.prefix))),
+                  std::make_shared<const detail::Partition>(model, comm, options.prefix))),
       part_(model.part(partition_->held(), partition_)),
       solver_(*part_, options) {}
 

@@ -209,7 +209,7 @@ private:
         const Scalar* below = panel + square_size;
         Column rest = carry;
         Column next = Column::zero();
-        for (int j = 0; j < size; ++j) rest[j] += y[j];
+        for (int j = 0; j < size; ++j) rest.set(j, rest[j] + y[j]);
         for (int j = 0; j < size; ++j) {
             const Scalar solved = rest[j];
             y[j] = solved;
@@ -228,14 +228,14 @@ private:
             Scalar* y = x + layout.start(block);
             Column rest = Column::zero();
             for (int j = 0; j < size; ++j)
-                rest[j] = y[j] * panel[j * N + j] - dot(Column::at(below + j * N), next);
+                rest.set(j, y[j] * panel[j * N + j] - dot(Column::at(below + j * N), next));
             for (int j = size - 1; j >= 0; --j) {
                 const Scalar solved = rest[j];
                 y[j] = solved;
                 rest.subtract(panel + j * N, solved);
-                next[j] = solved;
+                next.set(j, solved);
             }
-            for (int j = size; j < N; ++j) next[j] = 0.0;
+            for (int j = size; j < N; ++j) next.set(j, 0.0);
         }
     }
 };

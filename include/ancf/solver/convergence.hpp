@@ -23,7 +23,7 @@ namespace detail {
 /// Returns the diagonal of the box around all positions, m; 0 of none.
 /// @param exchange  of a part of a scene, whose other parts count too
 [[nodiscard]] double diagonal_of(const Layout& layout, int dimension, const VectorX& q,
-                                 const Exchange* exchange = nullptr);
+                                 const detail::Exchange* exchange = nullptr);
 
 }  // namespace detail
 
@@ -61,10 +61,10 @@ private:
     [[nodiscard]] double violation(const Assembly& assembly) const;
 
     const Numbering& numbering_;
-    const Exchange* exchange_;        // of a part of a scene
-    std::vector<signed char> power_;  // of a length in the unit, per coordinate
-    double size_ = 1.0;               // diagonal of the scene, m
-    double element_size_ = 1.0;       // mean reference length, m
+    const detail::Exchange* exchange_;  // of a part of a scene
+    std::vector<signed char> power_;    // of a length in the unit, per coordinate
+    double size_ = 1.0;                 // diagonal of the scene, m
+    double element_size_ = 1.0;         // mean reference length, m
 };
 
 }  // namespace ancf

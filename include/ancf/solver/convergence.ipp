@@ -21,7 +21,7 @@ namespace ancf {
 namespace detail {
 
 ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const VectorX& q,
-                               const Exchange* exchange) {
+                               const detail::Exchange* exchange) {
     double square = 0.0;
     for (int k = 0; k < dimension; ++k) {
         double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -11,9 +11,6 @@
 
 #include <Eigen/SparseLU>
 
-#include <algorithm>
-#include <cmath>
-
 namespace ancf {
 
 template <class Ordering>
@@ -59,14 +56,7 @@ FactorReport BasicEigenLu<Ordering>::factorize(const SparseMatrix& matrix) {
 
 template <class Ordering>
 void BasicEigenLu<Ordering>::scale_rows(const SparseMatrix& matrix) {
-    // entries of a row compare where each unknown is measured by its own scale
-    const VectorX scales = detail::unit_scales(matrix);
-    row_scale_ = VectorX::Zero(matrix.rows());
-    for (int column = 0; column < matrix.outerSize(); ++column)
-        for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-            row_scale_[entry.row()] =
-                std::max(row_scale_[entry.row()], std::abs(entry.value()) * scales[column]);
-    row_scale_ = (row_scale_.array() > 0.0).select(row_scale_.cwiseInverse(), 1.0);
+    row_scale_ = detail::row_scales(matrix, detail::unit_scales(matrix));
     scaled_ = row_scale_.asDiagonal() * matrix;
 }
 

@@ -102,12 +102,19 @@ private:
                                                                        : Status::converged;
 }
 
-/// Returns a report with the cause of a singular A.
+/// Returns a report with the cause of its failure in A.
 [[nodiscard]] ANCF_INLINE ModalReport with_cause(ModalReport report, const Scene& model,
                                                  const Assembly& assembly, const SparseMatrix& A,
                                                  LinearSolver& solver) {
-    if (report.status == Status::singular)
-        report.message = singular_cause(model.layout(), assembly.numbering(), A, solver);
+    std::string& message = report.message;
+    if (report.status == Status::singular) {
+        message = singular_cause(model.layout(), assembly.numbering(), A, solver);
+        if (message.empty()) message = "the matrix is not positive definite";
+    } else if (report.status == Status::max_iterations) {
+        message = joined({"modes are left to converge after ", report.iterations, " iterations"});
+    } else if (report.status != Status::converged) {
+        message = joined({"the matrix cannot be factorised: ", to_string(report.status)});
+    }
     return report;
 }
 
@@ -165,11 +172,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     SparseMatrix A = assembly.tangent() - options.shift * mass;
     if (solver.storage() == Storage::full) detail::symmetrise(A);
     if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return {status,
-                {},
-                0,
-                {},
-                detail::singular_cause(model.layout(), assembly.numbering(), A, solver)};
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, A, solver);
     const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
@@ -190,19 +193,16 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
     if (const Status status = detail::factorise(assembly, unloaded, solver);
         status != Status::converged)
-        return {status,
-                {},
-                0,
-                {},
-                detail::singular_cause(model.layout(), assembly.numbering(), unloaded, solver)};
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver);
     deflected.respond(solver);
     SparseMatrix change;
     if (const auto fault = deflected.change(unloaded, change))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
     if (solver.storage() == Storage::full) detail::symmetrise(B);
-    return detail::modes_of(assembly, unloaded, B, solver, options,
-                            [](double th, double&) { return 1.0 / th; });
+    return detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
+                                               [](double th, double&) { return 1.0 / th; }),
+                              model, assembly, unloaded, solver);
 }
 
 }  // namespace ancf

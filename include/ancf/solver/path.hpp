@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ancf {
@@ -114,6 +115,7 @@ struct PathReport {
     /// Why a step failed, the last that did; converged where none has.
     Status failure = Status::converged;
     std::optional<Fault> fault;  ///< the element that failed then, for degenerate and not_finite
+    std::string message;         ///< why the path ended where; empty where it converged
 };
 
 /// Follows the path of equilibria from the model's state; the model ends in the last point.

@@ -12,6 +12,7 @@
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/path.hpp>
 #include <ancf/types.hpp>
 
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace ancf {
@@ -85,6 +87,7 @@ public:
         Point here{model_.state(), options_.first_factor};
         if (const Outcome start = begin(here); start.failed()) {
             note_failure(start);
+            report_.message = cause(start.status, "the path cannot start", here);
             return finish(start.status, here);
         }
         while (static_cast<int>(report_.points.size()) < options_.max_points) {
@@ -98,6 +101,7 @@ public:
                 note_failure(tried);
                 step_ *= 0.5;
                 if (std::abs(step_) >= options_.smallest_step * first_) continue;
+                report_.message = cause(tried.status, "the smallest step failed", here);
                 return finish(Status::diverged, here);
             }
             if (options_.critical_points && !branching_) find_critical(here, next);
@@ -106,9 +110,14 @@ public:
             here = std::move(next);
             const bool ended =
                 options_.progress && !options_.progress(report_.points.back(), here.state);
-            if (landing || ended)
-                return finish(landing ? Status::converged : Status::stopped, here);
+            if (landing) return finish(Status::converged, here);
+            if (ended) {
+                report_.message = "the progress callback asked to stop";
+                return finish(Status::stopped, here);
+            }
         }
+        report_.message = joined(
+            {"the limit of ", options_.max_points, " points came at load factor ", here.factor}, 6);
         return finish(Status::max_iterations, here);
     }
 
@@ -153,7 +162,11 @@ private:
         const Layout& layout = model_.layout();
         weights_.setZero(numbering_.unknowns());
         const double size = std::max(monitor_.size(), std::numeric_limits<double>::min());
-        const double nodes = std::max(1, layout.nodes());
+        int nodes = 0;  // that do not follow others
+        for (int node = 0; node < layout.nodes(); ++node) {
+            const int first = layout.index({{node}, Field::r});
+            if (first < 0 || !numbering_.dependence().attached(first)) ++nodes;
+        }
         for (int node = 0; node < layout.nodes(); ++node)
             for (int k = 0; k < field_count; ++k) {
                 const auto field = static_cast<Field>(k);
@@ -491,6 +504,16 @@ private:
     void note_failure(const Outcome& outcome) {
         report_.failure = outcome.status;
         report_.fault = outcome.fault;
+    }
+
+    // Says why a point has no successor, from the last factorisation or fault.
+    [[nodiscard]] std::string cause(Status status, const char* what, const Point& here) {
+        std::string text = joined({what, " at load factor ", here.factor, ": "}, 6);
+        if (report_.fault) return text + assembly_.describe(*report_.fault);
+        std::string found;
+        if (status == Status::singular && report_.points.empty())
+            found = singular_cause(model_.layout(), numbering_, assembly_.tangent(), solver_);
+        return text + (found.empty() ? std::string(to_string(status)) : found);
     }
 
     [[nodiscard]] PathReport finish(Status status, const Point& last) {

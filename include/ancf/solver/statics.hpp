@@ -28,28 +28,33 @@ namespace ancf {
 
 /// How Newton's method corrects a state: docs/theory-statics.md, "Stresses as unknowns".
 enum class NewtonKind {
-    plain,  ///< the derivative of the residual
-    mixed,  ///< that of mixed integration points: fewer iterations and larger steps
-    turned  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
+    plain,   ///< the derivative of the residual
+    mixed,   ///< that of mixed integration points: fewer iterations and larger steps
+    turned,  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
+    /// mixed where an element is; large corrections turn slopes and chords, by the angle where
+    /// moments do most work and by its tangent where forces do; a step that will not converge, or
+    /// ends on another branch, is cut: docs/theory-statics.md, "The automatic iteration"
+    automatic
 };
 
 /// How a static problem is solved.
 struct StaticsOptions {
-    NewtonKind newton = NewtonKind::plain;  ///< a step that fails otherwise is repeated as plain
-    int steps = 1;                          ///< equal load steps; one in which a driven joint
-                                            ///< turns by more than pi/3 is taken in parts
-    int max_iterations = 100;               ///< linear solves per step
-    int mixed_iterations = 25;              ///< the same before a step is repeated as plain
-    double residual_tolerance = 1e-9;       ///< relative to loads and reactions
-    double correction_tolerance = 1e-6;     ///< relative to the scene's size; slopes absolutely,
-                                            ///< r_xx times the elements' mean length; 1e-3
-                                            ///< where the residual is at its round-off
-    bool line_search = false;               ///< halve corrections that double the residual
-    bool adaptive = false;                  ///< halve a step that fails, widen one that does well
-    double min_step = 1e-4;                 ///< smallest step of an adaptive run, as a part of
-                                            ///< the way from first_factor to last_factor
-    double first_factor = 0.0;              ///< load factor of the state that the model is in
-    double last_factor = 1.0;               ///< load factor to reach
+    NewtonKind newton = NewtonKind::automatic;  ///< a step that fails otherwise is repeated as
+                                                ///< plain; automatic takes it in parts before
+    int steps = 1;                              ///< equal load steps; one in which a driven joint
+                                                ///< turns by more than pi/3 is taken in parts
+    int max_iterations = 100;                   ///< linear solves per step
+    int mixed_iterations = 25;                  ///< the same before a step is repeated as plain
+    double residual_tolerance = 1e-9;           ///< relative to loads and reactions
+    double correction_tolerance = 1e-6;  ///< relative to the scene's size; slopes absolutely,
+                                         ///< r_xx times the elements' mean length; 1e-3
+                                         ///< where the residual is at its round-off
+    bool line_search = false;            ///< halve corrections that double the residual
+    bool adaptive = false;               ///< halve a step that fails, widen one that does well
+    double min_step = 1e-4;              ///< smallest step of an adaptive run, as a part of
+                                         ///< the way from first_factor to last_factor
+    double first_factor = 0.0;           ///< load factor of the state that the model is in
+    double last_factor = 1.0;            ///< load factor to reach
 
     /// Called after every converged step, not after its parts; returning false stops there, with
     /// Status::stopped.

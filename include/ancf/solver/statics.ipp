@@ -54,7 +54,9 @@ public:
           turning_(model, assembly_.numbering()),
           exchange_(model.exchange()),
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
-          newton_(possible(options.newton)) {
+          newton_(possible(options.newton)),
+          potential_(std::all_of(model.loads().begin(), model.loads().end(),
+                                 [](const ScaledLoad& load) { return load.load.symmetric(); })) {
         solver_.analyze(assembly_.tangent());
     }
 
@@ -63,40 +65,49 @@ public:
         const double equal = whole / options_.steps;
         double step = equal;
         double done = options_.first_factor;
+        bool last_resort = false;
         report_.factor = done;
         for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
             double wanted = options_.adaptive ? done + step
                                               : options_.first_factor + whole * k / options_.steps;
             if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
                 wanted = options_.last_factor;
-            const double next = within_turn(done, wanted);
+            const bool in_parts = newton_ == NewtonKind::automatic &&
+                                  std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
+            const double next = within_turn(done, in_parts ? done + step : wanted);
             const DrivenTurn turn = driven_turn(constraints_, done, next);
             if (!turn.fits()) {
                 report_.status = Status::diverged;
                 report_.message = driven_turn_text(constraints_, turn, done, next);
                 break;
             }
-            const LoadStep& result = advance(next);
+            const LoadStep& result = last_resort ? attempt(next, NewtonKind::plain) : advance(next);
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
+                last_resort = false;
+                if (grows(result))
+                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
+                           (whole < 0.0 ? -1.0 : 1.0);
                 if (next != wanted) continue;  // a part of a step
                 part_ = 1.0;
+                spent_ = report_.iterations();
                 ++k;
                 if (options_.progress && !options_.progress(done, model_.state())) {
                     report_.status = Status::stopped;
                     report_.message = "the progress callback asked to stop";
                     break;
                 }
-                if (result.iterations <= 6)
-                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
-                           (whole < 0.0 ? -1.0 : 1.0);
+            } else if (last_resort) {
+                break;
             } else if (turn.angle > smallest_turn) {
                 part_ = 0.5 * turn.angle / largest_driven_turn;
             } else {
-                step *= 0.5;
-                if (!options_.adaptive || std::abs(step) < options_.min_step * std::abs(whole))
-                    break;
+                step = share_after(result) * (next - done);
+                if (cuts(result) && std::abs(step) >= options_.min_step * std::abs(whole)) continue;
+                if (!may_retry(result)) break;
+                last_resort = true;  // what a run without cuts would have tried
+                step = equal;
             }
         }
         finish();
@@ -121,10 +132,40 @@ private:
         return next;
     }
 
+    /// Whether the next step may be longer. After a failed one, two have to succeed.
+    [[nodiscard]] bool grows(const LoadStep& step) {
+        if (newton_ != NewtonKind::automatic) return step.iterations <= 6;
+        return step.iterations <= 8 && ++successes_ > 1;
+    }
+
+    /// Whether a step that failed is worth a shorter one, as long as that is not endless.
+    [[nodiscard]] bool cuts(const LoadStep& failed) const {
+        return options_.adaptive ||
+               (may_retry(failed) && report_.iterations() - spent_ < 10 * options_.max_iterations);
+    }
+
+    /// Whether an automatic step that failed may do better in another way: not where it could not
+    /// move at all, or the user's own bound ended it.
+    [[nodiscard]] bool may_retry(const LoadStep& failed) const {
+        return newton_ == NewtonKind::automatic && failed.iterations > 0 &&
+               failed.iterations < options_.max_iterations;
+    }
+
+    /// Returns how much of a step that failed to try next: less at first where its first correction
+    /// says that a half will not do.
+    [[nodiscard]] double share_after(const LoadStep& failed) {
+        const bool far = newton_ == NewtonKind::automatic && successes_ == none_failed &&
+                         !failed.corrections.empty() && failed.corrections.front() > 2.0;
+        successes_ = 0;
+        return far ? 0.25 : 0.5;
+    }
+
     /// Solves at a load factor from the model's state; keeps the state where that fails.
     const LoadStep& advance(double factor) {
         const LoadStep& step = attempt(factor, newton_);
-        if (step.status == Status::converged || newton_ == NewtonKind::plain) return step;
+        if (step.status == Status::converged || newton_ == NewtonKind::plain ||
+            newton_ == NewtonKind::automatic)
+            return step;
         return attempt(factor, NewtonKind::plain);
     }
 
@@ -135,7 +176,10 @@ private:
             any(std::any_of(groups.begin(), groups.end(), [](const auto& group) {
                 return group->evaluates_mixed() && group->size() > 0;
             }));
-        return wanted == NewtonKind::mixed && !evaluates_mixed ? NewtonKind::plain : wanted;
+        const bool turns = wanted == NewtonKind::turned || wanted == NewtonKind::plain;
+        if (!turns && !evaluates_mixed) return NewtonKind::plain;
+        // slopes are turned by a system of the whole scene
+        return wanted == NewtonKind::automatic && exchange_ != nullptr ? NewtonKind::mixed : wanted;
     }
 
     /// Whether something holds here, or in any part of the scene.
@@ -161,6 +205,7 @@ private:
         step.newton = newton;
         instant_ = {factor, factor};
         step.status = iterate(step);
+        if (step.status == Status::converged && !followed(step)) step.status = Status::diverged;
         keep.reached = step.status == Status::converged;
         if (!keep.reached) report_.message = cause(step);
         return step;
@@ -207,7 +252,8 @@ private:
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
-            if (step.iterations >= most_iterations(step.newton)) return Status::max_iterations;
+            if (step.iterations >= most_iterations(step.newton) || hopeless(step))
+                return Status::max_iterations;
 
             report_.factorisation = solver_.factorize(assembly_.tangent());
             failure_ = solver_.failure();
@@ -254,11 +300,26 @@ private:
     void bend(NewtonKind newton, VectorX& q) {
         constexpr double small = 0.05;  // rad: below, the linear sum is better
         last_.change = difference(q, last_.before);
-        if (newton == NewtonKind::turned &&
-            turning_.largest_angle(last_.before, last_.change) > small)
-            turning_.turn(last_.before, last_.change, q);
-        else
+        if (newton == NewtonKind::mixed ||
+            !(turning_.largest_angle(last_.before, last_.change) > small))
             turning_.twist(last_.before, last_.change, q);
+        else
+            turning_.turn(
+                last_.before, last_.change, q,
+                newton == NewtonKind::turned || moments_lead() ? TurnBy::angle : TurnBy::tangent);
+    }
+
+    /// Whether loads do more work through slopes than through positions.
+    [[nodiscard]] bool moments_lead() {
+        const Layout& layout = model_.layout();
+        double of_positions = 0.0, of_slopes = 0.0;
+        for (int node = 0; node < layout.nodes(); ++node) {
+            const int slopes = layout.fields({node}).contains(Field::r) ? model_.dimension() : 0;
+            for (int k = layout.first(node); k < layout.first(node + 1); ++k)
+                (k < layout.first(node) + slopes ? of_positions : of_slopes) +=
+                    assembly_.external_force()[k] * last_.change[k];
+        }
+        return moments_led_ = std::abs(of_slopes) > std::abs(of_positions);
     }
 
     bool evaluate(const State& state, const VectorX* increment, const Correction* last = nullptr) {
@@ -292,6 +353,34 @@ private:
         const double last = step.corrections.back();
         return last <= 1e-2 * options_.correction_tolerance &&
                last <= 1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
+    }
+
+    /// Whether a step ended where the load leads from the state before: in a stable state, or by
+    /// corrections so small that no other branch was near. States under moments fixed in space are
+    /// unstable as a rule, and tell nothing.
+    [[nodiscard]] bool followed(const LoadStep& step) {
+        constexpr double to_unstable = 0.1, to_unknown = 0.5;
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
+            moments_led_)
+            return true;
+        const double largest = *std::max_element(step.corrections.begin(), step.corrections.end());
+        const bool small = !(largest > to_unstable);
+        if (small && !doubted_) return true;
+        const Stability reached = stability(assembly_, report_.factorisation);
+        // small corrections from a stable state to an unstable one: the path itself gets there
+        if (small) stable_ = reached != Stability::unstable;
+        // of loads with a potential `unknown` is a matter of round-off
+        doubted_ =
+            !small && (reached == Stability::unstable ||
+                       (reached == Stability::unknown && !potential_ && largest > to_unknown));
+        return !doubted_;
+    }
+
+    /// Whether corrections are too large for an iteration that would converge.
+    [[nodiscard]] static bool hopeless(const LoadStep& step) {
+        const std::size_t count = step.corrections.size();
+        return step.newton == NewtonKind::automatic && count >= 2 &&
+               step.corrections.back() > (count == 2 ? 2.0 : 1.2);
     }
 
     static bool stagnates(const LoadStep& step) {
@@ -344,9 +433,16 @@ private:
     Assembly assembly_;
     ConvergenceMonitor monitor_;
     Turning turning_;
-    const Exchange* exchange_;                       // of a part of a scene
+    const detail::Exchange* exchange_;                       // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
     NewtonKind newton_;
+    bool potential_;  // of all loads
+    static constexpr int none_failed = 2;
+    int successes_ = none_failed;  // steps that converged since one failed
+    int spent_ = 0;                // iterations before the step that the options ask for
+    bool stable_ = true;           // as far as is known, the last state that was accepted
+    bool doubted_ = false;         // the last step ended elsewhere
+    bool moments_led_ = false;     // in the last large correction
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;

@@ -5,7 +5,8 @@
 /// Corrections whose rotations stay rotations: docs/theory-statics.md, "Corrections that turn".
 ///
 /// Adding a linear correction stretches a slope that turns by tan of the angle. Here a correction
-/// turns slopes and chords instead. Both agree to first order, so Newton's method keeps its speed.
+/// turns slopes and chords instead, by what it says or by what adding would have turned them. All
+/// agree to first order, so Newton's method keeps its speed.
 
 #pragma once
 
@@ -21,6 +22,12 @@
 
 namespace ancf {
 
+/// By how much a correction of d across a vector of length 1 turns it.
+enum class TurnBy {
+    angle,   ///< d: right where moments prescribe rotations
+    tangent  ///< atan d, as adding does: right where forces do, whose directions do not turn
+};
+
 /// Replaces the sum of coordinates and correction by one in which things turn.
 class Turning {
 public:
@@ -34,7 +41,7 @@ public:
 
     /// Turns slopes by their rotation and the chords of elements by theirs; positions follow the
     /// chords as well as they can, in least squares.
-    void turn(const VectorX& before, const VectorX& change, VectorX& q);
+    void turn(const VectorX& before, const VectorX& change, VectorX& q, TurnBy by = TurnBy::angle);
 
     /// Returns the largest angle by which a correction turns a slope, to first order.
     [[nodiscard]] double largest_angle(const VectorX& before, const VectorX& change) const;

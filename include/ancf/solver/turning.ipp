@@ -40,8 +40,9 @@ struct SlopeFrame {
     return size == 9 ? sum + a[8] * b[8] : sum;
 }
 
-/// Writes v + change with the part of the change across v as an angle.
-ANCF_INLINE void turned(const double* v, const double* change, int dimension, double* out) {
+/// Writes v + change with the part of the change across v as a turn.
+ANCF_INLINE void turned(const double* v, const double* change, int dimension, TurnBy by,
+                        double* out) {
     const double length = std::sqrt(inner(v, v, dimension));
     double unit[3] = {}, across[3] = {};
     for (int k = 0; k < dimension; ++k) {
@@ -53,7 +54,7 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, do
     for (int k = 0; k < dimension; ++k) across[k] = change[k] - along * unit[k];
     const double size = std::sqrt(inner(across, across, dimension));
     if (size < 1e-12 * length) return;
-    const double angle = size / length;
+    const double angle = by == TurnBy::angle ? size / length : std::atan(size / length);
     const double cosine = std::cos(angle), sine = std::sin(angle) / size;
     for (int k = 0; k < dimension; ++k)
         out[k] = (length + along) * (cosine * unit[k] + sine * across[k]);
@@ -123,8 +124,9 @@ ANCF_INLINE void keep_tangent_part(const SlopeFrame& frame, SlopeFrame& skew) {
 
 /// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
 /// @param tangent_only  W keeps the part about r_x
+/// @param by            tangent: exp takes atan of the angle of W instead of the angle
 ANCF_INLINE void turn_frame(const double* before, const double* change, int dimension,
-                            bool tangent_only, double* after) {
+                            bool tangent_only, TurnBy by, double* after) {
     SlopeFrame G{dimension}, dG{dimension}, inverse{dimension}, skew{dimension};
     std::copy_n(before, dimension * dimension, G.entry);
     std::copy_n(change, dimension * dimension, dG.entry);
@@ -135,6 +137,9 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int dime
     if (tangent_only) keep_tangent_part(G, skew);
     for (int j = 0; j < dimension; ++j)  // I + D
         for (int i = 0; i < dimension; ++i) rate(i, j) += (i == j ? 1.0 : 0.0) - skew(i, j);
+    const double angle = std::sqrt(0.5 * inner(skew.entry, skew.entry, dimension * dimension));
+    if (by == TurnBy::tangent && angle > 1e-8)
+        for (double& entry : skew.entry) entry *= std::atan(angle) / angle;
     const SlopeFrame result = product(rotation(skew), product(rate, G));
     std::copy_n(result.entry, dimension * dimension, after);
 }
@@ -171,7 +176,7 @@ ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, Ve
     for (int node = 0; node < layout_.nodes(); ++node)
         if (const Slopes at = slopes(node); at.whole)
             detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_, true,
-                               q.data() + at.first);
+                               TurnBy::angle, q.data() + at.first);
     numbering_.dependence().complete(q);
 }
 
@@ -220,16 +225,17 @@ ANCF_INLINE void Turning::factorize(int component) {
     static_cast<void>(of.factors.factorize(detail::compressed(of.count, entries), blocks));
 }
 
-ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, VectorX& q) {
+ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, VectorX& q,
+                               TurnBy by) {
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
         if (at.whole) {
             detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_,
-                               false, q.data() + at.first);
+                               false, by, q.data() + at.first);
             continue;
         }
         for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
-            detail::turned(before.data() + k, change.data() + k, dimension_, q.data() + k);
+            detail::turned(before.data() + k, change.data() + k, dimension_, by, q.data() + k);
     }
     for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
     factorised_ = true;
@@ -238,12 +244,12 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     wanted.reserve(chords_.size() * static_cast<std::size_t>(dimension_));
     for (const auto& chord : chords_) {
         const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
-        double old[3] = {}, by[3] = {}, moved[3];
+        double old[3] = {}, step[3] = {}, moved[3];
         for (int k = 0; k < dimension_; ++k) {
             old[k] = before[j + k] - before[i + k];
-            by[k] = change[j + k] - change[i + k];
+            step[k] = change[j + k] - change[i + k];
         }
-        detail::turned(old, by, dimension_, moved);
+        detail::turned(old, step, dimension_, by, moved);
         for (int k = 0; k < dimension_; ++k) wanted.push_back(moved[k] - q[j + k] + q[i + k]);
     }
     for (int k = 0; k < dimension_; ++k) shift(k, wanted, q);

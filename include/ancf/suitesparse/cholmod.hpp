@@ -37,6 +37,10 @@ struct CholmodOptions {
     CholmodMode mode = CholmodMode::automatic;        ///< L D L^T or L L^T
     CholmodOrdering ordering = CholmodOrdering::amd;  ///< order of elimination
     double singular_rcond = default_singular_rcond;   ///< 0 refuses zero pivots only
+    /// Lets OpenMP have threads within CHOLMOD. Versions before 4 start four of them on any machine
+    /// for loops of a microsecond, which takes up to twice as long. A BLAS of POSIX threads has its
+    /// threads anyway; one of OpenMP needs `true` for them. Of no effect but on Linux.
+    bool threads = false;
 };
 
 /// Solves symmetric systems by CHOLMOD.

@@ -18,6 +18,39 @@ namespace ancf::suitesparse {
 
 namespace detail {
 
+// CHOLMOD before version 4 has a fixed number of threads. Its OpenMP is there if it is threaded;
+// names of its own, as a header of OpenMP may be there too and differ.
+#if defined(__linux__) && CHOLMOD_MAIN_VERSION < 4
+[[gnu::weak]] int openmp_levels() __asm__("omp_get_max_active_levels");
+[[gnu::weak]] void set_openmp_levels(int levels) __asm__("omp_set_max_active_levels");
+#define ANCF_CHOLMOD_LEVELS 1
+#endif
+
+/// While it lives, OpenMP starts no threads on behalf of the calling one.
+class Unthreaded {
+public:
+    /// @param wanted  false: leaves all as it is
+    explicit Unthreaded([[maybe_unused]] bool wanted) noexcept {
+#if defined(ANCF_CHOLMOD_LEVELS)
+        if (!wanted || openmp_levels == nullptr || set_openmp_levels == nullptr) return;
+        levels_ = openmp_levels();
+        set_openmp_levels(0);
+#endif
+    }
+    ~Unthreaded() {
+#if defined(ANCF_CHOLMOD_LEVELS)
+        if (levels_ >= 0) set_openmp_levels(levels_);
+#endif
+    }
+    Unthreaded(const Unthreaded&) = delete;
+    Unthreaded& operator=(const Unthreaded&) = delete;
+
+private:
+    [[maybe_unused]] int levels_ = -1;  // allowed before, -1: unchanged
+};
+
+#undef ANCF_CHOLMOD_LEVELS
+
 /// Returns CHOLMOD's view of a matrix, which it does not write to.
 [[nodiscard]] ANCF_INLINE cholmod_sparse view(const SparseMatrix& lower) noexcept {
     cholmod_sparse view = {};
@@ -144,6 +177,7 @@ ANCF_INLINE void Cholmod::analyze(const SparseMatrix& lower) {
 ANCF_INLINE FactorReport Cholmod::factorize(const SparseMatrix& lower) {
     stage_.begin_factorisation(name(), lower);
     if (lower.cols() == 0) return stage_.finished({Status::converged, -1, 1.0, 0});
+    const detail::Unthreaded unthreaded(!options_.threads);
     cholmod_sparse matrix = detail::view(lower);
     cholmod_factorize(&matrix, session_->factor(), &session_->common());
     session_->check();
@@ -162,6 +196,7 @@ ANCF_INLINE FactorReport Cholmod::factorize(const SparseMatrix& lower) {
 }
 
 ANCF_INLINE void Cholmod::substitute(const VectorX& b, VectorX& x) const {
+    const detail::Unthreaded unthreaded(!options_.threads);
     cholmod_dense right = {};
     right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
     right.ncol = 1;

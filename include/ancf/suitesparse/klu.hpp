@@ -28,8 +28,8 @@ struct KluOptions {
 
 /// Solves unsymmetric systems and saddle points by KLU.
 ///
-/// Rows are scaled by their largest entries. Each factorisation chooses its pivots anew, so that it
-/// depends on the matrix alone.
+/// Rows are scaled by their largest entries, measured so that no pivot depends on units. Each
+/// factorisation chooses its pivots anew, so that it depends on the matrix alone.
 class Klu final : public LinearSolver {
 public:
     /// @throws InvalidArgument for options outside their ranges.

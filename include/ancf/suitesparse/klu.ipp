@@ -8,11 +8,11 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
+#include <ancf/suitesparse/equilibrated.hpp>
 #include <ancf/suitesparse/klu.hpp>
 
 #include <klu.h>
 
-#include <cmath>
 #include <complex>
 #include <new>
 #include <vector>
@@ -41,6 +41,7 @@ struct Klu::Session {
     explicit Session(double pivot_tolerance) {
         klu_defaults(&common);
         common.tol = pivot_tolerance;
+        common.scale = -1;
     }
 
     // Throws what KLU's status asks for; a singular matrix is none of it.
@@ -51,6 +52,7 @@ struct Klu::Session {
     }
 
     klu_common common;
+    detail::Equilibrated<double> matrix;
     std::unique_ptr<klu_symbolic, detail::FreeOfKlu> symbolic;
     std::unique_ptr<klu_numeric, detail::FreeOfKlu> numeric;
 };
@@ -68,10 +70,10 @@ ANCF_INLINE void Klu::analyze(const SparseMatrix& matrix) {
     stage_.reset();
     session_.reset(new Session(options_.pivot_tolerance));
     if (matrix.cols() > 0) {
-        // KLU's interface takes its inputs as not constant; it does not write to them
+        detail::Equilibrated<double>& scaled = session_->matrix;
+        scaled.analyze(matrix);
         session_->symbolic.reset(
-            klu_analyze(static_cast<int>(matrix.cols()), const_cast<int*>(matrix.outerIndexPtr()),
-                        const_cast<int*>(matrix.innerIndexPtr()), &session_->common));
+            klu_analyze(scaled.size(), scaled.outer(), scaled.inner(), &session_->common));
         session_->check();
     }
     stage_.analysed(matrix);
@@ -81,16 +83,16 @@ ANCF_INLINE FactorReport Klu::factorize(const SparseMatrix& matrix) {
     stage_.begin_factorisation(name(), matrix);
     FactorReport report;
     session_->numeric.reset();
-    if (!ancf::detail::all_finite(matrix)) {
+    detail::Equilibrated<double>& scaled = session_->matrix;
+    if (!scaled.take(matrix.valuePtr())) {
         report.status = Status::not_finite;
     } else if (matrix.cols() == 0) {
         report.rcond = 1.0;
     } else if (!session_->symbolic) {
         ancf::detail::report_failure(matrix, -1, report);  // no pivots whatever the values
     } else {
-        session_->numeric.reset(klu_factor(
-            const_cast<int*>(matrix.outerIndexPtr()), const_cast<int*>(matrix.innerIndexPtr()),
-            const_cast<double*>(matrix.valuePtr()), session_->symbolic.get(), &session_->common));
+        session_->numeric.reset(klu_factor(scaled.outer(), scaled.inner(), scaled.values(),
+                                           session_->symbolic.get(), &session_->common));
         session_->check();
         if (session_->common.status == KLU_SINGULAR) {
             // which column is left without a pivot depends on KLU's order, not on the scene
@@ -106,9 +108,11 @@ ANCF_INLINE FactorReport Klu::factorize(const SparseMatrix& matrix) {
 
 ANCF_INLINE void Klu::substitute(const VectorX& b, VectorX& x) const {
     x = b;
+    session_->matrix.scale_right(x);
     klu_solve(session_->symbolic.get(), session_->numeric.get(), static_cast<int>(x.size()), 1,
               x.data(), &session_->common);
     session_->check();
+    session_->matrix.scale_solution(x);
 }
 
 ANCF_INLINE void Klu::solve(const VectorX& b, VectorX& x) const {
@@ -137,39 +141,35 @@ public:
     explicit ComplexKlu(double pivot_tolerance) {
         klu_defaults(&common_);
         common_.tol = pivot_tolerance;
+        common_.scale = -1;
     }
 
     void analyze(const SparseMatrix& pattern) override {
         ancf::detail::require_storage(name(), pattern, Storage::full);
-        outer_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + pattern.cols() + 1);
-        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
+        matrix_.analyze(pattern);
         numeric_.reset();
-        symbolic_.reset(
-            klu_analyze(static_cast<int>(pattern.cols()), outer_.data(), inner_.data(), &common_));
+        symbolic_.reset(klu_analyze(matrix_.size(), matrix_.outer(), matrix_.inner(), &common_));
         check();
     }
 
     [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
-        ancf::detail::require(values.size() == inner_.size(), name(), ": expected ", inner_.size(),
-                              " values, got ", values.size());
+        ancf::detail::require(values.size() == matrix_.entries(), name(), ": expected ",
+                              matrix_.entries(), " values, got ", values.size());
         numeric_.reset();
-        for (const std::complex<double>& value : values)
-            if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
-                return Status::not_finite;
+        if (!matrix_.take(values.data())) return Status::not_finite;
         if (!symbolic_) return Status::singular;
-        // of complex numbers the interface takes pairs of doubles, and does not write to them
-        numeric_.reset(
-            klu_z_factor(outer_.data(), inner_.data(),
-                         const_cast<double*>(reinterpret_cast<const double*>(values.data())),
-                         symbolic_.get(), &common_));
+        numeric_.reset(klu_z_factor(matrix_.outer(), matrix_.inner(), matrix_.values(),
+                                    symbolic_.get(), &common_));
         check();
         return common_.status == KLU_SINGULAR || !numeric_ ? Status::singular : Status::converged;
     }
 
     void solve(ComplexVectorX& b) const override {
+        matrix_.scale_right(b);
         klu_z_solve(symbolic_.get(), numeric_.get(), static_cast<int>(b.size()), 1,
                     reinterpret_cast<double*>(b.data()), &common_);
         check();
+        matrix_.scale_solution(b);
     }
 
     [[nodiscard]] std::string_view name() const noexcept override { return "complex klu"; }
@@ -182,7 +182,7 @@ private:
     }
 
     mutable klu_common common_;
-    std::vector<int> outer_, inner_;
+    Equilibrated<std::complex<double>> matrix_;
     std::unique_ptr<klu_symbolic, FreeOfKlu> symbolic_;
     std::unique_ptr<klu_numeric, FreeOfComplexKlu> numeric_;
 };

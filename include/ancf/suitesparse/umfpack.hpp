@@ -24,8 +24,8 @@ struct UmfpackOptions {
 
 /// Solves unsymmetric systems and saddle points by UMFPACK.
 ///
-/// Rows are scaled, pivots chosen for size and sparsity, each solution refined. Keeps a copy of the
-/// matrix for the refinement.
+/// Rows and columns are scaled so that nothing depends on units, pivots chosen for size and
+/// sparsity, each solution refined. Keeps a copy of the matrix for the refinement.
 class Umfpack final : public LinearSolver {
 public:
     /// @throws InvalidArgument for negative refinement steps or a singular_rcond outside [0, 1).
@@ -57,12 +57,11 @@ private:
         void operator()(Session* session) const noexcept;
     };
 
-    [[nodiscard]] FactorReport factorize_numbers();
+    void factorize_numbers(const SparseMatrix& matrix, FactorReport& report);
     void substitute(const VectorX& b, VectorX& x) const;
 
     UmfpackOptions options_;
     std::unique_ptr<Session, Finish> session_;
-    SparseMatrix matrix_;
     ancf::detail::SolverStage stage_;
 };
 

@@ -8,12 +8,12 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
+#include <ancf/suitesparse/equilibrated.hpp>
 #include <ancf/suitesparse/umfpack.hpp>
 
 #include <umfpack.h>
 
 #include <array>
-#include <cmath>
 #include <complex>
 #include <new>
 #include <vector>
@@ -35,6 +35,7 @@ struct Umfpack::Session {
     explicit Session(const UmfpackOptions& options) {
         umfpack_di_defaults(control.data());
         control[UMFPACK_PRL] = 0.0;
+        control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
         control[UMFPACK_IRSTEP] = options.refinement_steps;
     }
 
@@ -45,6 +46,7 @@ struct Umfpack::Session {
     }
 
     std::array<double, UMFPACK_CONTROL> control;
+    detail::Equilibrated<double> matrix;
     std::unique_ptr<void, detail::FreeSymbolicOfUmfpack> symbolic;
     std::unique_ptr<void, detail::FreeNumericOfUmfpack> numeric;
 };
@@ -62,11 +64,12 @@ ANCF_INLINE void Umfpack::analyze(const SparseMatrix& matrix) {
     stage_.reset();
     session_.reset(new Session(options_));
     if (matrix.cols() > 0) {
-        const int size = static_cast<int>(matrix.cols());
+        detail::Equilibrated<double>& scaled = session_->matrix;
+        scaled.analyze(matrix);
         void* symbolic = nullptr;  // by the pattern alone: the values may not be known yet
         const int status =
-            umfpack_di_symbolic(size, size, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
-                                &symbolic, session_->control.data(), nullptr);
+            umfpack_di_symbolic(scaled.size(), scaled.size(), scaled.outer(), scaled.inner(),
+                                nullptr, &symbolic, session_->control.data(), nullptr);
         session_->symbolic.reset(symbolic);
         Session::check(status);
     }
@@ -76,40 +79,41 @@ ANCF_INLINE void Umfpack::analyze(const SparseMatrix& matrix) {
 ANCF_INLINE FactorReport Umfpack::factorize(const SparseMatrix& matrix) {
     stage_.begin_factorisation(name(), matrix);
     FactorReport report;
-    if (!ancf::detail::all_finite(matrix)) {
+    if (!session_->matrix.take(matrix.valuePtr())) {
         report.status = Status::not_finite;
     } else if (matrix.cols() > 0) {
-        matrix_ = matrix;
-        report = factorize_numbers();
+        factorize_numbers(matrix, report);
     } else {
         report.rcond = 1.0;
     }
     return stage_.finished(report);
 }
 
-ANCF_INLINE FactorReport Umfpack::factorize_numbers() {
+ANCF_INLINE void Umfpack::factorize_numbers(const SparseMatrix& matrix, FactorReport& report) {
+    detail::Equilibrated<double>& scaled = session_->matrix;
     void* numeric = nullptr;
     const int status =
-        umfpack_di_numeric(matrix_.outerIndexPtr(), matrix_.innerIndexPtr(), matrix_.valuePtr(),
+        umfpack_di_numeric(scaled.outer(), scaled.inner(), scaled.values(),
                            session_->symbolic.get(), &numeric, session_->control.data(), nullptr);
     session_->numeric.reset(numeric);
     Session::check(status);
-    FactorReport report;
     if (status == UMFPACK_WARNING_singular_matrix) {
-        ancf::detail::report_failure(matrix_, -1, report);
+        ancf::detail::report_failure(matrix, -1, report);
     } else {
         ancf::detail::report_condition(
-            matrix_, options_.singular_rcond,
+            matrix, options_.singular_rcond,
             [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
     }
-    return report;
 }
 
 ANCF_INLINE void Umfpack::substitute(const VectorX& b, VectorX& x) const {
-    VectorX solution(b.size());
-    Session::check(umfpack_di_solve(UMFPACK_A, matrix_.outerIndexPtr(), matrix_.innerIndexPtr(),
-                                    matrix_.valuePtr(), solution.data(), b.data(),
-                                    session_->numeric.get(), session_->control.data(), nullptr));
+    detail::Equilibrated<double>& scaled = session_->matrix;
+    VectorX right = b, solution(b.size());
+    scaled.scale_right(right);
+    Session::check(umfpack_di_solve(UMFPACK_A, scaled.outer(), scaled.inner(), scaled.values(),
+                                    solution.data(), right.data(), session_->numeric.get(),
+                                    session_->control.data(), nullptr));
+    scaled.scale_solution(solution);
     x.swap(solution);
 }
 
@@ -138,33 +142,31 @@ public:
     explicit ComplexUmfpack(int refinement_steps) {
         umfpack_zi_defaults(control_.data());
         control_[UMFPACK_PRL] = 0.0;
+        control_[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
         control_[UMFPACK_IRSTEP] = refinement_steps;
     }
 
     void analyze(const SparseMatrix& pattern) override {
         ancf::detail::require_storage(name(), pattern, Storage::full);
-        outer_.assign(pattern.outerIndexPtr(), pattern.outerIndexPtr() + pattern.cols() + 1);
-        inner_.assign(pattern.innerIndexPtr(), pattern.innerIndexPtr() + pattern.nonZeros());
+        matrix_.analyze(pattern);
         numeric_.reset();
-        const int size = static_cast<int>(pattern.cols());
         void* symbolic = nullptr;
-        const int status = umfpack_zi_symbolic(size, size, outer_.data(), inner_.data(), nullptr,
-                                               nullptr, &symbolic, control_.data(), nullptr);
+        const int status =
+            umfpack_zi_symbolic(matrix_.size(), matrix_.size(), matrix_.outer(), matrix_.inner(),
+                                nullptr, nullptr, &symbolic, control_.data(), nullptr);
         symbolic_.reset(symbolic);
         check(status);
     }
 
     [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
-        ancf::detail::require(values.size() == inner_.size(), name(), ": expected ", inner_.size(),
-                              " values, got ", values.size());
+        ancf::detail::require(values.size() == matrix_.entries(), name(), ": expected ",
+                              matrix_.entries(), " values, got ", values.size());
         numeric_.reset();
-        for (const std::complex<double>& value : values)
-            if (!std::isfinite(value.real()) || !std::isfinite(value.imag()))
-                return Status::not_finite;
-        values_ = values;
+        if (!matrix_.take(values.data())) return Status::not_finite;
         void* numeric = nullptr;
-        const int status = umfpack_zi_numeric(outer_.data(), inner_.data(), pairs(), nullptr,
-                                              symbolic_.get(), &numeric, control_.data(), nullptr);
+        const int status =
+            umfpack_zi_numeric(matrix_.outer(), matrix_.inner(), matrix_.values(), nullptr,
+                               symbolic_.get(), &numeric, control_.data(), nullptr);
         numeric_.reset(numeric);
         check(status);
         return status == UMFPACK_WARNING_singular_matrix ? Status::singular : Status::converged;
@@ -172,11 +174,13 @@ public:
 
     void solve(ComplexVectorX& b) const override {
         ComplexVectorX x(b.size());
-        check(umfpack_zi_solve(UMFPACK_A, outer_.data(), inner_.data(), pairs(), nullptr,
-                               reinterpret_cast<double*>(x.data()), nullptr,
+        matrix_.scale_right(b);
+        check(umfpack_zi_solve(UMFPACK_A, matrix_.outer(), matrix_.inner(), matrix_.values(),
+                               nullptr, reinterpret_cast<double*>(x.data()), nullptr,
                                reinterpret_cast<const double*>(b.data()), nullptr, numeric_.get(),
                                control_.data(), nullptr));
         b.swap(x);
+        matrix_.scale_solution(b);
     }
 
     [[nodiscard]] std::string_view name() const noexcept override { return "complex umfpack"; }
@@ -186,13 +190,9 @@ private:
         if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
         ancf::detail::require(status >= UMFPACK_OK, "umfpack refused the matrix, status ", status);
     }
-    [[nodiscard]] const double* pairs() const noexcept {
-        return reinterpret_cast<const double*>(values_.data());
-    }
 
     std::array<double, UMFPACK_CONTROL> control_;
-    std::vector<int> outer_, inner_;
-    std::vector<std::complex<double>> values_;
+    mutable Equilibrated<std::complex<double>> matrix_;  // UMFPACK only reads it
     std::unique_ptr<void, FreeComplexSymbolicOfUmfpack> symbolic_;
     std::unique_ptr<void, FreeComplexNumericOfUmfpack> numeric_;
 };

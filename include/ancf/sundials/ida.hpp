@@ -25,7 +25,7 @@ namespace ancf::sundials {
 /// The highest order that IDA may use. Orders 3 and 4 are never a good limit: 3 to 5 amplify
 /// undamped vibrations, and 5 is at least the most accurate of them.
 enum class Order {
-    automatic,  ///< two for stiff scenes, five for soft ones, by their frequencies
+    automatic,  ///< two for stiff scenes and frames of stiff joints, else five
     two,
     five
 };

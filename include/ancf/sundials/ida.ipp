@@ -67,7 +67,9 @@ private:
     [[nodiscard]] Scales scales();
     [[nodiscard]] int order_limit();
     void set_up();
-    void set_tolerances();
+    void set_start();
+    void fill_tolerances(Eigen::Map<VectorX>& absolute);
+    void choose_error_test();
     [[nodiscard]] double first_step() const;
     [[nodiscard]] bool step();
     [[nodiscard]] bool lost_in_round_off() const;
@@ -117,14 +119,26 @@ ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
       klu_(make_klu(context_, y_.get(), matrix_.get())),
       ida_(make_ida(context_)),
       time_(start.time) {
+    set_up();
+}
+
+// Fills y and dy, in units of the absolute tolerances. Rates are measured by the highest frequency
+// where it is known: c is of that size where accuracy asks for no smaller step.
+ANCF_INLINE void IdaRun::set_start() {
     auto y = view(y_.get());
     auto dy = view(dy_.get());
-    system_.q(y) = start.q;
-    system_.v(y) = start.v;
-    system_.lambda(y) = start.multipliers;
-    system_.q(dy) = start.v;
-    system_.v(dy) = start.acceleration;
-    set_up();
+    system_.q(y) = start_.q;
+    system_.v(y) = start_.v;
+    system_.lambda(y) = start_.multipliers;
+    system_.q(dy) = start_.v;
+    system_.v(dy) = start_.acceleration;
+    auto absolute = view(tolerances_.get());
+    fill_tolerances(absolute);
+    VectorX sizes = absolute;
+    if (report_.highest_frequency > 0.0)
+        system_.v(sizes) = report_.highest_frequency * system_.q(absolute);
+    system_.set_units(sizes);
+    for (auto& column : {&y, &dy, &absolute}) *column = column->cwiseQuotient(system_.units());
 }
 
 ANCF_INLINE void IdaRun::set_up() {
@@ -132,9 +146,11 @@ ANCF_INLINE void IdaRun::set_up() {
     slow_frequency_ = problem_.motion_frequency(start_);
     if (slow_frequency_ == 0.0) slow_frequency_ = problem_.lowest_frequency(start_.time, start_.q);
     report_.order = order_limit();
+    set_start();
     call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
     call(IDASetUserData(ida, &system_));
-    set_tolerances();
+    call(IDASVtolerances(ida, options_.tolerance, tolerances_.get()));
+    choose_error_test();
     SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
     call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
     call(IDASetJacFn(ida, &IdaSystem::jacobian));
@@ -167,11 +183,11 @@ ANCF_INLINE IdaRun::Scales IdaRun::scales() {
     return s;
 }
 
-ANCF_INLINE void IdaRun::set_tolerances() {
+// The absolute tolerances, in the units of the scene.
+ANCF_INLINE void IdaRun::fill_tolerances(Eigen::Map<VectorX>& absolute) {
     const Scales s = scales();
     VectorX sizes;
     problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
-    auto absolute = view(tolerances_.get());
     system_.q(absolute) = options_.tolerance * sizes;
     system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
     // Newton's method cannot bring multipliers below the round-off of the forces they balance, of
@@ -186,9 +202,10 @@ ANCF_INLINE void IdaRun::set_tolerances() {
     };
     measured(std::max(options_.tolerance * s.force, resolved), system_.lambda(absolute));
     measured(options_.tolerance * s.force * s.length / s.velocity, system_.mu(absolute));
-    call(IDASVtolerances(ida_.get(), options_.tolerance, tolerances_.get()));
+}
 
-    // the error test sees positions, and rates where the form holds them on the constraints
+// The error test sees positions, and rates where the form holds them on the constraints.
+ANCF_INLINE void IdaRun::choose_error_test() {
     auto differential = view(dense_.get());
     differential.setZero();
     system_.q(differential).setOnes();
@@ -204,6 +221,9 @@ ANCF_INLINE int IdaRun::order_limit() {
     constexpr double steps_in_a_period = 20000.0;
     constexpr double stable = 0.7;
     report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
+    // a stiff joint carries no motion of its own, but its frequency would hold order 5's step down
+    for (const auto& group : problem_.model().groups())
+        if (group->one_node()) return 2;
     if (slow_frequency_ == 0.0) return 5;
     const double period = 2.0 * pi / slow_frequency_;
     return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
@@ -280,7 +300,7 @@ ANCF_INLINE bool IdaRun::lost_in_round_off() const {
 
 // What a step left: energy and constraints, before any projection.
 ANCF_INLINE void IdaRun::monitor() {
-    const auto y = view(y_.get());
+    const VectorX y = view(y_.get()).cwiseProduct(system_.units());
     q_ = system_.q(y);
     v_ = system_.v(y);
     lambda_ = system_.lambda(y);
@@ -293,7 +313,7 @@ ANCF_INLINE void IdaRun::observe_until(double time) {
         const double at = schedule_.times[next_];
         const bool between = at < time_;
         if (between) call(IDAGetDky(ida_.get(), at, 0, dense_.get()));
-        const auto y = view(between ? dense_.get() : y_.get());
+        const VectorX y = view(between ? dense_.get() : y_.get()).cwiseProduct(system_.units());
         schedule_.observe(
             problem_.snapshot(at, system_.q(y), system_.v(y), system_.lambda(y), observed_));
     }

@@ -9,6 +9,9 @@
 ///     index 3:  F = (q' - v,                 M v' + r, g)
 ///     GGL:      F = (M (q' - v) + G^T mu,    M v' + r, g, G v + g_t)
 ///
+/// IDA holds y in units of powers of two, so that the columns of the Jacobian compare in KLU
+/// whatever the units of the scene; KLU scales the rows itself.
+///
 /// No exception leaves a callback: it is kept and thrown again once IDA has returned.
 
 #pragma once
@@ -34,6 +37,11 @@ public:
 
     [[nodiscard]] Eigen::Index size() const noexcept { return map_.size(); }
     [[nodiscard]] const JacobianMap& map() const noexcept { return map_; }
+
+    /// Sets the units of y, one for each entry, near the given sizes.
+    void set_units(const VectorX& sizes);
+    /// Returns them.
+    [[nodiscard]] const VectorX& units() const noexcept { return units_; }
 
     /// The parts of y or of a vector of its size; mu is empty for index 3.
     template <class Column>
@@ -84,7 +92,7 @@ private:
     template <class Work>
     int guarded(const Work& work) noexcept;
 
-    // Evaluates the problem at y; false where an element failed.
+    // Evaluates the problem at y, in the units of IDA; false where an element failed.
     [[nodiscard]] bool evaluate(double t, const View& y, Request request);
 
     // Whether a step to t may take the turns of driven joints.
@@ -98,7 +106,7 @@ private:
     int n_, m_;
     Request request_;
     JacobianMap map_;
-    VectorX q_, v_, lambda_, mu_, gap_, kinematic_;
+    VectorX units_, y_, dy_, q_, v_, lambda_, mu_, gap_, kinematic_;
     SparseMatrix velocity_level_;
     double begin_ = 0.0;
     std::string turn_;

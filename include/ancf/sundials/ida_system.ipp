@@ -6,11 +6,13 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/sundials/ida_system.hpp>
 
 #include <sunmatrix/sunmatrix_sparse.h>
 
+#include <cmath>
 #include <exception>
 
 namespace ancf::sundials::detail {
@@ -21,7 +23,14 @@ ANCF_INLINE IdaSystem::IdaSystem(DynamicProblem& problem, Form form)
       n_(problem.size()),
       m_(problem.multipliers()),
       request_(problem.model().loads().empty() ? Request::tangent : Request::tangent_and_damping),
-      map_(problem.mass(), n_, form) {}
+      map_(problem.mass(), n_, form),
+      units_(VectorX::Ones(map_.size())) {}
+
+ANCF_INLINE void IdaSystem::set_units(const VectorX& sizes) {
+    for (Eigen::Index i = 0; i < units_.size(); ++i)
+        units_[i] =
+            sizes[i] > 0.0 ? ancf::detail::power_of_two(std::ilogb(sizes[i])) : 1.0;  // exact
+}
 
 template <class Work>
 int IdaSystem::guarded(const Work& work) noexcept {
@@ -47,10 +56,11 @@ ANCF_INLINE int IdaSystem::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_
 }
 
 ANCF_INLINE bool IdaSystem::evaluate(double t, const View& y, Request request) {
-    q_ = q(y);
-    v_ = v(y);
-    lambda_ = lambda(y);
-    mu_ = mu(y);
+    y_ = y.cwiseProduct(units_);
+    q_ = q(y_);
+    v_ = v(y_);
+    lambda_ = lambda(y_);
+    mu_ = mu(y_);
     const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
     if (fault) fault_ = fault;  // kept: the attempts that follow may stay before it
     return !fault;
@@ -66,10 +76,11 @@ ANCF_INLINE bool IdaSystem::turns_fit(double t) {
 ANCF_INLINE int IdaSystem::write_residual(double t, const View& y, const View& dy, View r) {
     if (!turns_fit(t) || !evaluate(t, y, Request::force)) return recoverable;
     const SparseMatrix& mass = problem_.compact_mass();
+    dy_ = dy.cwiseProduct(units_);
     v(r) = problem_.force();
-    v(r).noalias() += mass * v(dy);
+    v(r).noalias() += mass * v(dy_);
     lambda(r) = problem_.constraint_residual();
-    gap_ = q(dy) - v_;
+    gap_ = q(dy_) - v_;
     if (form_ == Form::index3) {
         q(r) = gap_;
         return good;
@@ -93,8 +104,11 @@ ANCF_INLINE int IdaSystem::write_jacobian(double t, double c, const View& y, SUN
     const JacobianParts parts{problem_.tangent(), problem_.mass(),
                               request_ == Request::tangent ? nullptr : &problem_.damping(),
                               stabilised ? &velocity_level_ : nullptr};
-    map_.fill(parts, c, SUNSparseMatrix_IndexPointers(matrix), SUNSparseMatrix_IndexValues(matrix),
-              SUNSparseMatrix_Data(matrix));
+    sunindextype* outer = SUNSparseMatrix_IndexPointers(matrix);
+    double* values = SUNSparseMatrix_Data(matrix);
+    map_.fill(parts, c, outer, SUNSparseMatrix_IndexValues(matrix), values);
+    for (Eigen::Index j = 0; j < units_.size(); ++j)
+        for (sunindextype k = outer[j]; k < outer[j + 1]; ++k) values[k] *= units_[j];
     return good;
 }
 

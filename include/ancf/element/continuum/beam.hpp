@@ -20,7 +20,6 @@
 #include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
-#include <ancf/element/section_forces.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>

@@ -23,14 +23,15 @@
 #include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
-#include <ancf/element/section_forces.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/element/upright.hpp>
 #include <ancf/section/material.hpp>
+#include <ancf/section/moments.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/section/stiffness.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -204,7 +205,7 @@ public:
     [[nodiscard]] double length() const noexcept { return line_.length(); }
     /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
     [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with.
+    /// Returns the options it was made with; the rule is the one that it takes.
     [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
@@ -327,6 +328,13 @@ CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const Material& material,
                                                                           const Section& section) {
+    if constexpr (Measure::engineering && !quintic) {
+        const Moments& m = section.moments();
+        const double depth = 4.0 * std::sqrt(std::max(m.yy, m.zz) / m.area);
+        if (options_.three_points_where_short && options_.rule.name() == "mixed" &&
+            line_.length() < depth)
+            options_.rule = Rule::gauss(3);
+    }
     detail::require_points(options_.rule, StrainGroup::axial, "axial", quintic ? 5 : 3);
     detail::require_points(options_.rule, StrainGroup::bending, "bending", quintic ? 4 : 2);
     detail::require_points(options_.rule, StrainGroup::shear, "shear", Shear::nodal ? 2 : 3);

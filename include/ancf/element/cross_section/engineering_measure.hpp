@@ -6,7 +6,8 @@
 ///
 /// Components of F_x = r0' + y D_y' + z D_z' in the section's own directions, D_y and D_z the unit
 /// slopes and D_y x D_z, instead of products of F_x with itself. The element then converges to the
-/// geometrically exact beam. Derivation: docs/theory-measures.md.
+/// geometrically exact beam. Curvatures are those of the rectangle that the slopes are nearest to:
+/// bending does not shear the section. Derivation: docs/theory-measures.md.
 
 #pragma once
 
@@ -27,13 +28,13 @@ struct EngineeringMeasure {
     static constexpr unsigned pattern[detail::invariant_count] = {0b0010'0100'0001,   // lam
                                                                   0b0101'0000'0110,   // kap
                                                                   0b0101'0000'0110,   // chi
-                                                                  0b0100'0000'0010,   // om
-                                                                  0b0001'0000'0100,   // om2
+                                                                  0b0100'0000'0110,   // om
+                                                                  0b0001'0000'0110,   // om2
                                                                   0b0101'0000'0111,   // phi
                                                                   0b0101'0100'0111,   // s
-                                                                  0b0100'0000'0010,   // s1
+                                                                  0b0100'0000'0110,   // s1
                                                                   0b0111'0000'0111,   // q
-                                                                  0b0001'0000'0100};  // q1
+                                                                  0b0001'0000'0110};  // q1
 
     /// A function of (phi, s, q) with its derivatives.
     template <class S>
@@ -103,6 +104,29 @@ struct EngineeringMeasure {
                               S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
 
 private:
+    /// Returns the curvature e2 as r_y has it, D_x.D_y', and e3 as r_z has it.
+    template <class S>
+    static S curvature_y(const Rates<S>& r) noexcept {
+        return r.a * r.sig - r.b * r.Y;
+    }
+    template <class S>
+    static S curvature_z(const Rates<S>& r) noexcept {
+        return r.a2 * r.tau - r.b2 * r.Z;
+    }
+    /// Returns half the cosine of the angle between the slopes, D_y.D_z/2.
+    template <class S>
+    static S half_cosine(const detail::Invariants<S>& w, const Rates<S>& r) noexcept {
+        return 0.5 * (w.s * w.q + r.cy * r.cz * w.C);
+    }
+    template <class S>
+    static void add_half_cosine(const detail::Invariants<S>& w, const Rates<S>& r,
+                                const S (&sigma)[detail::strain_count],
+                                S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+    /// Writes the derivatives of both curvatures, J[i][1] and J[i][2].
+    template <class S>
+    static void curvature_jacobian(const detail::Invariants<S>& w, const Rates<S>& r,
+                                   detail::StrainJacobian<S>& J) noexcept;
+
     /// Returns f a + g b and f a2 + g b2 with all derivatives.
     template <class S>
     static Factor<S> y_factor(const detail::Invariants<S>& w, const Rates<S>& r, const S& f,
@@ -124,8 +148,9 @@ template <class S>
 void EngineeringMeasure::strains(const detail::Invariants<S>& w, const Rates<S>& r,
                                  S (&e)[detail::strain_count]) noexcept {
     e[0] = w.lam * r.cy * r.cz * w.S_ - 1.0;
-    e[1] = r.a * r.sig - r.b * r.Y;
-    e[2] = r.a2 * r.tau - r.b2 * r.Z;
+    const S half = half_cosine(w, r), y = curvature_y(r), z = curvature_z(r);
+    e[1] = y - half * z;
+    e[2] = z - half * y;
     e[3] = e[4] = e[5] = S(0.0);
     e[6] = w.lam * w.s;
     e[7] = S(0.0);
@@ -136,46 +161,80 @@ void EngineeringMeasure::strains(const detail::Invariants<S>& w, const Rates<S>&
 }
 
 template <class S>
+void EngineeringMeasure::curvature_jacobian(const detail::Invariants<S>& w, const Rates<S>& r,
+                                            detail::StrainJacobian<S>& J) noexcept {
+    using namespace detail;
+    const S &C = w.C, &Z_ = w.S_, &s = w.s, &q = w.q;
+    const S sy = s * r.icy, qz = q * r.icz;  // tangents of the shears
+    J[w_lam][1] = J[w_lam][2] = S(0.0);
+    J[w_kap][1] = -r.a;
+    J[w_kap][2] = r.b2 * q * Z_ - r.a2 * C;
+    J[w_chi][1] = -r.b * s;
+    J[w_chi][2] = -(r.a2 * Z_ + r.b2 * q * C);
+    J[w_om][1] = -r.b * r.cy;
+    J[w_om2][2] = -r.b2 * r.cz;
+    J[w_om][2] = J[w_om2][1] = S(0.0);
+    const S a_p = r.cz * C, b_p = s * r.cz * Z_, a2_p = r.cy * C, b2_p = -r.cy * q * Z_;
+    J[w_phi][1] = a_p * r.sig - b_p * r.Y;
+    J[w_phi][2] = a2_p * r.tau - b2_p * r.Z - r.a2 * w.chi2 + r.b2 * q * w.kap2;
+    const S b_s = -(q * sy + r.cz * C), a2_s = -sy * Z_, b2_s = -(sy * q * C + r.cz);
+    J[w_s][1] = r.a * (w.s1 * sy * r.icy * r.icy) - r.b * (w.chi - w.om * sy) - b_s * r.Y;
+    J[w_s][2] = a2_s * r.tau - b2_s * r.Z;
+    J[w_s1][1] = r.a * r.icy;
+    J[w_q1][2] = r.a2 * r.icz;
+    J[w_s1][2] = J[w_q1][1] = S(0.0);
+    const S a_q = -qz * Z_, b_q = r.cy + s * qz * C, b2_q = r.cy * C + s * qz;
+    J[w_q][1] = a_q * r.sig - b_q * r.Y;
+    J[w_q][2] = r.a2 * (w.q1 * qz * r.icz * r.icz) - r.b2 * (w.chi2 - w.om2 * qz) - b2_q * r.Z;
+}
+
+template <class S>
 void EngineeringMeasure::jacobian(const detail::Invariants<S>& w, const Rates<S>& r,
                                   detail::StrainJacobian<S>& J) noexcept {
     using namespace detail;
     const S &C = w.C, &Z_ = w.S_, &s = w.s, &q = w.q;
     const S sy = s * r.icy, qz = q * r.icz;  // tangents of the shears
+    curvature_jacobian(w, r, J);
+    const S half = half_cosine(w, r);
+    for (int i = 0; i < invariant_count; ++i) {
+        const S y = J[i][1], z = J[i][2];
+        J[i][1] = y - half * z;
+        J[i][2] = z - half * y;
+    }
+    const S by_phi = -0.5 * r.cy * r.cz * Z_;
+    const S by_s = 0.5 * (q - sy * r.cz * C), by_q = 0.5 * (s - r.cy * qz * C);
+    const S y = curvature_y(r), z = curvature_z(r);
+    J[w_phi][1] -= by_phi * z, J[w_phi][2] -= by_phi * y;
+    J[w_s][1] -= by_s * z, J[w_s][2] -= by_s * y;
+    J[w_q][1] -= by_q * z, J[w_q][2] -= by_q * y;
+
     J[w_lam][0] = r.cy * r.cz * Z_, J[w_lam][6] = s, J[w_lam][9] = q;
-    J[w_kap][1] = -r.a, J[w_kap][10] = -r.b;
-    J[w_kap][2] = r.b2 * q * Z_ - r.a2 * C, J[w_kap][8] = r.b2 * C + r.a2 * q * Z_;
-    J[w_chi][1] = -r.b * s, J[w_chi][10] = r.a * s;
-    J[w_chi][2] = -(r.a2 * Z_ + r.b2 * q * C), J[w_chi][8] = r.b2 * Z_ - r.a2 * q * C;
-    J[w_om][1] = -r.b * r.cy, J[w_om][10] = r.a * r.cy;
-    J[w_om2][2] = -r.b2 * r.cz, J[w_om2][8] = -r.a2 * r.cz;
+    J[w_kap][10] = -r.b, J[w_kap][8] = r.b2 * C + r.a2 * q * Z_;
+    J[w_chi][10] = r.a * s, J[w_chi][8] = r.b2 * Z_ - r.a2 * q * C;
+    J[w_om][10] = r.a * r.cy;
+    J[w_om2][8] = -r.a2 * r.cz;
 
     const S a_p = r.cz * C, b_p = s * r.cz * Z_, a2_p = r.cy * C, b2_p = -r.cy * q * Z_;
     const S tau_p = -w.chi2, Z_p = -q * w.kap2;
     J[w_phi][0] = w.lam * r.cy * r.cz * C;
-    J[w_phi][1] = a_p * r.sig - b_p * r.Y;
     J[w_phi][10] = b_p * r.sig + a_p * r.Y;
-    J[w_phi][2] = a2_p * r.tau - b2_p * r.Z + r.a2 * tau_p - r.b2 * Z_p;
     J[w_phi][8] = -(b2_p * r.tau + a2_p * r.Z + r.b2 * tau_p + r.a2 * Z_p);
 
     const S b_s = -(q * sy + r.cz * C), a2_s = -sy * Z_, b2_s = -(sy * q * C + r.cz);
     const S sig_s = w.s1 * sy * r.icy * r.icy, Y_s = w.chi - w.om * sy;
     J[w_s][0] = -w.lam * sy * r.cz * Z_;
-    J[w_s][1] = r.a * sig_s - r.b * Y_s - b_s * r.Y;
     J[w_s][10] = r.b * sig_s + r.a * Y_s + b_s * r.sig;
-    J[w_s][2] = a2_s * r.tau - b2_s * r.Z;
     J[w_s][8] = -(b2_s * r.tau + a2_s * r.Z);
     J[w_s][6] = w.lam;
-    J[w_s1][1] = r.a * r.icy, J[w_s1][10] = r.b * r.icy;
+    J[w_s1][10] = r.b * r.icy;
 
     const S a_q = -qz * Z_, b_q = r.cy + s * qz * C, b2_q = r.cy * C + s * qz;
     const S tau_q = w.q1 * qz * r.icz * r.icz, Z_q = w.chi2 - w.om2 * qz;
     J[w_q][0] = -w.lam * r.cy * qz * Z_;
-    J[w_q][1] = a_q * r.sig - b_q * r.Y;
     J[w_q][10] = b_q * r.sig + a_q * r.Y;
-    J[w_q][2] = r.a2 * tau_q - r.b2 * Z_q - b2_q * r.Z;
     J[w_q][8] = -(r.b2 * tau_q + r.a2 * Z_q + b2_q * r.tau);
     J[w_q][9] = w.lam;
-    J[w_q1][2] = r.a2 * r.icz, J[w_q1][8] = -r.b2 * r.icz;
+    J[w_q1][8] = -r.b2 * r.icz;
 }
 
 template <class S>
@@ -279,14 +338,46 @@ void EngineeringMeasure::add_z(const detail::Invariants<S>& w, const Rates<S>& r
     D[w_q][w_q1] += al.q * r.icz + al.value * (qz * z2);
 }
 
+/// Adds -(d half x d(sigma_2 z + sigma_3 y) + its transpose) - (sigma_2 z + sigma_3 y) d2 half.
+template <class S>
+void EngineeringMeasure::add_half_cosine(
+    const detail::Invariants<S>& w, const Rates<S>& r, const S (&sigma)[detail::strain_count],
+    S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+    using namespace detail;
+    const S &C = w.C, &Z_ = w.S_, &s = w.s, &q = w.q;
+    const S sy = s * r.icy, qz = q * r.icz;
+    StrainJacobian<S> J;
+    curvature_jacobian(w, r, J);
+    const int places[] = {w_phi, w_s, w_q};
+    const S first[] = {-0.5 * r.cy * r.cz * Z_, 0.5 * (q - sy * r.cz * C),
+                       0.5 * (s - r.cy * qz * C)};
+    for (int i = 0; i < invariant_count; ++i) {
+        const S of_i = sigma[1] * J[i][2] + sigma[2] * J[i][1];
+        for (int k = 0; k < 3; ++k) {
+            const S change = first[k] * of_i;
+            if (i <= places[k]) D[i][places[k]] -= change;
+            if (i >= places[k]) D[places[k]][i] -= change;
+        }
+    }
+    const S weight = 0.5 * (sigma[1] * curvature_z(r) + sigma[2] * curvature_y(r));
+    D[w_phi][w_phi] += weight * (r.cy * r.cz * C);
+    D[w_phi][w_s] -= weight * (sy * r.cz * Z_);
+    D[w_phi][w_q] -= weight * (r.cy * qz * Z_);
+    D[w_s][w_s] += weight * (r.cz * C * r.icy * r.icy * r.icy);
+    D[w_s][w_q] -= weight * (1.0 + sy * qz * C);
+    D[w_q][w_q] += weight * (r.cy * C * r.icz * r.icz * r.icz);
+}
+
 template <class S>
 void EngineeringMeasure::add_curvature(
     const detail::Invariants<S>& w, const Rates<S>& r, const S (&sigma)[detail::strain_count],
     S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
     using namespace detail;
-    add_y(w, r, y_factor(w, r, sigma[1], sigma[10]), y_factor(w, r, sigma[10], S(-sigma[1])), D);
-    add_z(w, r, z_factor(w, r, sigma[2], S(-sigma[8])), z_factor(w, r, S(-sigma[8]), S(-sigma[2])),
-          D);
+    const S half = half_cosine(w, r);
+    const S of_y = sigma[1] - half * sigma[2], of_z = sigma[2] - half * sigma[1];
+    add_y(w, r, y_factor(w, r, of_y, sigma[10]), y_factor(w, r, sigma[10], S(-of_y)), D);
+    add_z(w, r, z_factor(w, r, of_z, S(-sigma[8])), z_factor(w, r, S(-sigma[8]), S(-of_z)), D);
+    add_half_cosine(w, r, sigma, D);
     const S sy = w.s * r.icy, qz = w.q * r.icz;
     const S f = sigma[0], F = sigma[0] * w.lam;
     D[w_lam][w_phi] += f * (r.cy * r.cz * w.C);

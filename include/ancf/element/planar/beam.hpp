@@ -19,7 +19,6 @@
 #include <ancf/element/planar/kernel.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
-#include <ancf/element/section_forces.hpp>
 #include <ancf/element/upright.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>

@@ -17,7 +17,6 @@
 #include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
-#include <ancf/element/section_forces.hpp>
 #include <ancf/element/torsion/kernel.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
@@ -34,6 +33,9 @@ namespace ancf {
 struct TorsionBeamOptions {
     /// Stations of the axial, bending and torsion terms; the group of shear does not apply.
     Rule rule = Rule::mixed();
+
+    /// What is most accurate for its cost: the default.
+    [[nodiscard]] static TorsionBeamOptions best() { return {}; }
 };
 
 /// The Euler-Bernoulli beam with Saint-Venant's torsion.

@@ -19,6 +19,7 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -84,10 +85,12 @@ struct JointBlock {
     void add(const Profile& profile);
 };
 
+/// The prototypes of joints' bodies that were made, by volume, Young's and shear modulus, density.
+using BodyPrototypes = std::map<std::array<double, 4>, int>;
+
 /// Gives a joint its body.
-/// @param made  blocks for which a prototype is there, with its index
 void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
-                    std::vector<std::pair<JointBlock, int>>& made);
+                    BodyPrototypes& made);
 
 /// The prototypes of members that were made, by profile and length of an element.
 class MemberPrototypes {
@@ -100,6 +103,9 @@ public:
 private:
     std::map<std::pair<int, double>, int> made_;
 };
+
+/// @throws InvalidArgument unless all components of all points are finite.
+void check_points(const char* name, const double* components, std::size_t count, int dimension);
 
 /// @throws InvalidArgument unless both ends are there and differ, and so is the profile.
 void check_member(const char* name, const Member& member, std::size_t points, std::size_t profiles);
@@ -119,27 +125,41 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
                            const Vector<double, Dimension>& y_axis, double strain,
                            const Options&... options) {
     MemberPrototypes made;
-    Frame<Element> frame;
-    for (const auto& point : points) frame.joints.push_back(model.add_node(point));
+    std::vector<Element> prototypes;
+    std::vector<int> prototype_of;
+    // all that may be refused comes before the model changes
+    check_points(name, points.empty() ? nullptr : points.front().data(), points.size(), Dimension);
     for (const Member& member : members) {
         check_member(name, member, points.size(), profiles.size());
         const auto& from = points[static_cast<std::size_t>(member.first)];
         const auto& to = points[static_cast<std::size_t>(member.second)];
         const double length =
             distance_apart<Dimension>(from, to) / member.elements / (1.0 + strain);
+        static_cast<void>(member_slopes(Vector<double, Dimension>(to - from), y_axis));
         int prototype = made.find(member.profile, length);
         if (prototype < 0) {
             const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
-            prototype =
-                model.add_prototype(Element(profile.material, profile.section, length, options...));
+            prototype = static_cast<int>(prototypes.size());
+            prototypes.push_back(Element(profile.material, profile.section, length, options...));
             made.add(member.profile, length, prototype);
         }
+        prototype_of.push_back(prototype);
+    }
+    Frame<Element> frame;
+    for (const auto& point : points) frame.joints.push_back(model.add_node(point));
+    int first = 0;  // index of the first prototype in the model
+    for (std::size_t k = 0; k < prototypes.size(); ++k)
+        first = model.add_prototype(std::move(prototypes[k])) - static_cast<int>(k);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const Member& member = members[k];
+        const auto& from = points[static_cast<std::size_t>(member.first)];
+        const auto& to = points[static_cast<std::size_t>(member.second)];
         Beam<Element>& beam = frame.members.emplace_back();
-        beam.prototypes.push_back(prototype);
+        beam.prototypes.push_back(first + prototype_of[k]);
         auto slopes = member_slopes(Vector<double, Dimension>(to - from), y_axis);
-        for (int k = 0; k < Dimension; ++k) slopes(k, 0) *= 1.0 + strain;
+        for (int i = 0; i < Dimension; ++i) slopes(i, 0) *= 1.0 + strain;
         beam.nodes = add_nodes_between<Dimension>(model, from, to, slopes, member.elements);
-        for (int k = 0; k < member.elements; ++k) connect_next(model, beam);
+        for (int i = 0; i < member.elements; ++i) connect_next(model, beam);
         model.attach(beam.first(), frame.joints[static_cast<std::size_t>(member.first)]);
         model.attach(beam.last(), frame.joints[static_cast<std::size_t>(member.second)]);
     }
@@ -161,9 +181,9 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
 /// @param members   each between two points.
 /// @param element   handed to the element's constructor after material, section and length.
 /// @return          the joints and the members, in the order given.
-/// @throws InvalidArgument for a member whose points coincide or do not exist, one of no elements
-///         or of no profile, a y axis parallel to a member, and what the element's constructor
-///         refuses.
+/// @throws InvalidArgument for a point that is not finite, a member whose points coincide or do not
+///         exist, one of no elements or of no profile, a y axis parallel to a member, and what the
+///         element's constructor refuses; the model is then as it was.
 template <class Element = void, int Dimension, class... Options>
 auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
            const std::vector<typename BasicModel<Dimension>::Point>& points,
@@ -180,7 +200,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
         for (const int joint : {member.first, member.second})
             blocks[static_cast<std::size_t>(joint)].add(
                 profiles[static_cast<std::size_t>(member.profile)]);
-    std::vector<std::pair<detail::JointBlock, int>> made;
+    detail::BodyPrototypes made;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (blocks[k].volume > 0.0)
             detail::add_joint_body(model, built.joints[k], blocks[k], frame_options.joint_stiffness,

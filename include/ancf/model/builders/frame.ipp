@@ -34,20 +34,14 @@ ANCF_INLINE void JointBlock::add(const Profile& profile) {
 }
 
 ANCF_INLINE void add_joint_body(Scene& model, NodeId joint, const JointBlock& block,
-                                double stiffness, std::vector<std::pair<JointBlock, int>>& made) {
+                                double stiffness, BodyPrototypes& made) {
     const auto add = [&](auto body) {
         using Body = decltype(body);
-        int prototype = -1;
-        for (const auto& [other, index] : made)
-            if (other.volume == block.volume && other.material.young == block.material.young &&
-                other.material.shear == block.material.shear &&
-                other.material.density == block.material.density)
-                prototype = index;
-        if (prototype < 0) {
-            prototype = model.add_prototype(body);
-            made.emplace_back(block, prototype);
-        }
-        model.connect<Body>(prototype, joint, joint);
+        const Material& of = block.material;
+        const auto [place, fresh] =
+            made.try_emplace({block.volume, of.young, of.shear, of.density}, -1);
+        if (fresh) place->second = model.add_prototype(body);
+        model.connect<Body>(place->second, joint, joint);
     };
     const double volume = stiffness * block.volume;
     if (model.dimension() == 2)
@@ -61,6 +55,14 @@ ANCF_INLINE int MemberPrototypes::find(int profile, double length) const {
     const bool equal = next != made_.end() && next->first.first == profile &&
                        next->first.second <= (1.0 + 1e-12) * length;
     return equal ? next->second : -1;
+}
+
+ANCF_INLINE void check_points(const char* name, const double* components, std::size_t count,
+                              int dimension) {
+    for (std::size_t k = 0; k < count; ++k)
+        for (int i = 0; i < dimension; ++i, ++components)
+            require(std::isfinite(*components), name, ": point ", k, " must be finite, component ",
+                    i, " is ", *components);
 }
 
 ANCF_INLINE void check_member(const char* name, const Member& member, std::size_t points,

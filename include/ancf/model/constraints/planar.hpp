@@ -33,7 +33,8 @@ public:
     PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {});
 
     /// As above, the angle driven.
-    /// @param angle  added to the angle of the start, rad.
+    /// @param angle  counterclockwise from the direction of a to that of b, rad; added to the
+    ///               angle of the start.
     PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
                std::optional<Field> slope = {});
 

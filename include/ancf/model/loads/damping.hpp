@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -158,10 +159,10 @@ template <class Element>
 void add_kelvin_voigt(Scene& model, const Beam<Element>& beam, double eta,
                       const Amplitude& amplitude = {}) {
     const auto& group = model.group<Element>();
-    std::vector<std::shared_ptr<const Element>> shared(group.prototypes.size());
+    std::unordered_map<int, std::shared_ptr<const Element>> shared;
     for (const int index : beam.elements) {
         const Connection& connection = group.connection(index);
-        auto& element = shared[static_cast<std::size_t>(connection.prototype)];
+        auto& element = shared[connection.prototype];
         if (!element) element = std::make_shared<const Element>(group.element(index));
         model.add(KelvinVoigt<Element>(element, coupling_of<Element>(connection), eta), amplitude);
     }

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Scenes whose analyses cannot end well, for tests that every ending comes with its reason.
+
+#pragma once
+
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
+
+#include <support/scales.hpp>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ancf::test {
+
+/// A cantilever of which one thing is changed.
+using Change = std::function<void(PlanarModel&)>;
+
+/// A change, and the statuses that may follow.
+struct Ending {
+    std::string name;
+    Change change;
+    std::vector<Status> may;
+};
+
+/// Checks that an ending is one of those expected and says why.
+inline void check_ending(const std::string& name, Status status, const std::string& message,
+                         const std::vector<Status>& may) {
+    CAPTURE(name, to_string(status), message);
+    bool expected = false;
+    for (const Status one : may) expected = expected || one == status;
+    CHECK(expected);
+    CHECK(message.empty() == (status == Status::converged));
+}
+
+inline const double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// States and loads that no analysis can take.
+inline std::vector<Ending> broken_scenes() {
+    const NodeId tip{4};
+    const auto coincident = [=](PlanarModel& model) {
+        model.add(Distance<2>(tip, {1.0, 0.0}, 0.1));
+    };
+    return {
+        {"state", [](PlanarModel& model) { model.state().q[9] = no_number; }, {Status::not_finite}},
+        {"slope",
+         [](PlanarModel& model) {
+             model.set_value({2}, Field::r_x, {0.0, 0.0});
+         },
+         {Status::degenerate}},
+        {"coincident points",
+         coincident,
+         {Status::singular, Status::not_finite, Status::inconsistent}},
+    };
+}
+
+/// Checks an integrator by a table of motions that cannot end well.
+/// @param run         called as run(model, schedule)
+/// @param constraints  whether it takes scenes with multipliers
+template <class Run>
+void check_motions(const Run& run, bool constraints = true) {
+    const auto check = [&](const Ending& ending, const std::function<bool(double, double)>& go) {
+        PlanarModel model = cantilever(Scale{});
+        ending.change(model);
+        if (!constraints && !model.constraints().empty()) return;
+        Schedule schedule;
+        schedule.end = 2e-4;
+        schedule.progress = go;
+        const auto report = run(model, schedule);
+        check_ending(ending.name, report.status, report.message, ending.may);
+    };
+    std::vector<Ending> table = broken_scenes();
+    table.push_back({"rate of a support",
+                     [](PlanarModel& model) {
+                         model.set_rate({0}, Field::r, {0.0, 1.0});
+                     },
+                     {Status::inconsistent}});
+    for (const double from : {0.0, 1e-4})
+        table.push_back({"load",
+                         [=](PlanarModel& model) {
+                             model.add(Force<2>(NodeId{4}, {0.0, 1.0}),
+                                       [=](double t) { return t >= from ? no_number : 1.0; });
+                         },
+                         {Status::not_finite, Status::diverged, Status::step_too_small}});
+    for (const Ending& ending : table) check(ending, nullptr);
+    const auto unchanged = [](PlanarModel&) {};
+    check({"progress", unchanged, {Status::stopped}}, [](double, double) { return false; });
+    check({"none", unchanged, {Status::converged}}, nullptr);
+}
+
+/// Likewise with constraints.
+template <class Run>
+void check_constrained_motions(const Run& run) {
+    const auto twice = [](PlanarModel& model) {
+        for (int k = 0; k < 2; ++k) model.add(Pin<2>(NodeId{4}, {1.0, 0.0}));
+    };
+    const auto apart = [](PlanarModel& model) { model.add(Pin<2>(NodeId{4}, {1.1, 0.0})); };
+    for (const Ending& ending : {Ending{"constraint twice", twice, {Status::redundant}},
+                                 Ending{"constraint violated", apart, {Status::inconsistent}}}) {
+        PlanarModel model = cantilever(Scale{});
+        ending.change(model);
+        Schedule schedule;
+        schedule.end = 2e-4;
+        const auto report = run(model, schedule);
+        check_ending(ending.name, report.status, report.message, ending.may);
+    }
+}
+
+}  // namespace ancf::test
