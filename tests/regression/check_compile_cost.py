@@ -28,7 +28,7 @@ import compile_cost  # noqa: E402
 
 LIMIT = 1.10
 SKIPPED = 77
-NEEDS_COMPONENT = ("ancf/suitesparse/", "ancf/sundials/", "dynamics.cpp")
+NEEDS_COMPONENT = ("ancf/petsc/", "ancf/suitesparse/", "ancf/sundials/", "dynamics.cpp")
 
 
 def lines_of(command, header):
