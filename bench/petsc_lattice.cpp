@@ -17,7 +17,8 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/petsc/statics.hpp>
-#include <ancf/section/profiles.hpp>
+
+#include "lattices/lattice.hpp"
 
 #include <sys/resource.h>
 
@@ -33,23 +34,18 @@ namespace {
 using Beam = ancf::CrossSectionBeam<3>;
 using Point = ancf::Vector<double, 3>;
 
+/// A cube of n^3 joints on clamped feet, pushed aside and down.
 ancf::Model lattice(int n) {
-    const auto place = [n](int i, int j, int k) { return i + n * (j + n * k); };
-    std::vector<Point> points;
-    std::vector<ancf::Member> members;
-    for (int k = 0; k < n; ++k)
-        for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i) {
-                points.emplace_back(0.25 * i, 0.25 * j, 0.25 * k);
-                const int here = place(i, j, k);
-                if (k > 0) members.push_back({place(i, j, k - 1), here, 0, 1});
-                if (k > 0 && i > 0) members.push_back({place(i - 1, j, k), here, 0, 1});
-                if (k > 0 && j > 0) members.push_back({place(i, j - 1, k), here, 0, 1});
-            }
-    const auto steel = ancf::Material::isotropic(2e11, 0.3, 7800.0);
+    const ancf::bench::Lattice cube{n, n, n};
+    const std::vector<Point> points = cube.points();
+    std::vector<ancf::Member> members = cube.members(1);
+    // between clamped joints nothing moves
+    members.erase(std::remove_if(members.begin(), members.end(),
+                                 [n](const ancf::Member& m) { return m.second < n * n; }),
+                  members.end());
     ancf::Model model;
-    const auto frame = ancf::frame<Beam>(model, {{steel, ancf::rectangle(0.01, 0.01)}}, points,
-                                         members, {}, ancf::CrossSectionOptions::best());
+    const auto frame = ancf::frame<Beam>(model, {ancf::bench::Lattice::bar()}, points, members, {},
+                                         ancf::CrossSectionOptions::best());
     for (int k = 0; k < n * n; ++k) {
         model.clamp(frame.joints[static_cast<std::size_t>(k)]);
         model.add(ancf::Force<3>(frame.joints[points.size() - 1 - static_cast<std::size_t>(k)],
@@ -70,15 +66,6 @@ double memory() {
     return static_cast<double>(usage.ru_maxrss) / 1e6;
 }
 
-double processor_time() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
 void assemble(ancf::petsc::DistributedStatics& statics, int members) {
     ancf::petsc::Solver solver(statics.part(), {"-ksp_type cg -pc_type none", ""});
     ancf::Assembly assembly(statics.part(), ancf::Storage::full);
@@ -87,13 +74,13 @@ void assemble(ancf::petsc::DistributedStatics& statics, int members) {
     std::vector<double> wall, processor;
     for (int k = 0; k < 16; ++k) {
         MPI_Barrier(PETSC_COMM_WORLD);
-        const double begin = now(), begin_processor = processor_time();
+        const double begin = now(), begin_processor = ancf::bench::seconds();
         const auto fault = assembly.evaluate({state.q, rest, state.multipliers, {1.0, 1.0}},
                                              ancf::Request::tangent);
         if (k == 0) solver.analyze(assembly.tangent());
         if (fault || solver.factorize(assembly.tangent()).status != ancf::Status::converged) return;
         if (k == 0) continue;
-        processor.push_back(processor_time() - begin_processor);
+        processor.push_back(ancf::bench::seconds() - begin_processor);
         MPI_Barrier(PETSC_COMM_WORLD);
         wall.push_back(now() - begin);
     }
