@@ -757,7 +757,7 @@ TEST_CASE("Radau IIA: what converges has a small residual, in random scenes", "[
     CHECK(check_random_scenes(1, 100) >= 98);
 }
 
-// test_dynamics "[radau-long]", ten seconds
+// by dynamics.random_scenes, ten seconds
 TEST_CASE("Radau IIA: what converges has a small residual, in ten thousand random scenes",
           "[.][radau-long]") {
     CHECK(check_random_scenes(1000, 10000) >= 9900);

@@ -188,8 +188,8 @@ TEST_CASE("petsc::Solver: options of one do not reach another, nor stay in PETSc
 
 // Hidden: check_leaks.py runs it to see that a leak shows.
 TEST_CASE("planted leak", "[.]") {
-    auto* const forgotten = new petsc::Solver;
-    CHECK(forgotten != nullptr);
+    const auto* const forgotten = new petsc::Solver;
+    CHECK_FALSE(forgotten->iterative());
 }
 
 }  // namespace solver_test
