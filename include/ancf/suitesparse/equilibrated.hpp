@@ -13,6 +13,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -32,15 +33,20 @@ public:
     /// Takes values in the order of the pattern's. @return false where one is not finite.
     [[nodiscard]] bool take(const Scalar* values) {
         double* magnitudes = magnitudes_.valuePtr();
-        for (std::size_t k = 0; k < values_.size(); ++k) magnitudes[k] = std::abs(values[k]);
+        for (std::size_t k = 0; k < values_.size(); ++k) magnitudes[k] = magnitude(values[k]);
         if (!ancf::detail::all_finite(magnitudes_)) return false;
         columns_ = ancf::detail::unit_scales(magnitudes_);
         rows_ = ancf::detail::row_scales(magnitudes_, columns_);
+        scale(values);
+        return true;
+    }
+
+    /// Scales other values as those that were taken last; they may be such that are not finite.
+    void scale(const Scalar* values) {
         for (int j = 0; j < size(); ++j)
             for (int k = outer()[j]; k < outer()[j + 1]; ++k)
                 values_[static_cast<std::size_t>(k)] =
                     values[k] * (rows_[inner()[k]] * columns_[j]);
-        return true;
     }
 
     [[nodiscard]] int size() const noexcept { return static_cast<int>(magnitudes_.cols()); }
@@ -63,6 +69,12 @@ public:
     }
 
 private:
+    static double magnitude(double value) noexcept { return std::abs(value); }
+    // a scale of a power of two needs no root
+    static double magnitude(const std::complex<double>& value) noexcept {
+        return std::abs(value.real()) + std::abs(value.imag());
+    }
+
     SparseMatrix magnitudes_;
     std::vector<Scalar> values_;
     VectorX rows_, columns_;
