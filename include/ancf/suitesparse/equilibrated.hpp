@@ -37,16 +37,11 @@ public:
         if (!ancf::detail::all_finite(magnitudes_)) return false;
         columns_ = ancf::detail::unit_scales(magnitudes_);
         rows_ = ancf::detail::row_scales(magnitudes_, columns_);
-        scale(values);
-        return true;
-    }
-
-    /// Scales other values as those that were taken last; they may be such that are not finite.
-    void scale(const Scalar* values) {
         for (int j = 0; j < size(); ++j)
             for (int k = outer()[j]; k < outer()[j + 1]; ++k)
                 values_[static_cast<std::size_t>(k)] =
                     values[k] * (rows_[inner()[k]] * columns_[j]);
+        return true;
     }
 
     [[nodiscard]] int size() const noexcept { return static_cast<int>(magnitudes_.cols()); }

@@ -135,8 +135,7 @@ struct FreeOfComplexKlu {
     }
 };
 
-/// KLU of complex matrices. They solve for corrections of an iteration that corrects itself, so
-/// pivots are kept from one matrix to the next where they serve.
+/// KLU of complex matrices.
 class ComplexKlu final : public ComplexSolver {
 public:
     explicit ComplexKlu(double pivot_tolerance) {
@@ -156,16 +155,13 @@ public:
     [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
         ancf::detail::require(values.size() == matrix_.entries(), name(), ": expected ",
                               matrix_.entries(), " values, got ", values.size());
-        if (numeric_ && refactor(values)) return Status::converged;
         numeric_.reset();
         if (!matrix_.take(values.data())) return Status::not_finite;
         if (!symbolic_) return Status::singular;
         numeric_.reset(klu_z_factor(matrix_.outer(), matrix_.inner(), matrix_.values(),
                                     symbolic_.get(), &common_));
         check();
-        if (common_.status == KLU_SINGULAR || !numeric_) return Status::singular;
-        spread_ = spread();
-        return Status::converged;
+        return common_.status == KLU_SINGULAR || !numeric_ ? Status::singular : Status::converged;
     }
 
     void solve(ComplexVectorX& b) const override {
@@ -179,21 +175,6 @@ public:
     [[nodiscard]] std::string_view name() const noexcept override { return "complex klu"; }
 
 private:
-    // Factorises by the pivots and scales of an earlier matrix, which takes a third of the time.
-    // They serve as long as none of them is ten times as small, beside the largest, as there.
-    [[nodiscard]] bool refactor(const std::vector<std::complex<double>>& values) {
-        matrix_.scale(values.data());
-        klu_z_refactor(matrix_.outer(), matrix_.inner(), matrix_.values(), symbolic_.get(),
-                       numeric_.get(), &common_);
-        return common_.status == KLU_OK && 10.0 * spread() >= spread_;
-    }
-
-    // Returns the least pivot over the largest one; 0 where one is not a number.
-    [[nodiscard]] double spread() {
-        const int told = klu_z_rcond(symbolic_.get(), numeric_.get(), &common_);
-        return told != 0 && common_.status == KLU_OK ? common_.rcond : 0.0;
-    }
-
     void check() const {
         if (common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
         ancf::detail::require(common_.status >= KLU_OK, "klu refused the matrix, status ",
@@ -204,7 +185,6 @@ private:
     Equilibrated<std::complex<double>> matrix_;
     std::unique_ptr<klu_symbolic, FreeOfKlu> symbolic_;
     std::unique_ptr<klu_numeric, FreeOfComplexKlu> numeric_;
-    double spread_ = 0.0;  // of the matrix that chose the pivots
 };
 
 }  // namespace detail
