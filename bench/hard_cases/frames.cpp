@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Frames under refinement. Two members at a right angle, the second one loaded across their plane,
-// attached to a joint or welded, and a cell of a lattice, against linear frame analysis; a corner in
-// the plane and a portal with oblique members, far bent, against Reissner's beam.
+// attached to a joint or welded, and a cell of a lattice, against linear frame analysis. A corner
+// in the plane and a portal with oblique members, far bent, against Reissner's beam.
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/frame.hpp>
