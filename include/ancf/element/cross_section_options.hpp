@@ -35,8 +35,8 @@ class CrossSectionBeam;
 template <class Measure = GreenMeasure>
 using QuinticBeam = CrossSectionBeam<3, Geodesic, LinearShear, Measure, QuinticLine>;
 
-/// The beam in the plane with a quintic centre line and cubic shear: each node has r_xx and the rate
-/// r_xy of its slope as well. Of the sixth order, thick or thin; docs/theory-quintic.md.
+/// The beam in the plane with a quintic centre line and cubic shear: each node has r_xx and the
+/// rate r_xy of its slope as well. Of the sixth order, thick or thin; docs/theory-quintic.md.
 template <class Measure = GreenMeasure>
 using PlanarQuinticBeam = CrossSectionBeam<2, Projected, CubicShear, Measure, QuinticLine>;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The vectors that a node carries: position, slopes, the curvature of a quintic centre line and the
-/// rate of a slope.
+/// The vectors that a node carries: position, slopes, the curvature of a quintic centre line and
+/// the rate of a slope.
 ///
 /// A node stores the union of what its elements need, in the order of Field; an element's nodal
 /// coordinates are the fields of its first node, then those of its second.

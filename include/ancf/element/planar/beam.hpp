@@ -39,6 +39,10 @@
 
 namespace ancf {
 
+/// Shear, and the slopes across, cubic along the element: a node has the rate r_xy of its slope
+/// beside it. Goes with a quintic centre line in the plane.
+struct CubicShear {};
+
 /// The cross-section beam in the plane. Directors of every kind coincide there.
 ///
 /// Section moments about y alone count: area, y, yy, yyy, yyyy.
@@ -135,9 +139,9 @@ public:
         return line_.template line_load<3, cubic_shear>(force);
     }
 
-    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6 and
-    /// the shear's sine less than 1 at every station, and all along r_y to its left by more than an
-    /// angle of 1e-6, turning by less than 120 degrees from node to node.
+    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6
+    /// and the shear's sine less than 1 at every station, and all along r_y to its left by more
+    /// than an angle of 1e-6, turning by less than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or

@@ -20,13 +20,7 @@
 #include <complex>
 #include <type_traits>
 
-namespace ancf {
-
-/// Shear, and the slopes across, cubic along the element: a node has the rate r_xy of its slope
-/// beside it. Goes with a quintic centre line in the plane.
-struct CubicShear {};
-
-namespace detail {
+namespace ancf::detail {
 
 /// The nodal vectors of a planar element in the order of its kernel: D = r_j - r_i, g = r_x, of a
 /// quintic line k = r_xx, then a = r_y, and where slopes have rates b = r_xy; of D there is one,
@@ -217,6 +211,4 @@ private:
     }
 };
 
-}  // namespace detail
-
-}  // namespace ancf
+}  // namespace ancf::detail
