@@ -227,7 +227,7 @@ struct PlanarKernel {
     static constexpr int dofs = 12;
 
     std::vector<PlanarStation<T>> stations;
-    std::vector<AxialStationData<T>> axial;
+    detail::Records<AxialStationData<T>> axial;
     T transverse_stiffness;     ///< of e_yy times the length, N m
     T transverse_reference[2];  ///< nodal e_yy of the stress-free state
     TransverseStrain transverse_measure = TransverseStrain::green;
