@@ -18,6 +18,13 @@
 
 namespace ancf::detail {
 
+/// Returns zeros.
+[[nodiscard]] VectorX zeros(Eigen::Index size);
+
+/// Makes zeros of another size.
+void set_zero(VectorX& x, Eigen::Index size);
+void set_zero(MatrixX& A, Eigen::Index rows, Eigen::Index columns);
+
 /// A term of combination(), for use within one expression.
 struct Term {
     double factor;
@@ -122,6 +129,9 @@ void symmetrise(SparseMatrix& A);
 /// With the unit_scales of a scene's tangent they depend on no unit, and so does which entries of a
 /// column count as large.
 [[nodiscard]] VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns);
+
+/// Returns a compressed matrix again.
+[[nodiscard]] SparseMatrix copied(const SparseMatrix& A);
 
 /// Returns the lower half of a compressed matrix, with its zeros.
 [[nodiscard]] SparseMatrix lower_half(const SparseMatrix& A);

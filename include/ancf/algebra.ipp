@@ -17,6 +17,22 @@
 
 namespace ancf::detail {
 
+ANCF_INLINE void set_zero(VectorX& x, Eigen::Index size) {
+    x.resize(size);
+    std::fill_n(x.data(), size, 0.0);
+}
+
+ANCF_INLINE void set_zero(MatrixX& A, Eigen::Index rows, Eigen::Index columns) {
+    A.resize(rows, columns);
+    std::fill_n(A.data(), rows * columns, 0.0);
+}
+
+ANCF_INLINE VectorX zeros(Eigen::Index size) {
+    VectorX x;
+    set_zero(x, size);
+    return x;
+}
+
 ANCF_INLINE VectorX combination(std::initializer_list<Term> terms) {
     const Eigen::Index size = terms.begin()->vector.size();
     VectorX sum(size);
@@ -76,7 +92,7 @@ ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept {
 }
 
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
-    VectorX out = VectorX::Zero(A.rows());
+    VectorX out = zeros(A.rows());
     for (Eigen::Index j = 0; j < A.cols(); ++j)
         for (Eigen::Index i = 0; i < A.rows(); ++i) out[i] += A(i, j) * x[j];
     return out;
@@ -107,7 +123,7 @@ ANCF_INLINE void add_product(const SparseMatrix& A, Storage storage, double scal
 }
 
 ANCF_INLINE VectorX multiply(const SparseMatrix& A, Storage storage, const VectorX& x) {
-    VectorX out = VectorX::Zero(x.size());
+    VectorX out = zeros(x.size());
     add_product(A, storage, 1.0, x, out);
     return out;
 }
@@ -168,7 +184,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
                 if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
                     visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
     };
-    VectorX scales = VectorX::Zero(size);
+    VectorX scales = zeros(size);
     int first = 0;
     bool found = false;
     for_each_entry([&](int i, int j, double value) {
@@ -179,7 +195,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
         const int apart = exponent - first;
         scales[i] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
     });
-    VectorX largest = VectorX::Zero(size);
+    VectorX largest = zeros(size);
     for_each_entry([&](int i, int j, double value) {
         if (scales[i] == 0.0) largest[i] = std::max(largest[i], value * scales[j]);
         if (scales[j] == 0.0) largest[j] = std::max(largest[j], value * scales[i]);
@@ -191,7 +207,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
 }
 
 ANCF_INLINE VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns) {
-    VectorX scales = VectorX::Zero(matrix.rows());
+    VectorX scales = zeros(matrix.rows());
     for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
             double& largest = scales[matrix.innerIndexPtr()[k]];
@@ -199,6 +215,15 @@ ANCF_INLINE VectorX row_scales(const SparseMatrix& matrix, const VectorX& column
         }
     for (double& scale : scales) scale = scale > 0.0 ? power_of_two(-std::ilogb(scale)) : 1.0;
     return scales;
+}
+
+ANCF_INLINE SparseMatrix copied(const SparseMatrix& A) {
+    SparseMatrix result(A.rows(), A.cols());
+    result.resizeNonZeros(entries(A));
+    std::copy_n(A.outerIndexPtr(), A.cols() + 1, result.outerIndexPtr());
+    std::copy_n(A.innerIndexPtr(), entries(A), result.innerIndexPtr());
+    std::copy_n(A.valuePtr(), entries(A), result.valuePtr());
+    return result;
 }
 
 ANCF_INLINE SparseMatrix lower_half(const SparseMatrix& A) {

@@ -15,7 +15,7 @@ import tempfile
 
 LAYERS = ["section", "element", "model", "assembly", "solver", "dynamics", "output"]
 COMPONENTS = ["suitesparse", "sundials", "petsc"]  # beside the layers: may include all of them, never each other
-COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "types.hpp", "vector_argument.hpp",
+COMMON = ["algebra.hpp", "compiled.hpp", "compiler.hpp", "constants.hpp", "error.hpp", "records.hpp", "types.hpp", "vector_argument.hpp",
           "version.hpp"]
 UMBRELLA = "ancf.hpp"
 MOST_PUBLIC = 119

@@ -146,10 +146,11 @@ TEST_CASE("ElementSchedule: runs of one colour share no node and cover every ele
         CHECK(schedule.colours().size() == (count > ElementSchedule::run_length ? 2U : 1U));
         std::vector<int> times(static_cast<std::size_t>(count), 0);
         int wrong = 0;
-        for (const std::vector<ElementRun>& runs : schedule.colours()) {
+        std::size_t run = 0;
+        for (const std::size_t end : schedule.colours()) {
             std::vector<int> owner(static_cast<std::size_t>(scene.layout().nodes()), -1);
-            for (std::size_t run = 0; run < runs.size(); ++run)
-                for (int k = runs[run].first; k < runs[run].last; ++k) {
+            for (; run < end; ++run)
+                for (int k = schedule.runs()[run].first; k < schedule.runs()[run].last; ++k) {
                     ++times[static_cast<std::size_t>(k)];
                     const Connection& c = group->connections[static_cast<std::size_t>(k)];
                     for (const NodeId node : {c.first, c.second}) {

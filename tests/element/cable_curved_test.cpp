@@ -6,7 +6,7 @@
 
 #include <ancf/element/cable/cable.hpp>
 
-#include <element/cable_samples.hpp>
+#include <element/cable_curved_samples.hpp>
 #include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
@@ -26,54 +26,15 @@ using test::AnyElement;
 using test::cable_length;
 using test::cable_material;
 using test::cable_section;
+using test::curved;
+using test::disturbed;
+using test::for_each_curved;
 using test::Helix;
 using test::Random;
-using test::Shape;
+using test::rules;
 
 const double axial = cable_material().young * cable_section().moments().area;
 const double bending = cable_material().young * cable_section().moments().yy;
-
-/// References of one element: arcs, in space helices too, and a line with an inflection.
-template <int Dimension>
-std::vector<Vector<double, 4 * Dimension>> references() {
-    std::vector<Vector<double, 4 * Dimension>> all{
-        Helix{1.0, 0.0}.coordinates<Dimension>(0.0, cable_length),
-        Helix{20.0, 0.0}.coordinates<Dimension>(0.0, cable_length),
-        test::inflected_coordinates<Dimension>()};
-    if constexpr (Dimension == 3) {
-        all.push_back(Helix{0.8, 0.5}.coordinates<3>(0.0, cable_length));
-        all.push_back(Helix{0.5, -1.5}.coordinates<3>(0.0, cable_length));
-    }
-    return all;
-}
-
-std::vector<Rule> rules() { return {cable_rule(), Rule::mixed(), Rule::gauss(3), Rule::paper()}; }
-
-template <class Element>
-Element curved(const typename Element::Coordinates& reference, const Rule& rule = cable_rule()) {
-    return {cable_material(), cable_section(), reference, cable_length, {rule, 1.0}};
-}
-
-/// Visits every reference with every rule: visit(element, reference).
-template <class Element, class Visit>
-int for_each_curved(const Visit& visit) {
-    int count = 0;
-    for (const auto& reference : references<Element::dimension>()) {
-        for (const Rule& rule : rules()) {
-            INFO("reference " << reference.transpose() << ", rule " << rule.name());
-            visit(curved<Element>(reference, rule), VectorX(reference));
-            ++count;
-        }
-    }
-    return count;
-}
-
-/// The reference turned and moved at random, and bent out of shape.
-VectorX disturbed(const Shape& shape, const VectorX& reference, Random& random, double size) {
-    const VectorX e = reference + size * random.vector(shape.dofs());
-    const MatrixX turn = test::random_rotation(shape.dimension, random);
-    return test::moved(shape, e, turn, random.vector(shape.dimension));
-}
 
 void check_no_force(const AnyElement& element, const VectorX& reference) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
@@ -104,23 +65,6 @@ TEMPLATE_TEST_CASE("Cable: a curved element has no force in its reference, howev
                    "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
                    (Cable<3, EngineeringAxial>)) {
     CHECK(for_each_curved<TestType>(check_no_force) >= 12);
-}
-
-TEMPLATE_TEST_CASE(
-    "Cable: force and tangent of a curved element equal the complex-step derivatives",
-    "[element][cable][curved]", Cable<2>, Cable<3>, (Cable<3, EngineeringAxial>)) {
-    test::DerivativeErrors worst;
-    const int count = for_each_curved<TestType>([&](const auto& curve, const VectorX& reference) {
-        const AnyElement element(curve);
-        for (std::uint64_t seed = 0; seed < 100; ++seed) {
-            Random random(seed);
-            test::raise(worst, element, curve, disturbed(element.shape, reference, random, 0.2));
-        }
-    });
-    CHECK(count >= 12);
-    CHECK(worst.force <= 1e-12);    // measured 2e-15
-    CHECK(worst.tangent <= 1e-12);  // measured 3e-15
-    CHECK(worst.symmetry <= 1e-14);
 }
 
 TEMPLATE_TEST_CASE("Cable: a curved element at rest has the zero eigenvalues of a rigid body",

@@ -13,6 +13,8 @@
 #include <ancf/section/section.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace ancf::test {
 
@@ -91,6 +93,13 @@ double defined_energy(const Vector<double, 4 * Dimension>& e, const Rule& rule,
                 station.weight(StrainGroup::bending) * bending * kappa * kappa);
     }
     return sum;
+}
+
+/// Returns one of the rules that a cable is tried with, from 0 to 4.
+inline const Rule& cable_rule_of(int place) {
+    static const std::vector<Rule> rules{cable_rule(), Rule::mixed(), Rule::lobatto3(),
+                                         Rule::gauss(3), Rule::gauss(5)};
+    return rules[static_cast<std::size_t>(place)];
 }
 
 }  // namespace ancf::test

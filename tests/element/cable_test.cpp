@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The straight cable: the property list, its energy by definition, scalars, compression and
-/// refusals.
+/// The straight cable: its energy by definition, the plane as part of space, and refusals.
 
 #include <ancf/element/cable/cable.hpp>
-#include <ancf/element/pack.hpp>
 
 #include <element/cable_samples.hpp>
-#include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/random_state.hpp>
@@ -29,37 +26,9 @@ using test::cable_material;
 using test::cable_section;
 using test::straight_cable;
 
-const Rule& rule_of(int place) {
-    static const std::vector<Rule> rules{cable_rule(), Rule::mixed(), Rule::lobatto3(),
-                                         Rule::gauss(3), Rule::gauss(5)};
-    return rules[static_cast<std::size_t>(place)];
-}
-
-Moments line_moments() {
-    Moments line;  // no rotary inertia
-    line.area = cable_section().moments().area;
-    return line;
-}
-
-TEMPLATE_TEST_CASE("Cable: the straight element has the properties of every element",
-                   "[element][cable]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
-                   (Cable<3, EngineeringAxial>)) {
-    const CableOptions options{rule_of(GENERATE(range(0, 5))), GENERATE(1.0, 0.3)};
-    INFO("rule " << options.rule.name() << ", compression " << options.compression);
-    const auto element = straight_cable<TestType>(options);
-    test::check_zero_at_rest(element);
-    test::check_rigid_invariance(element);
-    test::check_derivatives(element);  // measured 7e-16
-    test::check_turning(element);
-    test::check_zero_modes(element);
-    if constexpr (TestType::dimension == 3) test::check_planar(element);
-    test::check_mass(element, cable_material().density, line_moments());
-    test::check_gravity(element, cable_material().density, line_moments());
-}
-
 TEMPLATE_TEST_CASE_SIG("Cable: energy equals its definition", "[element][cable]",
                        ((int Dimension), Dimension), 2, 3) {
-    const CableOptions options{rule_of(GENERATE(range(0, 5))), 1.0};
+    const CableOptions options{test::cable_rule_of(GENERATE(range(0, 5))), 1.0};
     const auto green = straight_cable<Cable<Dimension>>(options);
     const auto engineering = straight_cable<Cable<Dimension, EngineeringAxial>>(options);
     int count = 0;
@@ -99,38 +68,6 @@ TEST_CASE("Cable: in the plane it is the spatial element", "[element][cable][pla
         }
     }
     CHECK(count == 100);
-}
-
-TEMPLATE_TEST_CASE("Cable: a pack of doubles gives what each of its lanes gives",
-                   "[element][cable][pack]", Cable<2>, Cable<3>, (Cable<2, EngineeringAxial>),
-                   (Cable<3, EngineeringAxial>)) {
-    constexpr int lanes = 4;
-    constexpr int dofs = TestType::dofs;
-    const auto element = straight_cable<TestType>({cable_rule(), GENERATE(1.0, 0.0)});
-    double worst = 0.0;
-    for (std::uint64_t seed = 0; seed < 25; ++seed) {
-        Vector<Pack<lanes>, dofs> packed;
-        Vector<double, dofs> single[lanes];
-        for (int lane = 0; lane < lanes; ++lane) {
-            test::Random random(lanes * seed + static_cast<std::uint64_t>(lane));
-            single[lane] = test::random_state(element, random);
-            for (int i = 0; i < dofs; ++i) packed(i).set(lane, single[lane](i));
-        }
-        const auto together = element.evaluate(packed);
-        for (int lane = 0; lane < lanes; ++lane) {
-            const auto alone = element.evaluate(single[lane]);
-            worst = std::max(worst, std::abs(together.energy[lane] / alone.energy - 1.0));
-            for (int i = 0; i < dofs; ++i) {
-                worst = std::max(
-                    worst, std::abs(together.force(i)[lane] - alone.force(i)) / alone.force.norm());
-                for (int j = 0; j < dofs; ++j)
-                    worst = std::max(worst,
-                                     std::abs(together.tangent(i, j)[lane] - alone.tangent(i, j)) /
-                                         alone.tangent.norm());
-            }
-        }
-    }
-    CHECK(worst <= 1e-14);  // the order of sums may differ; measured 4e-16
 }
 
 TEMPLATE_TEST_CASE("Cable: refuses coordinates that are no line", "[element][cable]", Cable<2>,

@@ -15,11 +15,7 @@
 
 #include <Eigen/SVD>
 
-#include <complex>
 #include <cstdint>
-#include <iterator>
-#include <string_view>
-#include <type_traits>
 
 namespace cross_section_beam_test {
 
@@ -29,77 +25,25 @@ using test::Paper;
 using test::Pointwise;
 using test::Transporting;
 
-/// Generates the variants that an element type allows: the mixed rule has too few points for
-/// pointwise shear.
-template <class Element = Paper>
-test::Variant any_variant() {
-    return GENERATE(filter(
-        [](const test::Variant& v) {
-            return !std::is_same_v<Element, Pointwise> || std::string_view(v.rule) != "mixed";
-        },
-        from_range(std::begin(test::variants), std::end(test::variants))));
-}
-
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: energy and force vanish in every rigid motion of the rest state",
     "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     INFO(variant.name);
     test::check_zero_at_rest(test::element_of<TestType>(variant));
 }
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: energy is invariant under rigid motions, near and far",
                    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     INFO(variant.name);
     test::check_rigid_invariance(test::element_of<TestType>(variant));
     test::check_rigid_invariance(test::element_of<TestType>(variant), 1e-3);
 }
 
-TEMPLATE_TEST_CASE("CrossSectionBeam: force and tangent equal the complex-step derivatives",
-                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
-    INFO(variant.name);
-    test::check_derivatives(test::element_of<TestType>(variant));
-}
-
-TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of linearised strains",
-                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
-    using Complex = std::complex<double>;
-    const auto variant = any_variant<TestType>();
-    INFO(variant.name);
-    const auto element = test::element_of<TestType>(variant);
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        test::Random random(seed);
-        const auto e = test::random_state(element, random);
-        const auto before = test::random_state(element, random);
-        const Vector<double, 24> change = 0.1 * (test::random_state(element, random) - before);
-        const Vector<double, 24> none = Vector<double, 24>::Zero();
-        const auto plain = element.evaluate(e);
-        // no step: the stresses are those of e; measured 1e-15
-        CHECK(test::relative_error(element.evaluate(e, e, none).tangent, plain.tangent) <= 1e-13);
-
-        // stresses enter linearly, and those of a step are the derivative along it
-        const auto step = element.evaluate(e, before, change);
-        const Matrix<double, 24> still = element.evaluate(e, before, none).tangent;
-        const Vector<Complex, 24> probe =
-            before.template cast<Complex>() + Complex(0.0, test::complex_step) * change;
-        const Matrix<Complex, 24> moved =
-            element
-                .evaluate(Vector<Complex, 24>(e.template cast<Complex>()), probe,
-                          Vector<Complex, 24>(none.template cast<Complex>()))
-                .tangent;
-        const Matrix<double, 24> expected = still + moved.imag() / test::complex_step;
-        CHECK((expected - still).norm() >= 1e-4 * still.norm());
-        CHECK(test::relative_error(step.tangent, expected) <= 1e-13);  // measured 1e-15
-        CHECK(test::relative_error(step.force, plain.force) <= 1e-15);
-        CHECK(step.energy == plain.energy);
-    }
-}
-
 TEMPLATE_TEST_CASE("CrossSectionBeam: a stress-free element has exactly six zero modes",
                    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     INFO(variant.name);
     test::check_zero_modes(test::element_of<TestType>(variant));
 }
@@ -119,13 +63,13 @@ TEST_CASE("CrossSectionBeam: the fewest points that a rule may have leave six ze
 
 TEMPLATE_TEST_CASE("CrossSectionBeam: turning a stressed element turns its force",
                    "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     INFO(variant.name);
     test::check_turning(test::element_of<TestType>(variant));
 }
 
 TEST_CASE("CrossSectionBeam: mass and gravity are those of the body", "[element][cross-section]") {
-    const auto variant = any_variant();
+    const auto variant = test::any_variant();
     INFO(variant.name);
     const auto element = test::element_of(variant);
     const double density = test::sample_material().density;
@@ -136,7 +80,7 @@ TEST_CASE("CrossSectionBeam: mass and gravity are those of the body", "[element]
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: planar motion of a section symmetric to the plane stays planar",
     "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     if (variant.odd) return;
     INFO(variant.name);
     test::check_planar(test::element_of<TestType>(variant));
@@ -182,7 +126,7 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: directors are not carried round by 180 deg
 TEMPLATE_TEST_CASE(
     "CrossSectionBeam: the strains of a stressed element still see all but six motions",
     "[element][cross-section]", Paper, Pointwise, Carried, Transporting) {
-    const auto variant = any_variant<TestType>();
+    const auto variant = test::any_variant<TestType>();
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -19,6 +19,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/scene.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
@@ -133,7 +134,7 @@ public:
     /// Returns the potential of gravity and of the loads that have one, J.
     [[nodiscard]] double load_potential() const noexcept { return load_potential_; }
     /// Returns what of it comes from angles, in the order of the loads.
-    [[nodiscard]] const std::vector<AnglePotential>& angle_potentials() const noexcept {
+    [[nodiscard]] const detail::Records<AnglePotential>& angle_potentials() const noexcept {
         return angles_;
     }
     /// Returns the tangent, in the pattern.
@@ -196,6 +197,16 @@ private:
         int first;
         int last;
     };
+    using ValueRanges = detail::Records<ValueRange>;
+
+    // Where and in which order the elements of a group add.
+    struct GroupPlan {
+        detail::Records<ElementSlots> slots;
+        ElementSchedule schedule;
+        ValueRanges cleared;                         // run by run
+        detail::Records<std::size_t> first_cleared;  // of each run, and the end
+        std::vector<detail::AttachedElement> attached;
+    };
 
     [[nodiscard]] std::optional<Fault> evaluate_own(const Configuration& at, Request request,
                                                     const VectorX* increment,
@@ -213,16 +224,16 @@ private:
     // Returns where a group adds, with its tangents to these values.
     [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;
     void build_clearing();
-    void clear_values(const std::vector<ValueRange>& ranges);
+    void clear_values(const ValueRange* first, const ValueRange* last);
     void build_gravity();
 
     // Returns the first element that judge(group, prototype, coordinates) is true of.
     template <class Judge>
     [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
                                                            const Judge& judge) const;
-    // Calls visit(group, index of the group, index of the element, its coordinates).
+    // Calls visit(place of the element, its coordinates) for the elements of a group.
     template <class Visitor>
-    void for_each_element(const Visitor& visit) const;
+    void for_each_element(std::size_t group, const Visitor& visit) const;
 
     // Calls visit(load, coordinates that it acts on, result) for every load.
     template <class Visitor>
@@ -238,12 +249,9 @@ private:
     const Scene& model_;
     Numbering numbering_;
     BlockPattern pattern_;
-    std::vector<std::vector<ElementSlots>> slots_;               // per group
-    std::vector<ElementSchedule> schedules_;                     // per group
-    std::vector<std::vector<std::vector<ValueRange>>> cleared_;  // per group and run
-    std::vector<ValueRange> cleared_first_;                      // columns that no element adds to
+    std::vector<GroupPlan> plans_;  // per group
+    ValueRanges cleared_first_;     // columns that no element adds to
     ElementSchedule::Followed followed_;
-    std::vector<std::vector<detail::AttachedElement>> attached_;  // per group
     std::vector<detail::LocalCoordinates> load_coordinates_;
     std::vector<detail::LocalCoordinates> constraint_coordinates_;
     std::vector<std::vector<int>> constraint_powers_;  // of a length, per coordinate
@@ -251,12 +259,12 @@ private:
     VectorX gravity_;                                  // force of gravity at unit scale
 
     VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
-    std::vector<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
+    detail::Records<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
     VectorX force_q_;                   // coordinates of the last evaluation of forces alone
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed
     mutable double strain_energy_ = 0.0;
     double load_potential_ = 0.0;
-    std::vector<AnglePotential> angles_;
+    detail::Records<AnglePotential> angles_;
     int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };

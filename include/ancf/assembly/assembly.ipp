@@ -59,7 +59,8 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     for (const auto& group : model.groups()) build_slots(*group);
     build_clearing();
     build_gravity();
-    tangent_ = pattern_.matrix();
+    SparseMatrix zero = pattern_.matrix();
+    tangent_.swap(zero);
 }
 
 ANCF_INLINE void Assembly::refresh() {
@@ -101,14 +102,14 @@ ANCF_INLINE void Assembly::list_followed() {
 }
 
 ANCF_INLINE void Assembly::build_pattern(Storage storage) {
-    std::vector<std::pair<int, int>> pairs;
+    detail::Records<BlockPair> pairs;
     std::vector<int> blocks;
     const auto couple_blocks = [&] {
-        std::sort(blocks.begin(), blocks.end());
+        std::sort(blocks.data(), blocks.data() + blocks.size());
         blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
         for (std::size_t a = 0; a < blocks.size(); ++a)
             for (std::size_t b = a + 1; b < blocks.size(); ++b)
-                pairs.emplace_back(blocks[a], blocks[b]);
+                pairs.push_back({blocks[a], blocks[b]});
     };
     const auto couple_all = [&](const std::vector<int>& coordinates) {
         blocks.clear();
@@ -117,13 +118,13 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
     };
     for (const auto& group : model_.groups())
         for (const Connection& c : group->connections) {
-            pairs.emplace_back(c.first.index, c.second.index);
+            pairs.push_back({c.first.index, c.second.index});
             if (followed_.empty()) continue;
             blocks.clear();
             for (const NodeId node : {c.first, c.second}) {
                 const auto& others = followed_[static_cast<std::size_t>(node.index)];
                 blocks.push_back(node.index);
-                blocks.insert(blocks.end(), others.begin(), others.end());
+                for (const int other : others) blocks.push_back(other);
             }
             if (blocks.size() > 2) couple_blocks();
         }
@@ -132,17 +133,16 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
         couple_all(constraint_coordinates_[k].acted());
         for (const int block : blocks)
-            pairs.emplace_back(block, numbering_.constraint_block(static_cast<int>(k)));
+            pairs.push_back({block, numbering_.constraint_block(static_cast<int>(k))});
     }
-    pattern_ = BlockPattern(numbering_.block_sizes(), std::move(pairs), storage);
+    pattern_ = BlockPattern(numbering_.block_sizes(), pairs, storage);
 }
 
 ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
     const Layout& layout = model_.layout();
     const int half = group.dofs() / 2;
-    std::vector<ElementSlots> all;
-    all.reserve(group.connections.size());
-    attached_.emplace_back();
+    GroupPlan plan;
+    plan.slots.reserve(group.connections.size());
     for (const Connection& c : group.connections) {
         ElementSlots slots;
         slots.node = {c.first.index, c.second.index};
@@ -150,10 +150,10 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
         slots.attached = -1;
         for (const int node : slots.node)
             if (!followed_.empty() && !followed_[static_cast<std::size_t>(node)].empty())
-                slots.attached = static_cast<int>(attached_.back().size());
+                slots.attached = static_cast<int>(plan.attached.size());
         if (slots.attached >= 0) {
-            detail::AttachedElement& element = attached_.back().emplace_back(
-                layout, model_.dependence(), group.fields(), slots.node);
+            detail::AttachedElement& element =
+                plan.attached.emplace_back(layout, model_.dependence(), group.fields(), slots.node);
             for (const int row : element.blocks)
                 for (const int column : element.blocks)
                     element.base.push_back(pattern_.stored(row, column) ? pattern_.base(row, column)
@@ -167,90 +167,87 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
                 slots.base[a][b] =
                     pattern_.stored(node, slots.node[b]) ? pattern_.base(node, slots.node[b]) : -1;
         }
-        all.push_back(slots);
+        plan.slots.push_back(slots);
     }
-    slots_.push_back(std::move(all));
-    schedules_.emplace_back(group.connections, layout.nodes(), followed_);
+    plan.schedule = ElementSchedule(group.connections, layout.nodes(), followed_);
+    plans_.push_back(std::move(plan));
 }
 
 // Each run clears the columns of the nodes that no run before it touched, just before it adds to
 // them: they come from memory once, and threads share that work too.
 ANCF_INLINE void Assembly::build_clearing() {
     const int nodes = model_.layout().nodes();
-    std::vector<char> seen(static_cast<std::size_t>(nodes), 0);
-    const auto append = [&](int block, std::vector<ValueRange>& ranges) {
+    detail::Records<char> seen(static_cast<std::size_t>(nodes), 0);
+    const auto append = [&](int block, std::size_t first, ValueRanges& ranges) {
         const ValueRange next{pattern_.first_value(block), pattern_.first_value(block + 1)};
-        if (!ranges.empty() && ranges.back().last == next.first)
+        if (ranges.size() > first && ranges.back().last == next.first)
             ranges.back().last = next.last;
         else
             ranges.push_back(next);
     };
-    for (std::size_t index = 0; index < schedules_.size(); ++index) {
-        const std::vector<Connection>& connections = model_.groups()[index]->connections;
-        cleared_.emplace_back();
-        for (const std::vector<ElementRun>& runs : schedules_[index].colours())
-            for (const ElementRun& run : runs) {
-                std::vector<int> fresh;
-                ElementSchedule::visit_nodes(connections, run, followed_, [&](std::size_t node) {
-                    if (seen[node] == 0) fresh.push_back(static_cast<int>(node));
-                    seen[node] = 1;
-                });
-                std::sort(fresh.begin(), fresh.end());
-                cleared_.back().emplace_back();
-                for (const int node : fresh) append(node, cleared_.back().back());
-            }
+    std::vector<int> fresh;
+    for (std::size_t index = 0; index < plans_.size(); ++index) {
+        GroupPlan& plan = plans_[index];
+        for (const ElementRun& run : plan.schedule.runs()) {
+            fresh.clear();
+            ElementSchedule::visit_nodes(model_.groups()[index]->connections, run, followed_,
+                                         [&](std::size_t node) {
+                                             if (seen[node] == 0)
+                                                 fresh.push_back(static_cast<int>(node));
+                                             seen[node] = 1;
+                                         });
+            std::sort(fresh.data(), fresh.data() + fresh.size());
+            const std::size_t first = plan.cleared.size();
+            plan.first_cleared.push_back(first);
+            for (const int node : fresh) append(node, first, plan.cleared);
+        }
+        plan.first_cleared.push_back(plan.cleared.size());
     }
     const int blocks = static_cast<int>(numbering_.block_sizes().size());
     for (int block = 0; block < blocks; ++block)
         if (block >= nodes || seen[static_cast<std::size_t>(block)] == 0)
-            append(block, cleared_first_);
+            append(block, 0, cleared_first_);
 }
 
-ANCF_INLINE void Assembly::clear_values(const std::vector<ValueRange>& ranges) {
-    for (const ValueRange& range : ranges)
-        std::fill(tangent_.valuePtr() + range.first, tangent_.valuePtr() + range.last, 0.0);
+ANCF_INLINE void Assembly::clear_values(const ValueRange* first, const ValueRange* last) {
+    for (; first != last; ++first)
+        std::fill(tangent_.valuePtr() + first->first, tangent_.valuePtr() + first->last, 0.0);
 }
 
 ANCF_INLINE void Assembly::element_coordinates(const ElementPlace& place, int* out) const {
     const auto group = static_cast<std::size_t>(place.group);
     detail::element_coordinates(model_.layout(), model_.dimension(),
                                 model_.groups()[group]->fields(),
-                                slots_[group][static_cast<std::size_t>(place.element)], out);
+                                plans_[group].slots[static_cast<std::size_t>(place.element)], out);
 }
 
 template <class Visitor>
-void Assembly::for_each_element(const Visitor& visit) const {
+void Assembly::for_each_element(std::size_t group, const Visitor& visit) const {
     detail::ElementIndices indices;
-    for (std::size_t k = 0; k < slots_.size(); ++k) {
-        const ElementGroup& group = *model_.groups()[k];
-        const int count = static_cast<int>(slots_[k].size());
-        for (int element = 0; element < count; ++element) {
-            const ElementPlace place{static_cast<int>(k), element};
-            element_coordinates(place, indices.at);
-            visit(group, place, indices);
-        }
+    const int count = static_cast<int>(plans_[group].slots.size());
+    for (int element = 0; element < count; ++element) {
+        const ElementPlace place{static_cast<int>(group), element};
+        element_coordinates(place, indices.at);
+        visit(place, indices);
     }
 }
 
 ANCF_INLINE void Assembly::build_gravity() {
-    gravity_.setZero(numbering_.coordinates());
+    detail::set_zero(gravity_, numbering_.coordinates());
     double acceleration[3] = {};
     for (int k = 0; k < model_.dimension(); ++k) acceleration[k] = model_.gravity_component(k);
-    std::vector<std::vector<double>> forces;  // of each group's prototypes
-    for (const auto& group : model_.groups()) {
-        const auto dofs = static_cast<std::size_t>(group->dofs());
-        std::vector<double>& of =
-            forces.emplace_back(dofs * static_cast<std::size_t>(group->prototype_count()));
-        for (int k = 0; k < group->prototype_count(); ++k)
-            group->gravity(k, acceleration, of.data() + dofs * static_cast<std::size_t>(k));
+    std::vector<double> forces;  // of a group's prototypes
+    for (std::size_t g = 0; g < plans_.size(); ++g) {
+        const ElementGroup& group = *model_.groups()[g];
+        const std::ptrdiff_t dofs = group.dofs();
+        forces.resize(static_cast<std::size_t>(dofs * group.prototype_count()));
+        for (int k = 0; k < group.prototype_count(); ++k)
+            group.gravity(k, acceleration, forces.data() + dofs * k);
+        for_each_element(g, [&](const ElementPlace& at, const detail::ElementIndices& indices) {
+            const double* const force = forces.data() + dofs * group.prototype_of(at.element);
+            for (int i = 0; i < group.dofs(); ++i) gravity_[indices.at[i]] += force[i];
+        });
     }
-    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
-                         const detail::ElementIndices& indices) {
-        const double* const force =
-            forces[static_cast<std::size_t>(place.group)].data() +
-            static_cast<std::ptrdiff_t>(group.dofs()) * group.prototype_of(place.element);
-        for (int i = 0; i < group.dofs(); ++i) gravity_[indices.at[i]] += force[i];
-    });
     for (const PointMass& point : model_.masses()) {
         const int at = model_.coordinate(point.node, Field::r);
         for (int i = 0; i < model_.dimension(); ++i)
@@ -313,18 +310,22 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
     }
     energy_known_ = request != Request::force || increment != nullptr;
     if (!energy_known_) force_q_ = at.q;
-    internal_.setZero(numbering_.coordinates());
-    constraint_.setZero(numbering_.coordinates());
+    detail::set_zero(internal_, numbering_.coordinates());
+    detail::set_zero(constraint_, numbering_.coordinates());
     strain_energy_ = 0.0;
-    if (request != Request::force) clear_values(cleared_first_);
+    if (request != Request::force) clear_values(cleared_first_.begin(), cleared_first_.end());
     if (request == Request::tangent_and_damping) {
-        if (detail::entries(damping_) != detail::entries(tangent_)) damping_ = pattern_.matrix();
+        if (detail::entries(damping_) != detail::entries(tangent_)) {
+            SparseMatrix zero = pattern_.matrix();
+            damping_.swap(zero);
+        }
         std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
     const double gravity_scale = model_.gravity_scale(at.instant);
-    external_ = gravity_scale * gravity_;
+    external_ = gravity_;
+    for (double& entry : external_) entry *= gravity_scale;
     load_potential_ = -detail::dot(external_, at.q);
     add_loads(at, request);
     add_constraints(at, request);
@@ -337,9 +338,9 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
 ANCF_INLINE double Assembly::strain_energy() const {
     if (energy_known_) return strain_energy_;
     strain_energy_ = 0.0;
-    for (std::size_t index = 0; index < schedules_.size(); ++index) {
+    for (std::size_t index = 0; index < plans_.size(); ++index) {
         const ElementGroup& group = *model_.groups()[index];
-        strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t) {
+        strain_energy_ += plans_[index].schedule.sum([&](const ElementRun& run, std::size_t) {
             double energy = 0.0;
             for (int k = run.first; k < run.last; ++k) {
                 detail::ElementIndices indices;
@@ -357,7 +358,8 @@ ANCF_INLINE double Assembly::strain_energy() const {
 }
 
 ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) const {
-    return {slots_[group].data(),
+    const GroupPlan& plan = plans_[group];
+    return {plan.slots.data(),
             model_.layout(),
             numbering_.equations(),
             pattern_.first_rows(),
@@ -370,14 +372,15 @@ ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) cons
             false,
             nullptr,
             values,
-            attached_[group].empty() ? nullptr : attached_[group].data()};
+            plan.attached.empty() ? nullptr : plan.attached.data()};
 }
 
 ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request,
                                         const VectorX* increment, const Correction* last) {
     const bool tangent = request != Request::force;
-    for (std::size_t index = 0; index < schedules_.size(); ++index) {
+    for (std::size_t index = 0; index < plans_.size(); ++index) {
         const ElementGroup& group = *model_.groups()[index];
+        const GroupPlan& plan = plans_[index];
         GroupTarget target = this->target(index, tangent_.valuePtr());
         target.q = at.q.data();
         target.increment = increment != nullptr ? increment->data() : nullptr;
@@ -385,8 +388,10 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
         target.change = last != nullptr ? last->change.data() : nullptr;
         target.tangent = tangent;
         target.internal_force = internal_.data();
-        strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
-            if (tangent) clear_values(cleared_[index][place]);
+        strain_energy_ += plans_[index].schedule.sum([&](const ElementRun& run, std::size_t place) {
+            if (tangent)
+                clear_values(plan.cleared.begin() + plan.first_cleared[place],
+                             plan.cleared.begin() + plan.first_cleared[place + 1]);
             return group.add(run, target);
         });
     }
@@ -398,7 +403,7 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
     element_coordinates(place, indices.at);
     const auto group = static_cast<std::size_t>(place.group);
     const int dofs = model_.groups()[group]->dofs(), half = dofs / 2;
-    const ElementSlots& slots = slots_[group][static_cast<std::size_t>(place.element)];
+    const ElementSlots& slots = plans_[group].slots[static_cast<std::size_t>(place.element)];
     if (slots.attached >= 0) {
         detail::add_attached(target(group, matrix.valuePtr()), slots.attached, block);
         return;
@@ -451,9 +456,9 @@ void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bo
         detail::gather(v, coordinates.read(), local.v);
         const AnyLoad& load = model_.loads()[k].load;
         const Eigen::Index rows = load.constant() ? 0 : size;
-        result.force.setZero(size);
-        result.stiffness.setZero(rows, rows);
-        result.damping.setZero(rows, rows);
+        detail::set_zero(result.force, size);
+        detail::set_zero(result.stiffness, rows, rows);
+        detail::set_zero(result.damping, rows, rows);
         result.potential = result.period = 0.0;
         load.evaluate(local, result);
         const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
@@ -505,9 +510,11 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
                 scale(Instant{factor - step, factor - step})) /
                (2.0 * step);
     };
-    VectorX rate = slope([&](const Instant& at) { return model_.gravity_scale(at); }) * gravity_;
+    const double gravity = slope([&](const Instant& at) { return model_.gravity_scale(at); });
+    VectorX rate = gravity_;
+    for (double& entry : rate) entry *= gravity;
     for_each_load(
-        q, VectorX::Zero(q.size()), factor, false,
+        q, detail::zeros(q.size()), factor, false,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = slope([&](const Instant& at) { return load.scale(at); });
             for (std::size_t i = 0; i < coordinates.size(); ++i)
@@ -517,9 +524,9 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
 }
 
 ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request request) {
-    violation_.setZero(numbering_.multipliers());
-    violation_rate_.setZero(numbering_.multipliers());
-    convection_.setZero(numbering_.multipliers());
+    detail::set_zero(violation_, numbering_.multipliers());
+    detail::set_zero(violation_rate_, numbering_.multipliers());
+    detail::set_zero(convection_, numbering_.multipliers());
     faulty_constraint_ = -1;
     steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
     ConstraintState local;
@@ -534,7 +541,8 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         const int equations = constraint.equations();
         detail::gather(at.q, map.read(), local.q);
         detail::gather(at.v, map.read(), local.v);
-        local.multipliers = at.multipliers.segment(first, equations);
+        local.multipliers.resize(equations);
+        std::copy_n(at.multipliers.data() + first, equations, local.multipliers.data());
         result.reset(equations, size);
         constraint.evaluate(local, result);
         detail::require(result.violation.size() == equations &&
@@ -547,9 +555,9 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         map.carry_columns(result.jacobian);
         map.carry(result.stiffness);
         size = result.jacobian.cols();
-        violation_.segment(first, equations) = result.violation;
-        violation_rate_.segment(first, equations) = result.rate;
-        convection_.segment(first, equations) = result.convection;
+        std::copy_n(result.violation.data(), equations, violation_.data() + first);
+        std::copy_n(result.rate.data(), equations, violation_rate_.data() + first);
+        std::copy_n(result.convection.data(), equations, convection_.data() + first);
         if (faulty_constraint_ < 0 &&
             !(detail::all_finite(result.violation) && detail::all_finite(result.jacobian)))
             faulty_constraint_ = static_cast<int>(k);
@@ -683,15 +691,18 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
 
 template <class Judge>
 std::optional<ElementPlace> Assembly::find_element(const VectorX& q, const Judge& judge) const {
-    std::optional<ElementPlace> found;
-    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
-                         const detail::ElementIndices& indices) {
-        if (found) return;
-        double e[ElementGroup::max_dofs];
-        detail::gather(q, indices, group.dofs(), e);
-        if (judge(group, group.prototype_of(place.element), e)) found = place;
-    });
-    return found;
+    double e[ElementGroup::max_dofs];
+    detail::ElementIndices indices;
+    for (std::size_t g = 0; g < plans_.size(); ++g) {
+        const ElementGroup& group = *model_.groups()[g];
+        for (int k = 0; k < group.size(); ++k) {
+            const ElementPlace place{static_cast<int>(g), k};
+            element_coordinates(place, indices.at);
+            detail::gather(q, indices, group.dofs(), e);
+            if (judge(group, group.prototype_of(k), e)) return place;
+        }
+    }
+    return std::nullopt;
 }
 
 ANCF_INLINE void Assembly::residual(VectorX& out) const {
@@ -699,21 +710,16 @@ ANCF_INLINE void Assembly::residual(VectorX& out) const {
     for (int k = 0; k < numbering_.coordinates(); ++k)
         if (const int equation = numbering_.equation(k); equation >= 0)
             out[equation] = internal_[k] + constraint_[k] - external_[k];
-    out.tail(numbering_.multipliers()) = violation_;
+    std::copy_n(violation_.data(), violation_.size(), out.data() + numbering_.free_coordinates());
 }
 
 namespace detail {
 
-/// Returns the mass matrices of all prototypes of each group, by columns, one after the other.
-[[nodiscard]] ANCF_INLINE std::vector<std::vector<double>> prototype_masses(const Scene& model) {
-    std::vector<std::vector<double>> masses;
-    for (const auto& group : model.groups()) {
-        const auto size = static_cast<std::size_t>(group->dofs() * group->dofs());
-        std::vector<double>& of =
-            masses.emplace_back(size * static_cast<std::size_t>(group->prototype_count()));
-        for (int k = 0; k < group->prototype_count(); ++k)
-            group->mass(k, of.data() + size * static_cast<std::size_t>(k));
-    }
+/// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
+[[nodiscard]] ANCF_INLINE std::vector<double> prototype_masses(const ElementGroup& group) {
+    const std::ptrdiff_t size = group.dofs() * group.dofs();
+    std::vector<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
+    for (int k = 0; k < group.prototype_count(); ++k) group.mass(k, masses.data() + size * k);
     return masses;
 }
 
@@ -721,15 +727,14 @@ namespace detail {
 
 ANCF_INLINE SparseMatrix Assembly::mass() const {
     SparseMatrix result = pattern_.matrix();
-    const auto masses = detail::prototype_masses(model_);
-    for_each_element(
-        [&](const ElementGroup& group, const ElementPlace& place, const detail::ElementIndices&) {
-            const std::ptrdiff_t size = group.dofs() * group.dofs();
-            add_block(place,
-                      masses[static_cast<std::size_t>(place.group)].data() +
-                          size * group.prototype_of(place.element),
+    for (std::size_t g = 0; g < plans_.size(); ++g) {
+        const ElementGroup& group = *model_.groups()[g];
+        const std::ptrdiff_t size = group.dofs() * group.dofs();
+        const std::vector<double> masses = detail::prototype_masses(group);
+        for (int k = 0; k < group.size(); ++k)
+            add_block({static_cast<int>(g), k}, masses.data() + size * group.prototype_of(k),
                       result);
-        });
+    }
     for (const PointMass& point : model_.masses()) {
         const auto parts = numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
         for (const Dependence::Part& row : parts)
@@ -743,19 +748,20 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
 
 ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
     check_size("mass_product", "coordinates", a);
-    VectorX result = VectorX::Zero(a.size());
-    const auto masses = detail::prototype_masses(model_);
-    for_each_element([&](const ElementGroup& group, const ElementPlace& place,
-                         const detail::ElementIndices& indices) {
+    VectorX result = detail::zeros(a.size());
+    for (std::size_t g = 0; g < plans_.size(); ++g) {
+        const ElementGroup& group = *model_.groups()[g];
         const int dofs = group.dofs();
-        const double* mass =
-            masses[static_cast<std::size_t>(place.group)].data() +
-            static_cast<std::ptrdiff_t>(dofs) * dofs * group.prototype_of(place.element);
-        double e[ElementGroup::max_dofs];
-        detail::gather(a, indices, dofs, e);
-        for (int j = 0; j < dofs; ++j)
-            for (int i = 0; i < dofs; ++i) result[indices.at[i]] += *mass++ * e[j];
-    });
+        const std::vector<double> masses = detail::prototype_masses(group);
+        for_each_element(g, [&](const ElementPlace& at, const detail::ElementIndices& indices) {
+            const double* mass = masses.data() + static_cast<std::ptrdiff_t>(dofs) * dofs *
+                                                     group.prototype_of(at.element);
+            double e[ElementGroup::max_dofs];
+            detail::gather(a, indices, dofs, e);
+            for (int j = 0; j < dofs; ++j)
+                for (int i = 0; i < dofs; ++i) result[indices.at[i]] += *mass++ * e[j];
+        });
+    }
     for (const PointMass& point : model_.masses()) {
         const int at = model_.coordinate(point.node, Field::r);
         for (int i = 0; i < model_.dimension(); ++i) result[at + i] += point.mass * a[at + i];

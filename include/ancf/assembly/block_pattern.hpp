@@ -10,13 +10,19 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace ancf {
+
+/// Two coupled blocks.
+struct BlockPair {
+    int first;   ///< one
+    int second;  ///< the other, or the same
+};
 
 /// Pattern and value slots of a symmetric structure of blocks.
 class BlockPattern {
@@ -27,7 +33,7 @@ public:
     /// @param pairs   coupled blocks (a, b), in any order and repetition; a block couples to
     ///                itself.
     /// @param storage `lower` keeps rows at or below the diagonal.
-    BlockPattern(const std::vector<int>& sizes, std::vector<std::pair<int, int>> pairs,
+    BlockPattern(const std::vector<int>& sizes, const detail::Records<BlockPair>& pairs,
                  Storage storage);
 
     /// Returns which part is stored.

@@ -13,41 +13,47 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace ancf {
 
 ANCF_INLINE BlockPattern::BlockPattern(const std::vector<int>& sizes,
-                                       std::vector<std::pair<int, int>> pairs, Storage storage)
+                                       const detail::Records<BlockPair>& pairs, Storage storage)
     : storage_(storage), first_(sizes.size() + 1, 0) {
     const auto blocks = sizes.size();
     for (std::size_t k = 0; k < blocks; ++k) first_[k + 1] = first_[k] + sizes[k];
 
-    // sorted (column block, row block), both directions, the diagonal included
-    const std::size_t given = pairs.size();
-    pairs.reserve(2 * given + blocks);
-    for (std::size_t k = 0; k < given; ++k) pairs.emplace_back(pairs[k].second, pairs[k].first);
-    for (std::size_t k = 0; k < blocks; ++k) pairs.emplace_back(k, k);
-    if (storage == Storage::lower)
-        pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                                   [](const auto& pair) { return pair.second < pair.first; }),
-                    pairs.end());
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    // row blocks of every column block, both directions, the diagonal included
+    const auto visit = [&](const auto& couple) {
+        for (std::size_t k = 0; k < blocks; ++k) couple(k, static_cast<int>(k));
+        for (const BlockPair& pair : pairs) {
+            const bool lower = storage == Storage::lower;
+            if (!lower || pair.second >= pair.first)
+                couple(static_cast<std::size_t>(pair.first), pair.second);
+            if (!lower || pair.first >= pair.second)
+                couple(static_cast<std::size_t>(pair.second), pair.first);
+        }
+    };
+    detail::Records<std::size_t> end(blocks + 1, 0);
+    visit([&](std::size_t column, int) { ++end[column + 1]; });
+    for (std::size_t k = 0; k < blocks; ++k) end[k + 1] += end[k];
+    std::vector<int> rows(end[blocks]);
+    visit([&](std::size_t column, int row) { rows[end[column]++] = row; });
 
     height_.assign(blocks, 0);
     start_.assign(blocks + 1, 0);
     neighbour_first_.assign(blocks + 1, 0);
-    neighbours_.reserve(pairs.size());
-    neighbour_offset_.reserve(pairs.size());
-    std::size_t next = 0;
+    neighbours_.reserve(rows.size());
+    neighbour_offset_.reserve(rows.size());
     std::int64_t values = 0;
-    for (std::size_t column = 0; column < blocks; ++column) {
-        for (; next < pairs.size() && pairs[next].first == static_cast<int>(column); ++next) {
-            neighbours_.push_back(pairs[next].second);
+    std::size_t first = 0;
+    for (std::size_t column = 0; column < blocks; first = end[column++]) {
+        std::sort(rows.data() + first, rows.data() + end[column]);
+        for (std::size_t k = first; k < end[column]; ++k) {
+            if (k > first && rows[k] == rows[k - 1]) continue;
+            neighbours_.push_back(rows[k]);
             neighbour_offset_.push_back(height_[column]);
-            height_[column] += sizes[static_cast<std::size_t>(pairs[next].second)];
+            height_[column] += sizes[static_cast<std::size_t>(rows[k])];
         }
         neighbour_first_[column + 1] = static_cast<int>(neighbours_.size());
         const std::int64_t width = sizes[column];

@@ -12,6 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/model/element_group.hpp>
+#include <ancf/records.hpp>
 
 #include <cstddef>
 #include <exception>
@@ -30,7 +31,7 @@ public:
     using Followed = std::vector<std::vector<int>>;
 
     /// @param nodes  number of nodes of the model
-    ElementSchedule(const std::vector<Connection>& connections, int nodes,
+    ElementSchedule(const detail::Records<Connection>& connections, int nodes,
                     const Followed& followed = {});
 
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
@@ -40,14 +41,14 @@ public:
     template <class Visitor>
     double sum(const Visitor& visit) const;
 
-    /// Returns the runs of each colour, in the order in which they are added.
-    [[nodiscard]] const std::vector<std::vector<ElementRun>>& colours() const noexcept {
-        return colours_;
-    }
+    /// Returns the runs in the order in which they are added, colour by colour.
+    [[nodiscard]] const detail::Records<ElementRun>& runs() const noexcept { return runs_; }
+    /// Returns the number of runs up to the end of each colour.
+    [[nodiscard]] const detail::Records<std::size_t>& colours() const noexcept { return colours_; }
 
     /// Calls visit(node) for both nodes of every element of a run, and for those they follow.
     template <class Visitor>
-    static void visit_nodes(const std::vector<Connection>& connections, const ElementRun& run,
+    static void visit_nodes(const detail::Records<Connection>& connections, const ElementRun& run,
                             const Followed& followed, const Visitor& visit) {
         for (int k = run.first; k < run.last; ++k) {
             const Connection& connection = connections[static_cast<std::size_t>(k)];
@@ -61,37 +62,44 @@ public:
     }
 
 private:
-    std::vector<std::vector<ElementRun>> colours_;
+    detail::Records<ElementRun> runs_;
+    detail::Records<std::size_t> colours_;
     bool sequential_ = false;
 };
 
 template <class Visitor>
 double ElementSchedule::sum(const Visitor& visit) const {
     double total = 0.0;
-    std::size_t done = 0;
-    for (const std::vector<ElementRun>& runs : colours_) {
-        if (sequential_ || runs.size() == 1) {  // even a team of one thread costs a system call
-            for (const ElementRun& run : runs) total += visit(run, done++);
+    std::size_t first = 0;
+    for (const std::size_t last : colours_) {
+        if (sequential_ || last - first == 1) {  // even a team of one thread costs a system call
+            for (; first < last; ++first) total += visit(runs_[first], first);
             continue;
         }
-        std::vector<double> parts(runs.size(), 0.0);
-        std::vector<std::exception_ptr> thrown(runs.size());  // none may leave a thread
-        const auto size = static_cast<std::ptrdiff_t>(runs.size());
+        std::vector<double> parts(last - first, 0.0);
+        std::exception_ptr thrown;  // none may leave a thread
+        const auto size = static_cast<std::ptrdiff_t>(parts.size());
+        std::ptrdiff_t thrower = size;
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static)
 #endif
         for (std::ptrdiff_t run = 0; run < size; ++run) {
             const auto k = static_cast<std::size_t>(run);
             try {
-                parts[k] = visit(runs[k], done + k);
+                parts[k] = visit(runs_[first + k], first + k);
             } catch (...) {
-                thrown[k] = std::current_exception();
+#if defined(_OPENMP)
+#pragma omp critical(ancf_schedule)
+#endif
+                if (run < thrower) {
+                    thrower = run;
+                    thrown = std::current_exception();
+                }
             }
         }
-        for (const std::exception_ptr& exception : thrown)
-            if (exception) std::rethrow_exception(exception);
+        if (thrown) std::rethrow_exception(thrown);
         for (const double part : parts) total += part;
-        done += runs.size();
+        first = last;
     }
     return total;
 }

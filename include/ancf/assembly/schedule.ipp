@@ -15,10 +15,12 @@
 
 namespace ancf {
 
-ANCF_INLINE ElementSchedule::ElementSchedule(const std::vector<Connection>& connections, int nodes,
-                                             const Followed& followed) {
+ANCF_INLINE ElementSchedule::ElementSchedule(const detail::Records<Connection>& connections,
+                                             int nodes, const Followed& followed) {
     constexpr int most_colours = 63;
-    std::vector<std::uint64_t> taken(static_cast<std::size_t>(nodes), 0);  // colours at a node
+    detail::Records<std::uint64_t> taken(static_cast<std::size_t>(nodes), 0);  // colours at a node
+    detail::Records<std::size_t> colour_of;                                    // of each run
+    std::size_t most = 0;
     const int count = static_cast<int>(connections.size());
     for (int first = 0; first < count; first += run_length) {
         const ElementRun run{first, std::min(first + run_length, count)};
@@ -26,17 +28,24 @@ ANCF_INLINE ElementSchedule::ElementSchedule(const std::vector<Connection>& conn
         visit_nodes(connections, run, followed, [&](std::size_t node) { met |= taken[node]; });
         std::size_t colour = 0;
         while (colour < most_colours && (met >> colour & 1U) != 0) ++colour;
-        if (colour == most_colours) {  // crowded nodes: one run after the other
-            colours_.assign(1, {});
-            sequential_ = true;
-            for (int k = 0; k < count; k += run_length)
-                colours_[0].push_back({k, std::min(k + run_length, count)});
-            return;
-        }
+        sequential_ = colour == most_colours;  // crowded nodes: one run after the other
+        if (sequential_) break;
         visit_nodes(connections, run, followed,
                     [&](std::size_t node) { taken[node] |= std::uint64_t{1} << colour; });
-        if (colour == colours_.size()) colours_.emplace_back();
-        colours_[colour].push_back(run);
+        colour_of.push_back(colour);
+        most = std::max(most, colour + 1);
+    }
+    if (sequential_) {
+        most = 1;
+        colour_of.assign(static_cast<std::size_t>((count + run_length - 1) / run_length), 0);
+    }
+    for (std::size_t colour = 0; colour < most; ++colour) {
+        int first = 0;
+        for (const std::size_t own : colour_of) {
+            if (own == colour) runs_.push_back({first, std::min(first + run_length, count)});
+            first += run_length;
+        }
+        colours_.push_back(runs_.size());
     }
 }
 

@@ -368,7 +368,7 @@ ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const 
                                               const VectorX& lambda) {
     (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
     Energies result = energies();
-    const std::vector<AnglePotential>& found = assembly_.angle_potentials();
+    const auto& found = assembly_.angle_potentials();
     const bool first = angles_.size() != found.size();
     if (first) angles_.assign(found.size(), 0.0);
     for (std::size_t k = 0; k < found.size(); ++k) {

@@ -11,6 +11,7 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
+#include <ancf/records.hpp>
 
 #include <array>
 #include <cmath>
@@ -27,7 +28,7 @@ struct QuadraturePoint {
     double weight;  ///< 1
 };
 
-using Quadrature = std::vector<QuadraturePoint>;  ///< points with their weights
+using Quadrature = detail::Records<QuadraturePoint>;  ///< points with their weights
 
 /// Returns Gauss and Legendre's quadrature, exact for polynomials of degree 2 points - 1.
 /// @throws InvalidArgument unless 1 <= points <= 16.
@@ -109,7 +110,9 @@ public:
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
     /// Returns the stations in ascending order of xi.
-    [[nodiscard]] const std::vector<RuleStation>& stations() const noexcept { return stations_; }
+    [[nodiscard]] const detail::Records<RuleStation>& stations() const noexcept {
+        return stations_;
+    }
 
     /// Returns at how many stations a group is integrated.
     [[nodiscard]] int points(StrainGroup group) const noexcept {
@@ -126,7 +129,7 @@ private:
     void insert(const Quadrature& quadrature, StrainGroup group);
 
     std::string name_;
-    std::vector<RuleStation> stations_;
+    detail::Records<RuleStation> stations_;
 };
 
 inline Quadrature gauss_quadrature(int points) {
@@ -178,12 +181,15 @@ inline void Rule::insert(const Quadrature& quadrature, StrainGroup group) {
                         point.xi);
         detail::require_positive("weight", point.weight);
         sum += point.weight;
-        auto place = stations_.begin();
-        while (place != stations_.end() && place->xi < point.xi) ++place;
-        if (place == stations_.end() || place->xi > point.xi) {
-            place = stations_.insert(place, RuleStation{point.xi, {}});
+        std::size_t place = 0;
+        while (place < stations_.size() && stations_[place].xi < point.xi) ++place;
+        if (place == stations_.size() || stations_[place].xi > point.xi) {
+            stations_.push_back({});
+            for (std::size_t k = stations_.size() - 1; k > place; --k)
+                stations_[k] = stations_[k - 1];
+            stations_[place] = {point.xi, {}};
         }
-        place->weights[static_cast<unsigned>(group)] += point.weight;
+        stations_[place].weights[static_cast<unsigned>(group)] += point.weight;
     }
     detail::require(std::abs(sum - 1.0) < 1e-12, "weights must have the sum 1, got ", sum);
 }

@@ -67,8 +67,9 @@ public:
 
     /// Returns J = ds/dx.
     [[nodiscard]] double metric(double xi) const noexcept {
-        return curved_ ? derivative(straight_shape<Line>(xi, parameter_length_).p, vectors_).norm()
-                       : 1.0;
+        if (!curved_) return 1.0;
+        const Components p = derivative(straight_shape<Line>(xi, parameter_length_).p, vectors_);
+        return std::sqrt(product(p, p));
     }
 
     /// Returns the least stretch |dr/ds| of the line with the given coordinates, at its ends and at
@@ -80,7 +81,8 @@ public:
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k <= detail::line_parts; ++k) {
             const auto at = shape(static_cast<double>(k) / detail::line_parts);
-            least = std::min(least, derivative(at.p, vectors).norm());
+            const Components p = derivative(at.p, vectors);
+            least = std::min(least, std::sqrt(product(p, p)));
         }
         return least;
     }
@@ -89,10 +91,9 @@ public:
     [[nodiscard]] StationShape<double, Line::vectors> shape(double xi) const noexcept {
         auto shape = straight_shape<Line>(xi, parameter_length_);
         if (!curved_) return shape;
-        const Point p = derivative(shape.p, vectors_);
-        const Point p1 = derivative(shape.p1, vectors_);
-        const double J = p.norm();
-        const double growth = p.dot(p1) / (J * J);  // J'/J
+        const Components p = derivative(shape.p, vectors_);
+        const double J = std::sqrt(product(p, p));
+        const double growth = product(p, derivative(shape.p1, vectors_)) / (J * J);  // J'/J
         for (int k = 0; k < Line::vectors; ++k) {
             shape.p1[k] = (shape.p1[k] - growth * shape.p[k]) / (J * J);
             shape.p[k] /= J;
@@ -160,27 +161,38 @@ public:
 private:
     static constexpr int integration_points = 10;  // round-off for arcs of a radian
 
+    using Components = std::array<double, Dimension>;
     /// (D, g_i, g_j), of a quintic then (k_i, k_j).
-    using Vectors = std::array<Point, Line::vectors>;
+    using Vectors = std::array<Components, Line::vectors>;
 
     template <int Dofs>
     [[nodiscard]] static Vectors line_vectors(const Vector<double, Dofs>& e) noexcept {
         constexpr int node = Dofs / 2;
         Vectors vectors;
-        vectors[0] = e.template segment<Dimension>(node) - e.template segment<Dimension>(0);
-        vectors[1] = e.template segment<Dimension>(Dimension);
-        vectors[2] = e.template segment<Dimension>(node + Dimension);
-        if constexpr (Line::vectors == 5) {
-            vectors[3] = e.template segment<Dimension>(node - Dimension);
-            vectors[4] = e.template segment<Dimension>(Dofs - Dimension);
+        for (std::size_t i = 0; i < vectors[0].size(); ++i) {
+            const double* const at = e.data() + i;
+            vectors[0][i] = at[node] - at[0];
+            vectors[1][i] = at[Dimension];
+            vectors[2][i] = at[node + Dimension];
+            if constexpr (Line::vectors == 5) {
+                vectors[3][i] = at[node - Dimension];
+                vectors[4][i] = at[Dofs - Dimension];
+            }
         }
         return vectors;
     }
 
-    [[nodiscard]] static Point derivative(const double (&weights)[Line::vectors],
-                                          const Vectors& vectors) noexcept {
-        Point sum = Point::Zero();
-        for (std::size_t k = 0; k < vectors.size(); ++k) sum += weights[k] * vectors[k];
+    [[nodiscard]] static Components derivative(const double (&weights)[Line::vectors],
+                                               const Vectors& vectors) noexcept {
+        Components sum{};
+        for (std::size_t k = 0; k < vectors.size(); ++k)
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[k] * vectors[k][i];
+        return sum;
+    }
+
+    [[nodiscard]] static double product(const Components& a, const Components& b) noexcept {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
         return sum;
     }
 

@@ -14,9 +14,10 @@
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/pack.hpp>
 #include <ancf/element/quadrature.hpp>
+#include <ancf/records.hpp>
 #include <ancf/section/stiffness.hpp>
 
-#include <vector>
+#include <cstddef>
 
 namespace ancf {
 
@@ -57,8 +58,8 @@ struct AxialStationData {
 /// The stations of a rule.
 template <class T, int Line = 3>
 struct StationTable {
-    std::vector<StationData<T, Line>> full;        ///< stations of all strains
-    std::vector<AxialStationData<T, Line>> axial;  ///< stations of the axial strain alone
+    detail::Records<StationData<T, Line>> full;        ///< stations of all strains
+    detail::Records<AxialStationData<T, Line>> axial;  ///< stations of the axial strain alone
 };
 
 /// Returns the shape weights at xi of a straight element of the given length.
@@ -162,9 +163,8 @@ AxialStationData<double, Line> without_stiffness(AxialStationData<double, Line> 
 }
 
 template <int Lanes, int Line, template <class, int> class Data>
-[[nodiscard]] std::vector<Data<Pack<Lanes>, Line>> packed(
-    const std::vector<Data<double, Line>>& stations) {
-    std::vector<Data<Pack<Lanes>, Line>> packs((stations.size() + Lanes - 1) / Lanes);
+[[nodiscard]] Records<Data<Pack<Lanes>, Line>> packed(const Records<Data<double, Line>>& stations) {
+    Records<Data<Pack<Lanes>, Line>> packs((stations.size() + Lanes - 1) / Lanes);
     for (std::size_t k = 0; k < packs.size() * Lanes; ++k) {
         put_lane(packs[k / Lanes], static_cast<int>(k % Lanes),
                  k < stations.size() ? stations[k] : without_stiffness(stations.back()));

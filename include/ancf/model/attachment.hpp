@@ -14,11 +14,11 @@
 #include <ancf/model/group_target.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -42,7 +42,8 @@ public:
     Dependence() = default;
 
     /// Resolves chains of attachments, which form no circle.
-    [[gnu::cold]] Dependence(const Layout& layout, const std::vector<AttachedVector>& attachments);
+    [[gnu::cold]] Dependence(const Layout& layout,
+                             const detail::Records<AttachedVector>& attachments);
 
     /// Tells whether nothing is attached.
     [[nodiscard]] bool empty() const noexcept { return firsts_.empty(); }
@@ -53,7 +54,7 @@ public:
     }
 
     /// Returns the parts of the vector that starts at a coordinate: itself unless it is attached.
-    [[nodiscard]] std::vector<Part> parts(int first) const;
+    [[nodiscard]] detail::Records<Part> parts(int first) const;
 
     /// Sets the attached vectors of coordinates, or of their rates or changes, by the others.
     void complete(VectorX& coordinates) const;
@@ -66,12 +67,16 @@ public:
 
 private:
     void complete_one(VectorX& coordinates, std::size_t attached) const;
+    bool resolve();
+    void list_followers(int coordinates);
 
     int dimension_ = 0;
-    std::vector<int> firsts_;               // first coordinate of each attached vector
-    std::vector<std::vector<Part>> parts_;  // of each attached vector
-    std::vector<int> vector_of_;            // place in firsts_ of each coordinate, -1
-    std::vector<std::pair<int, std::size_t>> followers_;  // of each part, sorted: place in firsts_
+    std::vector<int> firsts_;          // first coordinate of each attached vector
+    detail::Records<Part> parts_;      // of all attached vectors, one after the other
+    std::vector<int> first_part_;      // of each attached vector, and the end
+    std::vector<int> vector_of_;       // place in firsts_ of each coordinate, -1
+    std::vector<int> followers_;       // places in firsts_, by the coordinate that they follow
+    std::vector<int> first_follower_;  // of each coordinate, and the end
 };
 
 namespace detail {
@@ -85,7 +90,7 @@ struct FollowedVectors {
     };
 
     std::vector<int> firsts;      ///< first coordinates of those that are not attached, once each
-    std::vector<Part> parts;      ///< of all vectors of the list, one after the other
+    Records<Part> parts;          ///< of all vectors of the list, one after the other
     std::vector<int> first_part;  ///< of each vector of the list, and the end
 
     /// @param list  first coordinates
@@ -122,7 +127,7 @@ private:
     };
 
     std::vector<int> read_, acted_;
-    std::vector<Entry> transfer_;  // none: the identity
+    Records<Entry> transfer_;  // none: the identity
 };
 
 /// An element with attached vectors: where its tangent goes.

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/element_group.hpp>
@@ -19,7 +20,7 @@
 namespace ancf {
 
 ANCF_INLINE Dependence::Dependence(const Layout& layout,
-                                   const std::vector<AttachedVector>& attachments)
+                                   const detail::Records<AttachedVector>& attachments)
     : dimension_(layout.dimension()) {
     if (attachments.empty()) return;
     vector_of_.assign(static_cast<std::size_t>(layout.size()), -1);
@@ -28,39 +29,78 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout,
         for (int k = 0; k < dimension_; ++k)
             vector_of_[static_cast<std::size_t>(first + k)] = static_cast<int>(firsts_.size());
         firsts_.push_back(first);
-        std::vector<Part>& parts = parts_.emplace_back();
+        first_part_.push_back(static_cast<int>(parts_.size()));
         for (std::size_t k = 0; k < attachment.factors.size(); ++k)
             if (attachment.factors[k] != 0.0)
-                parts.push_back(
+                parts_.push_back(
                     {layout.index({attachment.to, static_cast<Field>(k)}), attachment.factors[k]});
     }
-    // chains: a part that is attached itself gives way to its own parts
-    for (bool resolved = false; !resolved;) {
-        resolved = true;
-        for (std::vector<Part>& parts : parts_) {
-            std::vector<Part> direct;
-            for (const Part& part : parts)
-                for (const Part& of : this->parts(part.first)) {
-                    resolved = resolved && of.first == part.first;
-                    const auto same =
-                        std::find_if(direct.begin(), direct.end(),
-                                     [&](const Part& other) { return other.first == of.first; });
-                    if (same == direct.end())
-                        direct.push_back({of.first, part.factor * of.factor});
-                    else
-                        same->factor += part.factor * of.factor;
-                }
-            parts = direct;
-        }
+    first_part_.push_back(static_cast<int>(parts_.size()));
+    while (!resolve()) {
     }
-    for (std::size_t k = 0; k < parts_.size(); ++k)
-        for (const Part& part : parts_[k]) followers_.emplace_back(part.first, k);
-    std::sort(followers_.begin(), followers_.end());
+    list_followers(layout.size());
 }
 
-ANCF_INLINE std::vector<Dependence::Part> Dependence::parts(int first) const {
-    if (!attached(first)) return {{first, 1.0}};
-    return parts_[static_cast<std::size_t>(vector_of_[static_cast<std::size_t>(first)])];
+// Chains: a part that is attached itself gives way to its own parts.
+ANCF_INLINE bool Dependence::resolve() {
+    bool resolved = true;
+    const detail::Records<Part> given = std::exchange(parts_, {});
+    const std::vector<int> first_given = first_part_;
+    const auto add = [&](std::size_t to, int first, double factor) {
+        auto same = static_cast<std::size_t>(first_part_[to]);
+        while (same < parts_.size() && parts_[same].first != first) ++same;
+        if (same == parts_.size())
+            parts_.push_back({first, factor});
+        else
+            parts_[same].factor += factor;
+    };
+    for (std::size_t k = 0; k < firsts_.size(); ++k) {
+        first_part_[k] = static_cast<int>(parts_.size());
+        for (int p = first_given[k]; p < first_given[k + 1]; ++p) {
+            const Part part = given[static_cast<std::size_t>(p)];
+            if (!attached(part.first)) {
+                add(k, part.first, part.factor);
+                continue;
+            }
+            resolved = false;
+            const auto of =
+                static_cast<std::size_t>(vector_of_[static_cast<std::size_t>(part.first)]);
+            const bool done = of < k;  // in this pass
+            const std::vector<int>& from = done ? first_part_ : first_given;
+            for (int own = from[of]; own < from[of + 1]; ++own) {
+                const Part next = (done ? parts_ : given)[static_cast<std::size_t>(own)];
+                add(k, next.first, part.factor * next.factor);
+            }
+        }
+    }
+    first_part_.back() = static_cast<int>(parts_.size());
+    return resolved;
+}
+
+ANCF_INLINE void Dependence::list_followers(int coordinates) {
+    first_follower_.assign(static_cast<std::size_t>(coordinates) + 1, 0);
+    for (const Part& part : parts_) ++first_follower_[static_cast<std::size_t>(part.first) + 1];
+    for (std::size_t k = 1; k < first_follower_.size(); ++k)
+        first_follower_[k] += first_follower_[k - 1];
+    std::vector<int> next = first_follower_;
+    followers_.resize(parts_.size());
+    for (std::size_t k = 0; k < firsts_.size(); ++k)
+        for (int p = first_part_[k]; p < first_part_[k + 1]; ++p) {
+            const auto of = static_cast<std::size_t>(parts_[static_cast<std::size_t>(p)].first);
+            followers_[static_cast<std::size_t>(next[of]++)] = static_cast<int>(k);
+        }
+}
+
+ANCF_INLINE detail::Records<Dependence::Part> Dependence::parts(int first) const {
+    detail::Records<Part> all;
+    if (!attached(first)) {
+        all.push_back({first, 1.0});
+        return all;
+    }
+    const auto of = static_cast<std::size_t>(vector_of_[static_cast<std::size_t>(first)]);
+    for (int p = first_part_[of]; p < first_part_[of + 1]; ++p)
+        all.push_back(parts_[static_cast<std::size_t>(p)]);
+    return all;
 }
 
 ANCF_INLINE void Dependence::complete(VectorX& coordinates) const {
@@ -68,16 +108,20 @@ ANCF_INLINE void Dependence::complete(VectorX& coordinates) const {
 }
 
 ANCF_INLINE void Dependence::complete(VectorX& coordinates, int first) const {
-    auto of = std::lower_bound(followers_.begin(), followers_.end(),
-                               std::pair<int, std::size_t>(first, 0));
-    for (; of != followers_.end() && of->first == first; ++of)
-        complete_one(coordinates, of->second);
+    if (empty()) return;
+    const auto of = static_cast<std::size_t>(first);
+    for (int k = first_follower_[of]; k < first_follower_[of + 1]; ++k)
+        complete_one(coordinates,
+                     static_cast<std::size_t>(followers_[static_cast<std::size_t>(k)]));
 }
 
 ANCF_INLINE void Dependence::complete_one(VectorX& coordinates, std::size_t attached) const {
     for (int i = 0; i < dimension_; ++i) {
         double sum = 0.0;
-        for (const Part& part : parts_[attached]) sum += part.factor * coordinates[part.first + i];
+        for (int p = first_part_[attached]; p < first_part_[attached + 1]; ++p) {
+            const Part& part = parts_[static_cast<std::size_t>(p)];
+            sum += part.factor * coordinates[part.first + i];
+        }
         coordinates[firsts_[attached] + i] = sum;
     }
 }
@@ -86,7 +130,10 @@ ANCF_INLINE void Dependence::carry(VectorX& forces) const {
     for (std::size_t k = 0; k < firsts_.size(); ++k)
         for (int i = 0; i < dimension_; ++i) {
             double& force = forces[firsts_[k] + i];
-            for (const Part& part : parts_[k]) forces[part.first + i] += part.factor * force;
+            for (int p = first_part_[k]; p < first_part_[k + 1]; ++p) {
+                const Part& part = parts_[static_cast<std::size_t>(p)];
+                forces[part.first + i] += part.factor * force;
+            }
             force = 0.0;
         }
 }
@@ -137,7 +184,7 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
 
 ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
     if (transfer_.empty()) return;
-    VectorX carried = VectorX::Zero(static_cast<Eigen::Index>(acted_.size()));
+    VectorX carried = zeros(static_cast<Eigen::Index>(acted_.size()));
     for (const Entry& entry : transfer_) carried[entry.acted] += entry.factor * force[entry.read];
     force.swap(carried);
 }
@@ -145,7 +192,8 @@ ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
 ANCF_INLINE void LocalCoordinates::carry_columns(MatrixX& derivatives) const {
     if (transfer_.empty() || derivatives.size() == 0) return;
     const Eigen::Index rows = derivatives.rows();
-    MatrixX carried = MatrixX::Zero(rows, static_cast<Eigen::Index>(acted_.size()));
+    MatrixX carried;
+    set_zero(carried, rows, static_cast<Eigen::Index>(acted_.size()));
     for (const Entry& entry : transfer_) {
         const double* const from = derivatives.data() + rows * entry.read;
         double* const to = carried.data() + rows * entry.acted;
@@ -158,7 +206,8 @@ ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
     if (transfer_.empty() || stiffness.size() == 0) return;
     carry_columns(stiffness);
     const auto size = static_cast<Eigen::Index>(acted_.size());
-    MatrixX carried = MatrixX::Zero(size, size);
+    MatrixX carried;
+    set_zero(carried, size, size);
     for (Eigen::Index j = 0; j < size; ++j)
         for (const Entry& entry : transfer_)
             carried(entry.acted, j) += entry.factor * stiffness(entry.read, j);

@@ -14,12 +14,12 @@
 #include <ancf/error.hpp>
 #include <ancf/model/group_target.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 namespace ancf {
 
@@ -61,7 +61,7 @@ public:
 
     // What it holds ----------------------------------------------------------------------------
 
-    std::vector<Connection> connections;  ///< one for each element
+    detail::Records<Connection> connections;  ///< one for each element
 
     /// Returns the number of elements.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(connections.size()); }

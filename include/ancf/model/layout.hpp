@@ -9,6 +9,7 @@
 
 #include <ancf/element/fields.hpp>
 #include <ancf/model/node.hpp>
+#include <ancf/records.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -23,7 +24,7 @@ public:
 
     /// Makes the order for the fields of every node.
     /// @param shares  torsion_share() of every node, 0 to 1; none: one half of each
-    Layout(int dimension, std::vector<Fields> fields, std::vector<double> shares = {})
+    Layout(int dimension, detail::Records<Fields> fields, std::vector<double> shares = {})
         : dimension_(dimension),
           fields_(std::move(fields)),
           first_(fields_.size() + 1, 0),
@@ -85,7 +86,7 @@ public:
 
 private:
     int dimension_ = 0;
-    std::vector<Fields> fields_;
+    detail::Records<Fields> fields_;
     std::vector<int> first_ = {0};
     std::vector<double> shares_;
 };

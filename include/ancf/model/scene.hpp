@@ -27,7 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -261,7 +260,7 @@ public:
         return constraints_;
     }
     /// Returns the attached vectors.
-    [[nodiscard]] const std::vector<AttachedVector>& attachments() const noexcept {
+    [[nodiscard]] const detail::Records<AttachedVector>& attachments() const noexcept {
         return attachments_;
     }
     /// Returns what the attached vectors follow.
@@ -270,7 +269,7 @@ public:
         return dependence_;
     }
     /// Returns the masses at nodes.
-    [[nodiscard]] const std::vector<PointMass>& masses() const noexcept { return masses_; }
+    [[nodiscard]] const detail::Records<PointMass>& masses() const noexcept { return masses_; }
     /// Returns a component of the acceleration of gravity, m/s^2.
     [[nodiscard]] double gravity_component(int k) const {
         return gravity_[static_cast<std::size_t>(k)];
@@ -332,6 +331,7 @@ private:
     struct InitialNode {
         Fields fields;
         std::array<double, 3 * field_count> vectors;
+        int last_support = -1, last_attachment = -1;  // places in supports_ and attachments_
     };
 
     template <class Element>
@@ -366,23 +366,21 @@ private:
     void check(NodeId node) const;
     void check_component(int component) const;
 
-    /// Returns a number of its own for every component of every vector that a node may carry.
-    [[nodiscard]] long component_of(NodeId node, Field field, int component) const noexcept {
-        return (static_cast<long>(node.index) * field_count + static_cast<int>(field)) *
-                   dimension_ +
-               component;
-    }
+    // Returns the place of a support in supports_, -1 where there is none.
+    [[nodiscard]] int support_of(NodeId node, Field field, int component) const noexcept;
+    void append(Support support);
+    void append(const AttachedVector& attachment);
 
     int dimension_;
-    std::vector<InitialNode> initial_;
+    detail::Records<InitialNode> initial_;
     std::vector<std::unique_ptr<ElementGroup>> groups_;
     std::vector<Support> supports_;
-    std::unordered_map<long, std::size_t> support_at_;  // place in supports_, by component_of()
+    std::vector<int> support_before_;  // of the same node: place in supports_, -1: none
     std::vector<ScaledLoad> loads_;
     std::vector<AnyConstraint> constraints_;
-    std::vector<AttachedVector> attachments_;
-    std::unordered_map<long, std::size_t> attachment_at_;  // likewise, by its first component
-    std::vector<PointMass> masses_;
+    detail::Records<AttachedVector> attachments_;
+    std::vector<int> attachment_before_;  // likewise
+    detail::Records<PointMass> masses_;
     std::array<double, 3> gravity_ = {};
     Amplitude gravity_amplitude_;
     std::shared_ptr<const detail::Exchange> exchange_;

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
@@ -22,11 +23,11 @@ ANCF_INLINE Scene::Scene(const Scene& other)
     : dimension_(other.dimension_),
       initial_(other.initial_),
       supports_(other.supports_),
-      support_at_(other.support_at_),
+      support_before_(other.support_before_),
       loads_(other.loads_),
       constraints_(other.constraints_),
       attachments_(other.attachments_),
-      attachment_at_(other.attachment_at_),
+      attachment_before_(other.attachment_before_),
       masses_(other.masses_),
       gravity_(other.gravity_),
       gravity_amplitude_(other.gravity_amplitude_),
@@ -58,11 +59,11 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(initial_, other.initial_);
     std::swap(groups_, other.groups_);
     std::swap(supports_, other.supports_);
-    std::swap(support_at_, other.support_at_);
+    std::swap(support_before_, other.support_before_);
     std::swap(loads_, other.loads_);
     std::swap(constraints_, other.constraints_);
     std::swap(attachments_, other.attachments_);
-    std::swap(attachment_at_, other.attachment_at_);
+    std::swap(attachment_before_, other.attachment_before_);
     std::swap(masses_, other.masses_);
     std::swap(gravity_, other.gravity_);
     std::swap(gravity_amplitude_, other.gravity_amplitude_);
@@ -84,29 +85,27 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
     };
     std::unique_ptr<Scene> part(new Scene(dimension_));
     part->initial_ = initial_;
-    for (std::size_t k = 0; k < initial_.size(); ++k)
-        if (held.nodes[k] == 0) part->initial_[k].fields = Fields();
+    for (std::size_t k = 0; k < initial_.size(); ++k) {
+        InitialNode& node = part->initial_[k];
+        if (held.nodes[k] == 0) node.fields = Fields();
+        node.last_support = node.last_attachment = -1;
+    }
     for (std::size_t k = 0; k < groups_.size(); ++k) {
         part->groups_.push_back(groups_[k]->clone());
-        std::vector<Connection>& connections = part->groups_.back()->connections;
-        connections.clear();
-        connections.shrink_to_fit();
+        detail::Records<Connection>& connections = part->groups_.back()->connections;
+        connections = {};
         for (const int element : held.elements[k])
             connections.push_back(groups_[k]->connection(element));
     }
     for (const Support& support : supports_) {
         if (!has(support.node)) continue;
-        part->support_at_[component_of(support.node, support.field, support.component)] =
-            part->supports_.size();
-        part->supports_.push_back(support);
+        part->append(support);
     }
     for (const AttachedVector& attachment : attachments_) {
         if (!has(attachment.vector.node)) continue;
         detail::require(has(attachment.to), "Scene::part: node ", attachment.vector.node.index,
                         " follows node ", attachment.to.index, ", which is no part");
-        part->attachment_at_[component_of(attachment.vector.node, attachment.vector.field, 0)] =
-            part->attachments_.size();
-        part->attachments_.push_back(attachment);
+        part->append(attachment);
     }
     for (const int k : held.loads) part->loads_.push_back(loads_[static_cast<std::size_t>(k)]);
     for (const int k : held.constraints)
@@ -137,7 +136,9 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
 }
 
 ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_count>& vectors) {
-    initial_.push_back({Fields(), vectors});
+    InitialNode node;
+    node.vectors = vectors;
+    initial_.push_back(node);
     stale_ = true;
     ++revision_.scene;
     return {nodes() - 1};
@@ -207,12 +208,36 @@ ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Ampli
     check(node);
     check_component(component);
     check_unattached("prescribe", node, field);
-    const auto [at, added] =
-        support_at_.try_emplace(component_of(node, field, component), supports_.size());
-    if (added) supports_.emplace_back();
-    supports_[at->second] = {
+    Support support{
         node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
+    if (const int place = support_of(node, field, component); place >= 0)
+        supports_[static_cast<std::size_t>(place)] = std::move(support);
+    else
+        append(std::move(support));
     ++revision_.scene;
+}
+
+ANCF_INLINE int Scene::support_of(NodeId node, Field field, int component) const noexcept {
+    int place = initial_[static_cast<std::size_t>(node.index)].last_support;
+    for (; place >= 0; place = support_before_[static_cast<std::size_t>(place)]) {
+        const Support& support = supports_[static_cast<std::size_t>(place)];
+        if (support.field == field && support.component == component) break;
+    }
+    return place;
+}
+
+ANCF_INLINE void Scene::append(Support support) {
+    InitialNode& node = initial_[static_cast<std::size_t>(support.node.index)];
+    support_before_.push_back(node.last_support);
+    node.last_support = static_cast<int>(supports_.size());
+    supports_.push_back(std::move(support));
+}
+
+ANCF_INLINE void Scene::append(const AttachedVector& attachment) {
+    InitialNode& node = initial_[static_cast<std::size_t>(attachment.vector.node.index)];
+    attachment_before_.push_back(node.last_attachment);
+    node.last_attachment = static_cast<int>(attachments_.size());
+    attachments_.push_back(attachment);
 }
 
 ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
@@ -229,12 +254,13 @@ ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
 ANCF_INLINE void Scene::release(NodeId node, Field field) {
     check(node);
     check_unattached("release", node, field);
-    const auto same = [&](const Support& s) { return s.node == node && s.field == field; };
-    supports_.erase(std::remove_if(supports_.begin(), supports_.end(), same), supports_.end());
-    support_at_.clear();
-    for (std::size_t k = 0; k < supports_.size(); ++k)
-        support_at_[component_of(supports_[k].node, supports_[k].field, supports_[k].component)] =
-            k;
+    std::vector<Support> before;
+    std::swap(before, supports_);
+    support_before_.clear();
+    for (const Support& support : before)
+        initial_[static_cast<std::size_t>(support.node.index)].last_support = -1;
+    for (Support& support : before)
+        if (support.node != node || support.field != field) append(std::move(support));
     ++revision_.scene;
 }
 
@@ -281,8 +307,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
             if (factor != 0.0) to.fields = to.fields | static_cast<Field>(1 + i);
         }
         if (field == Field::r) to.fields = to.fields | Field::r;
-        attachment_at_[component_of(end, field, 0)] = attachments_.size();
-        attachments_.push_back(attachment);
+        append(attachment);
     }
     stale_ = true;
     ++revision_.scene;
@@ -296,9 +321,8 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
                     "; connect its elements first");
     check_unattached("attach", end, field);
     for (int component = 0; component < dimension_; ++component)
-        detail::require(support_at_.count(component_of(end, field, component)) == 0,
-                        "Model::attach: ", name, " of node ", end.index,
-                        " is held or driven; hold node ", joint.index, " instead");
+        detail::require(support_of(end, field, component) < 0, "Model::attach: ", name, " of node ",
+                        end.index, " is held or driven; hold node ", joint.index, " instead");
     std::vector<NodeId> followed = {joint};
     for (std::size_t k = 0; k < followed.size(); ++k) {
         detail::require(followed[k] != end, "Model::attach: nodes ", end.index, " and ",
@@ -339,8 +363,13 @@ ANCF_INLINE void Scene::check_unattached(const char* call, NodeId node, Field fi
 }
 
 ANCF_INLINE const AttachedVector* Scene::attachment_of(NodeId node, Field field) const noexcept {
-    const auto found = attachment_at_.find(component_of(node, field, 0));
-    return found == attachment_at_.end() ? nullptr : &attachments_[found->second];
+    if (node.index < 0 || node.index >= nodes()) return nullptr;
+    int place = initial_[static_cast<std::size_t>(node.index)].last_attachment;
+    for (; place >= 0; place = attachment_before_[static_cast<std::size_t>(place)]) {
+        const AttachedVector& attachment = attachments_[static_cast<std::size_t>(place)];
+        if (attachment.vector.field == field) return &attachment;
+    }
+    return nullptr;
 }
 
 ANCF_INLINE void Scene::check_dimension(const char* what, int dimension) const {
@@ -353,7 +382,7 @@ ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {
     for (const NodeField& at : coupling) check(at.node);
     if (load.settles()) load.settle(layout());
     if (load.constant()) {  // wrong sizes show wherever it stands
-        const VectorX zero = VectorX::Zero(dimension_ * static_cast<int>(coupling.size()));
+        const VectorX zero = detail::zeros(dimension_ * static_cast<int>(coupling.size()));
         LoadResult result{zero, {}, {}, 0.0};
         load.evaluate({zero, zero, 0.0, false}, result);
     }
@@ -401,7 +430,7 @@ ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
 
 ANCF_INLINE void Scene::refresh() const {
     if (!stale_) return;
-    std::vector<Fields> fields;
+    detail::Records<Fields> fields;
     fields.reserve(initial_.size());
     for (const InitialNode& node : initial_) fields.push_back(node.fields);
     const Layout before =
@@ -409,8 +438,8 @@ ANCF_INLINE void Scene::refresh() const {
     dependence_ = Dependence(layout_, attachments_);
     const State old = std::exchange(state_, State{});
     state_.time = old.time;
-    state_.q.setZero(layout_.size());
-    state_.v.setZero(layout_.size());
+    detail::set_zero(state_.q, layout_.size());
+    detail::set_zero(state_.v, layout_.size());
     for (int node = 0; node < nodes(); ++node)
         for (int k = 0; k < field_count; ++k) {
             const NodeField at{{node}, static_cast<Field>(k)};
@@ -428,14 +457,14 @@ ANCF_INLINE void Scene::refresh() const {
     dependence_.complete(state_.v);
     int equations = 0;
     for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
-    state_.multipliers.setZero(equations);
+    detail::set_zero(state_.multipliers, equations);
     const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
-    state_.multipliers.head(kept) = old.multipliers.head(kept);
+    std::copy_n(old.multipliers.data(), kept, state_.multipliers.data());
     stale_ = false;
 }
 
 ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
-    std::vector<std::array<double, 2>> stiffness(initial_.size(), {0.0, 0.0});
+    detail::Records<std::array<double, 2>> stiffness(initial_.size());
     for (const auto& group : groups_)
         for (const Connection& connection : group->connections) {
             double own[2];

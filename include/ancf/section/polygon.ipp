@@ -99,7 +99,7 @@ ANCF_INLINE Section polygon(const std::vector<SectionPoint>& points, SectionPoin
         mean.z += point.z / static_cast<double>(points.size());
     }
     detail::MomentTable table{};
-    std::vector<SectionPoint> outline;
+    detail::Records<SectionPoint> outline;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const SectionPoint p = points[i], q = points[(i + 1) % points.size()];
         detail::add_triangle(table, {p.y - mean.y, p.z - mean.z}, {q.y - mean.y, q.z - mean.z});

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <ancf/records.hpp>
 #include <ancf/section/moments.hpp>
 
 #include <optional>
@@ -69,7 +70,7 @@ public:
 
     /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
     /// section given by moments has the parallelogram of the same radii of gyration.
-    [[nodiscard]] const std::vector<SectionPoint>& outline() const noexcept { return outline_; }
+    [[nodiscard]] const detail::Records<SectionPoint>& outline() const noexcept { return outline_; }
 
     /// Returns the same section with other shear correction factors, 1.
     /// @throws InvalidArgument unless both are positive and finite.
@@ -87,13 +88,13 @@ public:
 
     /// Returns the same section with another outline, for pictures only.
     /// @throws InvalidArgument unless every point is finite.
-    [[nodiscard]] Section with_outline(std::vector<SectionPoint> outline) const;
+    [[nodiscard]] Section with_outline(detail::Records<SectionPoint> outline) const;
 
 private:
     friend Section polygon(const std::vector<SectionPoint>& points, SectionPoint origin);
     friend Section offset(const Section& section, double dy, double dz);
 
-    Section(const Moments& moments, std::vector<SectionPoint> outline)
+    Section(const Moments& moments, detail::Records<SectionPoint> outline)
         : moments_(moments), outline_(std::move(outline)) {}
 
     [[nodiscard]] const std::pair<double, double>& shear_correction() const;
@@ -102,7 +103,7 @@ private:
     std::optional<Moments> mass_moments_;
     std::optional<std::pair<double, double>> shear_correction_;
     std::optional<double> torsion_constant_;
-    std::vector<SectionPoint> outline_;
+    detail::Records<SectionPoint> outline_;
 };
 
 /// Returns the torsion constant of a solid rectangle, m^4.
@@ -144,7 +145,7 @@ private:
 
 namespace detail {
 
-[[nodiscard]] std::vector<SectionPoint> rectangle_outline(double width, double height);
+[[nodiscard]] Records<SectionPoint> rectangle_outline(double width, double height);
 
 /// Returns the moments of a centred rectangle, sides in m.
 [[nodiscard]] Moments rectangle_moments(double width, double height) noexcept;

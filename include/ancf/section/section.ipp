@@ -32,15 +32,15 @@ ANCF_INLINE double rectangle_torsion_constant(double width, double height) {
 
 namespace detail {
 
-ANCF_INLINE std::vector<SectionPoint> rectangle_outline(double width, double height) {
+ANCF_INLINE Records<SectionPoint> rectangle_outline(double width, double height) {
     const double y = height / 2.0;
     const double z = width / 2.0;
     return {{-y, -z}, {y, -z}, {y, z}, {-y, z}};
 }
 
-ANCF_INLINE std::vector<SectionPoint> circle_outline(double radius) {
+ANCF_INLINE Records<SectionPoint> circle_outline(double radius) {
     constexpr int count = 48;
-    std::vector<SectionPoint> points;
+    Records<SectionPoint> points;
     for (int k = 0; k < count; ++k) {
         const double angle = 2.0 * pi * k / count;
         points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
@@ -83,13 +83,13 @@ ANCF_INLINE Moments hollowed(Moments outer, const Moments& hole) noexcept {
 }
 
 /// Returns the image of a square that has the centroid and the radii of gyration of the moments.
-ANCF_INLINE std::vector<SectionPoint> equivalent_outline(const Moments& moments) {
+ANCF_INLINE Records<SectionPoint> equivalent_outline(const Moments& moments) {
     const Moments centred = centroidal(moments);
     const double half = std::sqrt(3.0);  // a square of this half side has unit radii of gyration
     const double yy = std::sqrt(centred.yy / centred.area);
     const double zy = centred.yz / centred.area / yy;
     const double zz = std::sqrt(centred.zz / centred.area - zy * zy);
-    std::vector<SectionPoint> points;
+    Records<SectionPoint> points;
     for (const auto& [u, v] :
          {SectionPoint{-half, -half}, {half, -half}, {half, half}, {-half, half}})
         points.push_back(
@@ -140,7 +140,7 @@ ANCF_INLINE Section Section::with_mass_moments(const Moments& moments) const {
     return section;
 }
 
-ANCF_INLINE Section Section::with_outline(std::vector<SectionPoint> outline) const {
+ANCF_INLINE Section Section::with_outline(detail::Records<SectionPoint> outline) const {
     for (const SectionPoint& point : outline)
         detail::require(std::isfinite(point.y) && std::isfinite(point.z),
                         "Section: points of the outline must be finite, got (", point.y, ", ",

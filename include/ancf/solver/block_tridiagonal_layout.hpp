@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -17,7 +18,7 @@ namespace ancf::detail {
 /// Where the blocks of a chain start, and how wide the panels are.
 struct BlockLayout {
     std::vector<int> starts = {0};  ///< first column of each block, and the size of the matrix
-    std::vector<char> dense;        ///< 1 where a panel is full and contiguous in the matrix
+    Records<char> dense;            ///< 1 where a panel is full and contiguous in the matrix
     int width = 0;                  ///< of the panels, not less than any block
 
     [[nodiscard]] int blocks() const noexcept { return static_cast<int>(starts.size()) - 1; }

@@ -62,7 +62,7 @@ private:
 
     const Numbering& numbering_;
     const detail::Exchange* exchange_;  // of a part of a scene
-    std::vector<signed char> power_;    // of a length in the unit, per coordinate
+    detail::Records<int> power_;        // of a length in the unit, per coordinate
     double size_ = 1.0;                 // diagonal of the scene, m
     double element_size_ = 1.0;         // mean reference length, m
 };

@@ -25,9 +25,9 @@ struct FreeComponent {
     int component;
 };
 
-[[nodiscard]] ANCF_INLINE std::vector<FreeComponent> free_components(const Layout& layout,
-                                                                     const Numbering& numbering) {
-    std::vector<FreeComponent> all;
+[[nodiscard]] ANCF_INLINE Records<FreeComponent> free_components(const Layout& layout,
+                                                                 const Numbering& numbering) {
+    Records<FreeComponent> all;
     for (int node = 0; node < layout.nodes(); ++node)
         for (int k = 0; k < field_count; ++k) {
             const auto field = static_cast<Field>(k);
@@ -49,7 +49,7 @@ struct FreeComponent {
 }
 
 /// Adds springs to the diagonal, a part of the stiffest entry of the same unit; returns them.
-[[nodiscard]] ANCF_INLINE VectorX free_springs(const std::vector<FreeComponent>& all, double part,
+[[nodiscard]] ANCF_INLINE VectorX free_springs(const Records<FreeComponent>& all, double part,
                                                SparseMatrix& matrix) {
     const std::vector<int> places = diagonal_places(matrix);
     const auto entry = [&](const FreeComponent& c) {
@@ -61,7 +61,7 @@ struct FreeComponent {
         double& most = stiffest[unit_of(c)];
         if (entry(c) >= 0) most = std::max(most, std::abs(matrix.valuePtr()[entry(c)]));
     }
-    VectorX springs = VectorX::Zero(matrix.cols());
+    VectorX springs = zeros(matrix.cols());
     for (const FreeComponent& c : all) {
         const double unit = stiffest[unit_of(c)];
         springs[c.equation] = unit > 0.0 ? part * unit : part;
@@ -95,12 +95,12 @@ struct FreeComponent {
 ANCF_INLINE std::string singular_cause(const Layout& layout, const Numbering& numbering,
                                        const SparseMatrix& tangent, LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
-    const std::vector<FreeComponent> all = free_components(layout, numbering);
+    const Records<FreeComponent> all = free_components(layout, numbering);
     for (const double part : {1e-12, 1e-9, 1e-6}) {
-        SparseMatrix firm = tangent;
+        SparseMatrix firm = copied(tangent);
         const VectorX springs = free_springs(all, part, firm);
         if (solver.factorize(firm).status != Status::converged) continue;
-        VectorX mode = VectorX::Zero(numbering.unknowns());
+        VectorX mode = zeros(numbering.unknowns());
         for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit
             mode[all[k].equation] =
                 std::cos(static_cast<double>(k * k)) / std::sqrt(springs[all[k].equation]);

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -26,7 +27,7 @@ struct MatrixEntry {
 };
 
 /// Returns the compressed matrix of entries, those of one place added in their order.
-[[nodiscard]] SparseMatrix compressed(int size, const std::vector<MatrixEntry>& entries);
+[[nodiscard]] SparseMatrix compressed(int size, const Records<MatrixEntry>& entries);
 
 /// Factorises a symmetric matrix, definite or not.
 class SparseLdlt {
@@ -58,12 +59,12 @@ private:
 
     std::vector<int> order_, place_;  // row at a place, place of a row
     // of the permuted matrix the upper half, by columns
-    std::vector<std::size_t> upper_first_;
+    Records<std::size_t> upper_first_;
     std::vector<int> upper_row_;
     std::vector<double> upper_value_;
     std::vector<int> parent_;  // in the elimination tree, -1 for a root
     // L below its diagonal, by columns
-    std::vector<std::size_t> first_;
+    Records<std::size_t> first_;
     std::vector<int> row_;
     std::vector<double> value_;
     std::vector<double> pivots_;

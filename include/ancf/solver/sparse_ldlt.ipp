@@ -14,18 +14,18 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE SparseMatrix compressed(int size, const std::vector<MatrixEntry>& entries) {
+ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entries) {
     // sorted by row, then by column: two passes that keep the order of equals
-    const auto sorted = [size](const std::vector<MatrixEntry>& from, int MatrixEntry::*key) {
-        std::vector<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
+    const auto sorted = [size](const Records<MatrixEntry>& from, int MatrixEntry::*key) {
+        Records<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
         for (const MatrixEntry& entry : from) ++next[static_cast<std::size_t>(entry.*key) + 1];
         for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
-        std::vector<MatrixEntry> to(from.size());
+        Records<MatrixEntry> to(from.size());
         for (const MatrixEntry& entry : from)
             to[next[static_cast<std::size_t>(entry.*key)]++] = entry;
         return to;
     };
-    std::vector<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
+    Records<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
     std::size_t kept = 0;
     for (const MatrixEntry& entry : all) {
         MatrixEntry* const last = kept > 0 ? &all[kept - 1] : nullptr;
@@ -56,7 +56,7 @@ ANCF_INLINE SparseMatrix compressed(int size, const std::vector<MatrixEntry>& en
     std::vector<std::vector<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
     for (int k = count - 1; k >= 0; --k) waiting[neighbours[at(k)].size()].push_back(k);
     std::vector<int> seen(neighbours.size(), -1);
-    std::vector<bool> gone(neighbours.size(), false);
+    Records<char> gone(neighbours.size(), 0);
     std::vector<int> order;
     order.reserve(neighbours.size());
     int stamp = 0;
@@ -67,8 +67,8 @@ ANCF_INLINE SparseMatrix compressed(int size, const std::vector<MatrixEntry>& en
         }
         const int block = waiting[degree].back();
         waiting[degree].pop_back();
-        if (gone[at(block)] || neighbours[at(block)].size() != degree) continue;
-        gone[at(block)] = true;
+        if (gone[at(block)] != 0 || neighbours[at(block)].size() != degree) continue;
+        gone[at(block)] = 1;
         order.push_back(block);
         const std::vector<int> clique = std::exchange(neighbours[at(block)], {});
         for (const int one : clique) {
@@ -102,7 +102,9 @@ ANCF_INLINE SparseMatrix compressed(int size, const std::vector<MatrixEntry>& en
             const int b = blocks[static_cast<std::size_t>(j)];
             if (a == b) continue;
             std::vector<int>& of_a = neighbours[static_cast<std::size_t>(a)];
-            if (std::find(of_a.rbegin(), of_a.rend(), b) != of_a.rend()) continue;
+            std::size_t found = of_a.size();  // most likely among the last
+            while (found > 0 && of_a[found - 1] != b) --found;
+            if (found > 0) continue;
             of_a.push_back(b);
             neighbours[static_cast<std::size_t>(b)].push_back(a);
         }
@@ -144,7 +146,7 @@ ANCF_INLINE void SparseLdlt::permute(const SparseMatrix& lower) {
     for (std::size_t k = 0; k < order_.size(); ++k) upper_first_[k + 1] += upper_first_[k];
     upper_row_.resize(upper_first_.back());
     upper_value_.resize(upper_first_.back());
-    std::vector<std::size_t> next = upper_first_;
+    Records<std::size_t> next = upper_first_;
     visit([&](int row, std::size_t column, double value) {
         upper_row_[next[column]] = row;
         upper_value_[next[column]++] = value;
@@ -178,7 +180,7 @@ ANCF_INLINE bool SparseLdlt::eliminate() {
     pivots_.assign(order_.size(), 0.0);
     std::vector<double> work(order_.size(), 0.0);
     std::vector<int> seen(order_.size(), -1), pattern(order_.size()), path(order_.size());
-    std::vector<std::size_t> end(first_.begin(), first_.end() - 1);
+    Records<std::size_t> end = first_;
     double* const y = work.data();
     int* const row = row_.data();
     double* const value = value_.data();

@@ -24,32 +24,32 @@ namespace ancf {
 
 namespace detail {
 
-/// One entry of a constraint's gradient.
-struct GradientEntry {
-    int column;
-    double value;
-};
-
 /// Appends the lower half of the stiffness of constraints as springs, each far stiffer than what
 /// it holds.
+/// @param tangent   of full storage: its last columns hold the constraints' gradients
 /// @param diagonal  of the tangent; grows with the springs
 /// @return false where one of them holds nothing of positive stiffness.
-ANCF_INLINE bool add_springs(const std::vector<std::vector<GradientEntry>>& gradients,
-                             VectorX& diagonal, std::vector<MatrixEntry>& entries) {
+ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
+                             Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
     const VectorX held = diagonal;
-    for (const auto& gradient : gradients) {
+    const int* const row = tangent.innerIndexPtr();
+    const double* const g = tangent.valuePtr();
+    const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };
+    for (auto column = static_cast<int>(held.size()); column < tangent.cols(); ++column) {
+        const int first = tangent.outerIndexPtr()[column];
+        const int last = tangent.outerIndexPtr()[column + 1];
         double flexibility = 0.0;
-        for (const GradientEntry& g : gradient)
-            if (held[g.column] > 0.0) flexibility += g.value * g.value / held[g.column];
+        for (int k = first; k < last; ++k)
+            if (counts(k) && held[row[k]] > 0.0) flexibility += g[k] * g[k] / held[row[k]];
         if (!(flexibility > 0.0)) return false;
         const double spring = stiffness / flexibility;
-        for (const GradientEntry& a : gradient)
-            for (const GradientEntry& b : gradient) {
-                if (b.column > a.column) continue;
-                const double value = spring * a.value * b.value;
-                entries.push_back({a.column, b.column, value});
-                if (a.column == b.column) diagonal[a.column] += value;
+        for (int a = first; a < last; ++a)
+            for (int b = first; counts(a) && b <= a; ++b) {
+                if (!counts(b)) continue;
+                const double value = spring * g[a] * g[b];
+                entries.push_back({row[a], row[b], value});
+                if (a == b) diagonal[row[a]] += value;
             }
     }
     return true;
@@ -95,10 +95,8 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
     const SparseMatrix& tangent = assembly.tangent();
     const int free = assembly.numbering().free_coordinates();
-    VectorX diagonal = VectorX::Zero(free);
-    std::vector<std::vector<GradientEntry>> gradients(
-        static_cast<std::size_t>(assembly.numbering().multipliers()));
-    std::vector<MatrixEntry> entries;
+    VectorX diagonal = zeros(free);
+    Records<MatrixEntry> entries;
     entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
     for (int column = 0; column < free; ++column)
         for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];
@@ -106,15 +104,13 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
             const int row = tangent.innerIndexPtr()[k];
             const double own = tangent.valuePtr()[k];
             if (!std::isfinite(own)) return Stability::unknown;
-            if (row >= free && own != 0.0)
-                gradients[static_cast<std::size_t>(row - free)].push_back({column, own});
             if (row < column || row >= free) continue;
             const double value = symmetric ? own : 0.5 * (own + tangent.coeff(column, row));
             entries.push_back({row, column, value});
             if (row == column) diagonal[column] = value;
         }
     if (free == 0) return Stability::stable;
-    if (!add_springs(gradients, diagonal, entries)) return Stability::unknown;
+    if (!add_springs(tangent, diagonal, entries)) return Stability::unknown;
     const SparseMatrix lower = compressed(free, entries);
     SparseLdlt factor;
     if (!factor.factorize(lower, free_blocks(assembly.numbering()))) return Stability::unknown;

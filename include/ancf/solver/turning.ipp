@@ -207,7 +207,7 @@ ANCF_INLINE void Turning::factorize(int component) {
     constexpr double tether = 1e-9;  // beside chords of weight 1
     Component& of = components_[static_cast<std::size_t>(component)];
     of.unknown.assign(static_cast<std::size_t>(layout_.nodes()), -1);
-    std::vector<detail::MatrixEntry> entries;
+    detail::Records<detail::MatrixEntry> entries;
     std::vector<int> blocks;
     for (int node = 0; node < layout_.nodes(); ++node)
         if (layout_.fields(node).contains(Field::r) &&

@@ -84,6 +84,15 @@ struct NamedElement<void, Dimension> {
 template <class Element, int Dimension>
 using named_element_t = typename NamedElement<Element, Dimension>::type;
 
+/// Returns to - from.
+template <int Dimension>
+[[nodiscard]] Vector<double, Dimension> between(const Vector<double, Dimension>& from,
+                                                const Vector<double, Dimension>& to) {
+    Vector<double, Dimension> difference;
+    for (int i = 0; i < Dimension; ++i) difference[i] = to[i] - from[i];
+    return difference;
+}
+
 /// Returns the distance of a beam's ends.
 template <int Dimension>
 [[nodiscard]] double distance_apart(const Vector<double, Dimension>& from,
@@ -151,9 +160,8 @@ auto straight_beam(BasicModel<Dimension>& model, const Material& material, const
                    Options&&... options) {
     static_cast<void>(detail::distance_apart<Dimension>(from, to));
     return straight_beam_with_slopes<Element>(
-        model, material, section, from, to,
-        reference_slopes(typename BasicModel<Dimension>::Point(to - from)), elements,
-        std::forward<Options>(options)...);
+        model, material, section, from, to, reference_slopes(detail::between<Dimension>(from, to)),
+        elements, std::forward<Options>(options)...);
 }
 
 /// Returns the list of both nodes' vectors that an element uses.

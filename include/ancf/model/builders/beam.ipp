@@ -46,7 +46,7 @@ template <int Dimension>
 
 template <int Dimension>
 double distance_apart(const Vector<double, Dimension>& from, const Vector<double, Dimension>& to) {
-    const double length = span(Vector<double, Dimension>(to - from));
+    const double length = span(between<Dimension>(from, to));
     require(std::isfinite(length) && length > 0.0,
             "straight_beam: the ends must be finite and apart, got a length of ", length);
     return length;
@@ -60,7 +60,9 @@ std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
     std::vector<NodeId> nodes;
     for (int k = 0; k <= elements; ++k) {
         const double part = static_cast<double>(k) / elements;
-        nodes.push_back(model.add_node((1.0 - part) * from + part * to, slopes));
+        Vector<double, Dimension> position;
+        for (int i = 0; i < Dimension; ++i) position[i] = (1.0 - part) * from[i] + part * to[i];
+        nodes.push_back(model.add_node(position, slopes));
     }
     return nodes;
 }

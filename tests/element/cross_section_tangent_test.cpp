@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The cross-section beam: force and tangent against derivatives.
+
+#include <ancf/element/cross_section/beam.hpp>
+
+#include <element/cross_section_beam_samples.hpp>
+#include <element/property_checks.hpp>
+#include <support/catch.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
+
+#include <complex>
+#include <cstdint>
+
+namespace cross_section_tangent_test {
+
+using namespace ancf;
+using test::Carried;
+using test::Paper;
+using test::Pointwise;
+using test::Transporting;
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: force and tangent equal the complex-step derivatives",
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
+    const auto variant = test::any_variant<TestType>();
+    INFO(variant.name);
+    test::check_derivatives(test::element_of<TestType>(variant));
+}
+
+TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of linearised strains",
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
+    using Complex = std::complex<double>;
+    const auto variant = test::any_variant<TestType>();
+    INFO(variant.name);
+    const auto element = test::element_of<TestType>(variant);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        test::Random random(seed);
+        const auto e = test::random_state(element, random);
+        const auto before = test::random_state(element, random);
+        const Vector<double, 24> change = 0.1 * (test::random_state(element, random) - before);
+        const Vector<double, 24> none = Vector<double, 24>::Zero();
+        const auto plain = element.evaluate(e);
+        // no step: the stresses are those of e; measured 1e-15
+        CHECK(test::relative_error(element.evaluate(e, e, none).tangent, plain.tangent) <= 1e-13);
+
+        // stresses enter linearly, and those of a step are the derivative along it
+        const auto step = element.evaluate(e, before, change);
+        const Matrix<double, 24> still = element.evaluate(e, before, none).tangent;
+        const Vector<Complex, 24> probe =
+            before.template cast<Complex>() + Complex(0.0, test::complex_step) * change;
+        const Matrix<Complex, 24> moved =
+            element
+                .evaluate(Vector<Complex, 24>(e.template cast<Complex>()), probe,
+                          Vector<Complex, 24>(none.template cast<Complex>()))
+                .tangent;
+        const Matrix<double, 24> expected = still + moved.imag() / test::complex_step;
+        CHECK((expected - still).norm() >= 1e-4 * still.norm());
+        CHECK(test::relative_error(step.tangent, expected) <= 1e-13);  // measured 1e-15
+        CHECK(test::relative_error(step.force, plain.force) <= 1e-15);
+        CHECK(step.energy == plain.energy);
+    }
+}
+
+}  // namespace cross_section_tangent_test
