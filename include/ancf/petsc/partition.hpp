@@ -51,9 +51,15 @@ public:
     }
     ANCF_INLINE_VIRTUAL void sum(double* values, int count) const override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL double largest(double value) const override;
+    [[nodiscard]] int element(int group, int element) const noexcept override {
+        return held_.elements[static_cast<std::size_t>(group)][static_cast<std::size_t>(element)];
+    }
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept override {
         return whole_.constraints();
     }
+
+    /// Returns the number in this part of an element of a group of the whole scene; -1 of others'.
+    [[nodiscard]] int number_in_part(const ElementGroup& group, int element) const;
 
     /// Returns the coordinates of the whole scene, in every process. Collective.
     /// @param of_part  coordinates, rates or forces of the part.

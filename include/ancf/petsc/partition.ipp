@@ -6,8 +6,8 @@
 
 #pragma once
 
+#include <ancf/petsc/errors.hpp>
 #include <ancf/petsc/partition.hpp>
-#include <ancf/petsc/session.hpp>
 
 #include <petscmat.h>
 
@@ -24,7 +24,7 @@ namespace ancf::petsc::detail {
 [[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
     MPI_Comm comm, const std::string& prefix, const std::vector<int>& shares,
     const std::vector<std::pair<int, int>>& edges) {
-    const int first = shares[at(Session::rank(comm))], last = shares[at(Session::rank(comm)) + 1];
+    const int first = shares[at(rank_in(comm))], last = shares[at(rank_in(comm)) + 1];
     PetscInt *ia = nullptr, *ja = nullptr;  // the matrix takes them over
     check(PetscMalloc1(static_cast<std::size_t>(last - first) + 1, &ia));
     check(PetscMalloc1(edges.size(), &ja));
@@ -63,8 +63,8 @@ namespace ancf::petsc::detail {
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
     : whole_(whole),
       comm_(comm),
-      rank_(Session::rank(comm)),
-      ranks_(Session::ranks(comm)),
+      rank_(detail::rank_in(comm)),
+      ranks_(detail::ranks_in(comm)),
       owner_(detail::at(whole.nodes()), -1) {
     const detail::QuietErrors quiet;
     follow();
@@ -303,6 +303,14 @@ ANCF_INLINE void Partition::connect() {
     detail::check(PetscSFSetGraphLayout(shared_, order, static_cast<PetscInt>(remote.size()),
                                         nullptr, PETSC_COPY_VALUES, remote.data()));
     detail::check(PetscLayoutDestroy(&order));
+}
+
+ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
+    std::size_t at = 0;
+    while (whole_.groups()[at].get() != &group) ++at;
+    const std::vector<int>& own = held_.elements[at];
+    const auto found = std::lower_bound(own.begin(), own.end(), element);
+    return found != own.end() && *found == element ? static_cast<int>(found - own.begin()) : -1;
 }
 
 ANCF_INLINE void Partition::add(VectorX& forces) const {

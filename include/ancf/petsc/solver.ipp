@@ -25,6 +25,14 @@
 
 namespace ancf::petsc {
 
+ANCF_INLINE Session::Session(int* argc, char*** argv) : own_(!detail::petsc_runs()) {
+    if (own_) detail::check(PetscInitialize(argc, argv, nullptr, nullptr));
+}
+
+ANCF_INLINE Session::~Session() {
+    if (own_) static_cast<void>(PetscFinalize());
+}
+
 ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
     SolverOptions options;
     options.prefix = std::move(prefix);
