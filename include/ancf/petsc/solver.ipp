@@ -42,7 +42,9 @@ ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
     return {
         "-ksp_type cg -ksp_rtol 1e-8 -ksp_max_it 2000 -pc_type gamg "
-        "-pc_gamg_aggressive_coarsening 0 -mg_levels_pc_type pbjacobi -pc_mg_cycle_type w",
+        "-pc_gamg_aggressive_coarsening 0 -mg_levels_pc_type pbjacobi "
+        "-mg_levels_esteig_ksp_max_it 20 -mg_levels_ksp_chebyshev_esteig 0,0.1,0,1.2 "
+        "-pc_mg_cycle_type w",
         std::move(prefix)};
 }
 
