@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Errors of PETSc as exceptions, and who a process is.
+/// Errors of PETSc as exceptions, its objects with an owner, and who a process is.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #if defined(PETSC_USE_COMPLEX) || !defined(PETSC_USE_REAL_DOUBLE)
 #error "ancf::petsc needs a PETSc of real numbers in double precision"
@@ -36,6 +37,31 @@ public:
 
 /// Throws PetscFailure with PETSc's own words, unless the code is zero.
 void check(PetscErrorCode code);
+
+/// Owns an object of PETSc.
+template <class Object>
+class Handle {
+public:
+    Handle() = default;
+    Handle(Handle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
+    Handle& operator=(Handle&&) = delete;
+    ~Handle() { reset(); }
+
+    operator Object() const noexcept { return object_; }  // NOLINT(google-explicit-constructor)
+
+    /// Destroys it, and gives the place of another.
+    [[nodiscard]] Object* fresh() {
+        reset();
+        return &object_;
+    }
+    /// Destroys it.
+    void reset() {
+        static_cast<void>(PetscObjectDestroy(reinterpret_cast<PetscObject*>(&object_)));
+    }
+
+private:
+    Object object_ = nullptr;
+};
 
 /// Tells whether PETSc runs.
 [[nodiscard]] bool petsc_runs();

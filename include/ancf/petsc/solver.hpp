@@ -67,6 +67,10 @@ struct SolverOptions {
     [[nodiscard]] static SolverOptions iterative(std::string prefix = {});
 };
 
+namespace detail {
+struct SolverRun;
+}
+
 /// Solves by a KSP of PETSc.
 ///
 /// With a scene the solver knows blocks, rigid motions and which slopes of member ends it can
@@ -113,11 +117,10 @@ public:
     [[nodiscard]] int block_size() const noexcept;
 
 private:
-    struct Run;
     struct Finish {
-        void operator()(Run* run) const noexcept;
+        void operator()(detail::SolverRun* run) const noexcept;
     };
-    std::unique_ptr<Run, Finish> run_;
+    std::unique_ptr<detail::SolverRun, Finish> run_;
     ancf::detail::SolverStage stage_;
 };
 
