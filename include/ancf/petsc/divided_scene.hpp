@@ -6,9 +6,11 @@
 
 #pragma once
 
+#include <ancf/assembly/assembly.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/scene.hpp>
+#include <ancf/output/surface.hpp>
 #include <ancf/petsc/partition.hpp>
 #include <ancf/petsc/solver.hpp>
 #include <ancf/types.hpp>
@@ -19,11 +21,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace ancf {
-class Surface;
-struct Fault;
-}  // namespace ancf
 
 namespace ancf::petsc::detail {
 

@@ -6,13 +6,10 @@
 
 #pragma once
 
-#include <ancf/assembly/assembly.hpp>
 #include <ancf/error.hpp>
-#include <ancf/output/surface.hpp>
 #include <ancf/output/vtk.hpp>
 #include <ancf/petsc/divided_scene.hpp>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace ancf::petsc::detail {
