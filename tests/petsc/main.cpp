@@ -5,7 +5,7 @@
 /// Tests under mpirun: PETSc runs around all of them, and takes none of Catch's arguments.
 
 #define CATCH_CONFIG_RUNNER
-#include <ancf/petsc/session.hpp>
+#include <ancf/petsc/solver.hpp>
 
 #include <support/catch.hpp>
 

@@ -65,7 +65,9 @@ inline ancf::Model chain(int members = 6, int elements = 8) {
     model.set_gravity({0, 0, -9.81});
     model.clamp(frame.joints.front());
     model.add(ancf::Force<3>(frame.joints[3], Point(0, 30, 0)));
-    model.prescribe(frame.joints.back(), ancf::Field::r, 2, [](double t) { return 0.1 * t; });
+    model.prescribe(
+        frame.joints.back(), ancf::Field::r, 2, [](double t) { return 0.1 * t * t; },
+        [](double t) { return 0.2 * t; }, [](double) { return 0.2; });
     return model;
 }
 

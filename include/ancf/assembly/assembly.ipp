@@ -286,7 +286,7 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const detail::Exchange&
     }
     exchange.add(internal_);
     exchange.add(external_);
-    exchange.add(constraint_);
+    if (!exchange.constraints().empty()) exchange.add(constraint_);
     double energies[2] = {strain_energy_, load_potential_};
     exchange.sum(energies, 2);
     strain_energy_ = energies[0];
@@ -633,9 +633,12 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
 
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
     if (fault.element >= 0)
-        return detail::joined({"element ", fault.element, " of the type ",
-                               model_.groups()[static_cast<std::size_t>(fault.group)]->name(),
-                               " is ", to_string(fault.status)});
+        return detail::joined(
+            {"element ",
+             model_.exchange() == nullptr ? fault.element
+                                          : model_.exchange()->element(fault.group, fault.element),
+             " of the type ", model_.groups()[static_cast<std::size_t>(fault.group)]->name(),
+             " is ", to_string(fault.status)});
     if (faulty_load_ >= 0)
         return detail::joined({"the force of load ", faulty_load_, " is not finite"});
     if (faulty_constraint_ >= 0) {

@@ -46,6 +46,7 @@ private:
     static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
 
     [[nodiscard]] bool begin(const Memory& memory);
+    void read(const Memory& memory);
     void recall(const Memory& memory);
     void remember();
     [[nodiscard]] Step propose() const;
@@ -60,15 +61,14 @@ private:
     [[nodiscard]] std::string turn_text(const DrivenTurn& turn) const {
         return driven_turn_text(problem_.model().constraints(), turn, now_.time, next_.time);
     }
-    [[nodiscard]] double scaled(const VectorX& q) const {
-        return largest_ratio(q, problem_.scales());
-    }
+    [[nodiscard]] double scaled(const VectorX& q) const { return problem_.largest_ratio(q); }
     [[nodiscard]] double change_of_acceleration() const {
-        return largest_distance(next_.acceleration, now_.acceleration, problem_.scales());
+        return problem_.largest_distance(next_.acceleration, now_.acceleration);
     }
     void fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
+        if (!failure_.empty()) report_.message += "; " + failure_;
         if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
     }
 
@@ -96,6 +96,7 @@ private:
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
+    std::string failure_;  // of the solver, in words
 };
 
 ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, LinearSolver& solver,
@@ -279,10 +280,11 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
             fresh = true;
         }
         product_ = -problem_.force();
-        add_product(problem_.compact_mass(), Storage::full, -1.0, next_.acceleration, product_);
+        problem_.add_mass_product(-1.0, next_.acceleration, product_);
         rhs_.head(n) = product_;
         rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
         solver_.solve(rhs_, solution_);
+        failure_ = solver_.failure();
         ++report_.iterations;
         correct(h);
         const double change = h * h * beta_hat_ * scaled(solution_.head(n));
@@ -327,6 +329,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;
+    failure_ = solver_.failure();
     linearised_ = next_;
     linearised_width_ = status == Status::converged ? h : 0.0;
     return status;
@@ -375,7 +378,8 @@ ANCF_INLINE void GeneralizedAlphaRun::remember() {
     memory.put("linearised_lambda", linearised_.lambda);
 }
 
-ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
+/// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
+ANCF_INLINE void GeneralizedAlphaRun::read(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
     require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
@@ -387,12 +391,21 @@ ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
     require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],
             ", the options have ", options_.rho);
     problem_.set_length_scale(scalars[8]);
-    const MotionPoint start = now_;
     static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
                                        memory.get("lambda", m)};
-    require_continuation("GeneralizedAlpha", memory, problem_, start, now_);
     now_.acceleration = memory.get("acceleration", n);
     now_.algorithmic = memory.get("algorithmic", n);
+    if (scalars[6] == 0.0) return;
+    static_cast<MotionPoint&>(next_) = {scalars[5], memory.get("linearised_q", n),
+                                        memory.get("linearised_v", n),
+                                        memory.get("linearised_lambda", m)};
+}
+
+ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
+    const MotionPoint start = now_;
+    together(problem_.model().exchange(), [&] { read(memory); });
+    require_continuation("GeneralizedAlpha", memory, problem_, start, now_);
+    const VectorX& scalars = memory.get("scalars", 9);
     width_ = scalars[4];
     origin_ = now_.time;
     if (options_.tolerance > 0.0 || scalars[3] == options_.step) {
@@ -406,9 +419,6 @@ ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
         count_ = 0.0;
     }
     if (scalars[6] == 0.0) return;
-    static_cast<MotionPoint&>(next_) = {scalars[5], memory.get("linearised_q", n),
-                                        memory.get("linearised_v", n),
-                                        memory.get("linearised_lambda", m)};
     if (evaluate(next_, Request::tangent_and_damping) == Status::converged)
         (void)factorise(scalars[6]);  // where it fails the first step builds one of its own
 }

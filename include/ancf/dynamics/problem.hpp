@@ -29,6 +29,8 @@
 
 namespace ancf {
 
+class LinearSolver;
+
 /// What to do with constraints that repeat each other.
 enum class Redundancy {
     refuse,       ///< the start has Status::redundant and names them
@@ -44,6 +46,9 @@ struct ProblemOptions {
                                 ///< scene's size and to its largest rate
     double redundancy_tolerance = 1e-10;  ///< a row of G whose part independent of the rows before
                                           ///< it is shorter than this, relative, is redundant
+    /// Of a part of a scene (Scene::part), which needs one, and no other scene: solves with M by
+    /// all parts together, in full storage. It outlives the problem.
+    LinearSolver* mass_solver = nullptr;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const;
@@ -68,11 +73,15 @@ struct Start {
 /// start() and every evaluation take that over, mass included; a run that begins after the change
 /// has consistent accelerations from its first step. Evaluations refuse a model that has gained or
 /// lost nodes, elements, supports, loads or constraints.
+///
+/// Of a part of a scene whose parts stand in several processes, start(), evaluations, energies,
+/// largest_ratio() and what solves are collective, and forces are sums over all parts: enough for
+/// GeneralizedAlpha. There are no multipliers then.
 class DynamicProblem {
 public:
     /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load
-    ///         or constraint on a vector that its node does not carry, or storage that does not
-    ///         suit.
+    ///         or constraint on a vector that its node does not carry, storage that does not suit,
+    ///         or a part of a scene with constraints or without a mass_solver.
     explicit DynamicProblem(Scene& model, const ProblemOptions& options = {});
 
     DynamicProblem(const DynamicProblem&) = delete;
@@ -151,6 +160,9 @@ public:
 
     /// Solves M x = b for n entries.
     void solve_mass(const VectorX& b, VectorX& x) const;
+
+    /// Adds scale M a to n entries.
+    void add_mass_product(double scale, const VectorX& a, VectorX& out) const;
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
     ///
@@ -242,6 +254,19 @@ public:
     /// over that size.
     [[nodiscard]] const VectorX& scales() const noexcept { return scales_; }
 
+    /// Returns the largest |x_i| / scale_i of n entries, and of those of all parts of a scene; not
+    /// finite where an entry is not.
+    [[nodiscard]] double largest_ratio(const VectorX& x) const;
+
+    /// Returns the largest |x_i - y_i| / scale_i, likewise.
+    [[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y) const;
+
+    /// Tells whether any coordinate is free, of all parts of a scene.
+    [[nodiscard]] bool can_move() const;
+
+    /// Returns a sum over all parts of a scene; of a whole one the number itself.
+    [[nodiscard]] double sum_of_parts(double value) const;
+
     /// Returns the typical size of every coordinate, held ones too, for a scene of the given size:
     /// that of positions, 1 of slopes, one over it of r_xx.
     /// @param length  m, positive
@@ -274,13 +299,21 @@ private:
     };
 
     void set_mass();
+    // Returns the largest of the parts of a scene; a NaN counts as more than any number.
+    [[nodiscard]] double largest_of_parts(double value) const;
+    // Replaces forces of free coordinates by their sums over all parts.
+    void add_parts(VectorX& forces) const;
+    // Returns x.y over all coordinates that this part answers for.
+    [[nodiscard]] double own_dot(const VectorX& x, const VectorX& y) const;
     // Returns the block of each of the first equations: a node, a constraint.
     [[nodiscard]] std::vector<int> blocks(int equations) const;
     void check_sizes() const;
     void list_driven();
     void measure();
+    [[nodiscard]] double driving_power() const;
     void expand(double t, const VectorX& q, const VectorX& v);
-    [[nodiscard]] std::string check_supports(double t) const;
+    void check_state(double fastest, Start& start);
+    [[nodiscard]] std::string check_supports(double t, double fastest) const;
     [[nodiscard]] std::string check_constraints();
     void find_redundant(Start& start);
     // Takes from the multipliers what does no work: row e of G, left out, is the sum of d_i times
@@ -292,6 +325,7 @@ private:
     bool project_positions(double t, VectorX& q, const VectorX& v);
 
     Scene& model_;
+    const detail::Exchange* exchange_;  // of a part of a scene
     ProblemOptions options_;
     Assembly assembly_;
     Revision revision_;  // of the model that the mass below is of
@@ -305,6 +339,7 @@ private:
     VectorX full_scales_;  // of all coordinates
     double length_ = 1.0;
     std::vector<Driven> driven_;
+    bool drives_ = false;  // whether anything is driven, in any part
     std::vector<int> left_out_;
     std::vector<double> angles_;  // potentials of angles that energies() last gave
 

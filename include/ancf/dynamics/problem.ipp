@@ -11,6 +11,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/convergence.hpp>
+#include <ancf/solver/linear_solver.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ ANCF_INLINE void ProblemOptions::check() const {
 
 ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& options)
     : model_(model),
+      exchange_(model.exchange()),
       options_(options),
       assembly_(model, options.storage),
       revision_(model.revision()),
@@ -36,12 +38,17 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
     options_.check();
     check_sizes();
     list_driven();
+    detail::require((exchange_ == nullptr) == (options_.mass_solver == nullptr),
+                    "ProblemOptions: a part of a scene needs a mass_solver, a whole scene none");
+    detail::require(exchange_ == nullptr || exchange_->constraints().empty(),
+                    "DynamicProblem: a part of a scene moves without constraints");
     full_q_ = model.state().q;
     full_v_.setZero(full_q_.size());
     full_a_.setZero(full_q_.size());
     measure();
+    if (exchange_ != nullptr) options_.mass_solver->analyze(assembly_.pattern().matrix());
     set_mass();
-    kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
+    if (exchange_ == nullptr) kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
 }
 
 ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
@@ -54,20 +61,73 @@ ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
     return result;
 }
 
+// --- parts -------------------------------------------------------------------------------------
+
+ANCF_INLINE double DynamicProblem::largest_of_parts(double value) const {
+    return exchange_ == nullptr ? value : exchange_->largest(value);
+}
+
+ANCF_INLINE double DynamicProblem::sum_of_parts(double value) const {
+    if (exchange_ != nullptr) exchange_->sum(&value, 1);
+    return value;
+}
+
+ANCF_INLINE void DynamicProblem::add_parts(VectorX& forces) const {
+    if (exchange_ == nullptr) return;
+    VectorX all = VectorX::Zero(numbering().coordinates());
+    numbering().add_free_force(forces, 1.0, all);
+    exchange_->add(all);
+    numbering().gather_free(all, forces);
+}
+
+ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) const {
+    if (exchange_ == nullptr) return detail::dot(x, y);
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < x.size(); ++k)
+        if (exchange_->owns(static_cast<int>(k))) sum += x[k] * y[k];
+    return sum;
+}
+
+ANCF_INLINE double DynamicProblem::largest_ratio(const VectorX& x) const {
+    return largest_of_parts(detail::largest_ratio(x, scales_));
+}
+
+ANCF_INLINE double DynamicProblem::largest_distance(const VectorX& x, const VectorX& y) const {
+    return largest_of_parts(detail::largest_distance(x, y, scales_));
+}
+
+ANCF_INLINE bool DynamicProblem::can_move() const { return largest_of_parts(size()) > 0.0; }
+
+// --- mass --------------------------------------------------------------------------------------
+
 ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
+    if (exchange_ != nullptr) return options_.mass_solver->solve(b, x);
     x = b;
     mass_factor_.solve(x);
+}
+
+ANCF_INLINE void DynamicProblem::add_mass_product(double scale, const VectorX& a,
+                                                  VectorX& out) const {
+    if (exchange_ == nullptr)
+        return detail::add_product(compact_mass_, Storage::full, scale, a, out);
+    VectorX product = VectorX::Zero(size());
+    detail::add_product(compact_mass_, Storage::full, scale, a, product);
+    add_parts(product);
+    out += product;
 }
 
 ANCF_INLINE void DynamicProblem::set_mass() {
     mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
-    bool definite = mass_factor_.factorize(compact_mass_, blocks(size()));
-    for (int row = 0; definite && row < size(); ++row) definite = mass_factor_.pivot(row) > 0.0;
+    bool definite = exchange_ != nullptr
+                        ? options_.mass_solver->factorize(mass_).status == Status::converged
+                        : mass_factor_.factorize(compact_mass_, blocks(size()));
+    if (exchange_ == nullptr)
+        for (int row = 0; definite && row < size(); ++row) definite = mass_factor_.pivot(row) > 0.0;
     detail::require(definite,
                     "DynamicProblem: the mass matrix is not positive definite; every node needs an "
                     "element of positive density");
-    kkt_matrix_ = mass_;
+    if (exchange_ == nullptr) kkt_matrix_ = mass_;
 }
 
 ANCF_INLINE void DynamicProblem::refresh() {
@@ -78,19 +138,23 @@ ANCF_INLINE void DynamicProblem::refresh() {
 }
 
 ANCF_INLINE void DynamicProblem::list_driven() {
-    for (const Support& support : model_.supports()) {
-        if (!support.value) continue;
-        detail::require(static_cast<bool>(support.rate) && static_cast<bool>(support.acceleration),
-                        "DynamicProblem: the support of ", to_string(support.field), ", component ",
-                        support.component, ", of node ", support.node.index,
-                        " has a value over time; dynamics needs its rate and acceleration too");
-        driven_.push_back(
-            {model_.coordinate(support.node, support.field) + support.component, &support});
-    }
+    detail::together(exchange_, [&] {
+        for (const Support& support : model_.supports()) {
+            if (!support.value) continue;
+            detail::require(
+                static_cast<bool>(support.rate) && static_cast<bool>(support.acceleration),
+                "DynamicProblem: the support of ", to_string(support.field), ", component ",
+                support.component, ", of node ", support.node.index,
+                " has a value over time; dynamics needs its rate and acceleration too");
+            driven_.push_back(
+                {model_.coordinate(support.node, support.field) + support.component, &support});
+        }
+    });
+    drives_ = largest_of_parts(driven_.empty() ? 0.0 : 1.0) > 0.0;
 }
 
 ANCF_INLINE void DynamicProblem::measure() {
-    double length = detail::diagonal_of(model_.layout(), model_.dimension(), full_q_);
+    double length = detail::diagonal_of(model_.layout(), model_.dimension(), full_q_, exchange_);
     if (!std::isfinite(length)) length = 0.0;
     for (const auto& group : model_.groups())
         for (int k = 0; k < group->prototype_count(); ++k)
@@ -138,9 +202,8 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
 
 // --- start -------------------------------------------------------------------------------------
 
-ANCF_INLINE std::string DynamicProblem::check_supports(double t) const {
+ANCF_INLINE std::string DynamicProblem::check_supports(double t, double fastest) const {
     const State& state = model_.state();
-    const double fastest = detail::largest_ratio(state.v, full_scales_);
     for (const Support& support : model_.supports()) {
         const int at = model_.coordinate(support.node, support.field) + support.component;
         const double value = support.value ? support.value(t) : state.q[at];
@@ -221,6 +284,22 @@ ANCF_INLINE void DynamicProblem::check_sizes() const {
                     state.q.size(), " and ", state.v.size(), " rates");
 }
 
+/// Checks the state of this part against its supports, and takes it over.
+ANCF_INLINE void DynamicProblem::check_state(double fastest, Start& start) {
+    const State& state = model_.state();
+    const auto refuse = [&](Status status, std::string message) {
+        start.status = status;
+        start.message = std::move(message);
+    };
+    if (!detail::all_finite(state.q) || !detail::all_finite(state.v))
+        return refuse(Status::not_finite, "the initial state is not finite");
+    if (const auto fault = assembly_.inspect(state.q))
+        return refuse(fault->status, assembly_.describe(*fault) + " at the start");
+    std::string message = check_supports(state.time, fastest);
+    if (!message.empty()) return refuse(Status::inconsistent, std::move(message));
+    expand(state.time, start.q, start.v);
+}
+
 ANCF_INLINE Start DynamicProblem::start() {
     refresh();
     check_sizes();
@@ -236,39 +315,44 @@ ANCF_INLINE Start DynamicProblem::start() {
     full_v_.setZero(state.v.size());
     full_a_.setZero(state.v.size());
 
-    const auto refuse = [&](Status status, std::string message) {
-        start.status = status;
-        start.message = std::move(message);
-        return start;
-    };
-    if (!detail::all_finite(state.q) || !detail::all_finite(state.v))
-        return refuse(Status::not_finite, "the initial state is not finite");
-    if (const auto fault = assembly_.inspect(state.q))
-        return refuse(fault->status, assembly_.describe(*fault) + " at the start");
-    std::string message = check_supports(state.time);
-    if (!message.empty()) return refuse(Status::inconsistent, message);
-    expand(state.time, start.q, start.v);
+    const double fastest = largest_of_parts(detail::largest_ratio(state.v, full_scales_));
+    detail::together(exchange_, [&] { check_state(fastest, start); });
+    if (exchange_ != nullptr) {  // the part that knows the worst has its message
+        const auto worst = static_cast<Status>(
+            static_cast<int>(exchange_->largest(static_cast<int>(start.status))));
+        if (worst != start.status) start.message.clear();
+        start.status = worst;
+    }
+    if (start.status != Status::converged) return start;
     left_out_.clear();
     constraints_.leave_out(left_out_);
-    message = check_constraints();
-    if (!message.empty()) return refuse(Status::inconsistent, message);
-    find_redundant(start);
+    start.message = check_constraints();
+    if (!start.message.empty()) start.status = Status::inconsistent;
+    if (start.status == Status::converged) find_redundant(start);
     if (start.status != Status::converged) return start;
 
     start.status =
         accelerations(state.time, start.q, start.v, start.acceleration, start.multipliers);
-    if (start.status != Status::converged)
-        start.message = "the initial accelerations could not be solved for: " +
-                        std::string(to_string(start.status));
+    if (start.status == Status::converged) return start;
+    start.message = "the initial accelerations could not be solved for: " +
+                    std::string(to_string(start.status));
+    if (exchange_ != nullptr && !options_.mass_solver->failure().empty())
+        start.message += "; " + options_.mass_solver->failure();
     return start;
 }
 
 ANCF_INLINE Status DynamicProblem::factorize_kkt() {
+    if (exchange_ != nullptr) return Status::converged;  // M alone
     if (multipliers() > 0) constraints_.write_jacobian(assembly_.pattern(), kkt_matrix_);
     return kkt_.factorize(kkt_matrix_);
 }
 
 ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
+    if (exchange_ != nullptr) {
+        solve_mass(b, x);
+        const bool finite = largest_of_parts(detail::all_finite(x) ? 0.0 : 1.0) == 0.0;
+        return finite ? Status::converged : Status::not_finite;
+    }
     if (!detail::all_finite(b)) return Status::not_finite;
     const Status status = kkt_.solve(b, x);
     return detail::all_finite(x) ? status : Status::not_finite;
@@ -299,6 +383,7 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
     VectorX sum = VectorX::Zero(size());
     detail::add_product(tangent(), options_.storage, -1.0, at.v, sum);
     detail::add_product(damping(), options_.storage, -1.0, at.acceleration, sum);
+    add_parts(sum);
     std::copy(sum.data(), sum.data() + size(), b.data());
     VectorX whole = VectorX::Zero(full_a_.size());
     // one-sided: a load may begin at the start, and no function of time is asked for earlier
@@ -337,7 +422,8 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
 ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const VectorX& q,
                                                           const VectorX& v, const VectorX& lambda,
                                                           Request request) {
-    expand(t, q, v);
+    refresh();
+    detail::together(drives_ ? exchange_ : nullptr, [&] { expand(t, q, v); });
     detail::require(lambda.size() == multipliers(), "DynamicProblem: expected ", multipliers(),
                     " multipliers, got ", lambda.size());
     lambda_ = lambda;
@@ -348,7 +434,7 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
         if (const int equation = numbering().equation(k); equation >= 0)
             force_[equation] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                assembly_.external_force()[k];
-    if (!driven_.empty()) {
+    if (drives_) {
         VectorX inertia;
         numbering().gather_free(assembly_.mass_product(full_a_), inertia);
         force_ += inertia;
@@ -371,12 +457,14 @@ ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const 
     const auto& found = assembly_.angle_potentials();
     const bool first = angles_.size() != found.size();
     if (first) angles_.assign(found.size(), 0.0);
+    double further = 0.0;
     for (std::size_t k = 0; k < found.size(); ++k) {
         const auto& [scale, value, period] = found[k];
         const double turns = first ? 0.0 : std::round((angles_[k] - value) / period);
         if (std::isfinite(turns)) angles_[k] = value + turns * period;
-        result.potential += scale * turns * period;
+        further += scale * turns * period;
     }
+    result.potential += sum_of_parts(further);
     return result;
 }
 
@@ -384,27 +472,40 @@ ANCF_INLINE Energies DynamicProblem::energies() const {
     Energies result;
     result.strain = assembly_.strain_energy();
     result.potential = assembly_.load_potential();
-    result.load_power = detail::dot(assembly_.external_force(), full_v_);
+    result.load_power = own_dot(assembly_.external_force(), full_v_);
     result.constraint_power = detail::dot(lambda_, assembly_.violation_rate());
-    if (driven_.empty()) {
+    if (drives_) {
+        result.kinetic = 0.5 * own_dot(full_v_, assembly_.mass_product(full_v_));
+        result.constraint_power += driving_power();
+    } else {
         VectorX v;
         numbering().gather_free(full_v_, v);
         result.kinetic = 0.5 * detail::dot(v, detail::multiply(compact_mass_, Storage::full, v));
-        return result;
     }
-    result.kinetic = 0.5 * detail::dot(full_v_, assembly_.mass_product(full_v_));
+    if (exchange_ == nullptr) return result;
+    double sums[3] = {result.kinetic, result.load_power, result.constraint_power};
+    exchange_->sum(sums, 3);
+    result.kinetic = sums[0];
+    result.load_power = sums[1];
+    result.constraint_power = sums[2];
+    return result;
+}
+
+/// Returns the power of the supports that drive coordinates of this part, W.
+ANCF_INLINE double DynamicProblem::driving_power() const {
     VectorX acceleration = full_a_;
     VectorX change;
     solve_mass(force_, change);
     numbering().add_free(change, -1.0, acceleration);
     const VectorX inertia = assembly_.mass_product(acceleration);
+    double power = 0.0;
     for (const Driven& driven : driven_) {
         const int k = driven.coordinate;
-        result.constraint_power +=
-            full_v_[k] * (inertia[k] + assembly_.internal_force()[k] +
-                          assembly_.constraint_force()[k] - assembly_.external_force()[k]);
+        if (exchange_ == nullptr || exchange_->owns(k))
+            power += full_v_[k] * (inertia[k] + assembly_.internal_force()[k] +
+                                   assembly_.constraint_force()[k] - assembly_.external_force()[k]);
     }
-    return result;
+    return power;
 }
 
 ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q,

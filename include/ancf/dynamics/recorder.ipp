@@ -19,7 +19,7 @@
 namespace ancf::detail {
 
 ANCF_INLINE void require_motion(const DynamicProblem& problem) {
-    require(problem.size() > 0,
+    require(problem.can_move(),
             "the scene has no free coordinate: there is no motion to integrate");
 }
 
@@ -72,8 +72,8 @@ ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point)
     values[1] = at.strain;
     values[2] = at.potential;
     values[3] = at.load_power;
-    values[4] = trace_of_magnitudes(problem.mass(), problem.size());
-    values[5] = trace_of_magnitudes(problem.tangent(), problem.size());
+    values[4] = problem.sum_of_parts(trace_of_magnitudes(problem.mass(), problem.size()));
+    values[5] = problem.sum_of_parts(trace_of_magnitudes(problem.tangent(), problem.size()));
     return values;
 }
 
@@ -84,10 +84,11 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     VectorX q = point.q;
     VectorX v = point.v;
     (void)problem.project(point.time, q, v);
-    const double fastest = largest_ratio(v, problem.scales());
-    require(largest_distance(q, start.q, problem.scales()) <= same &&
-                largest_distance(v, start.v, problem.scales()) <= same * fastest,
-            who, ": the model's state is not the one that the memory belongs to");
+    const double fastest = problem.largest_ratio(v);
+    const double moved = problem.largest_distance(q, start.q);
+    const double sped = problem.largest_distance(v, start.v);
+    require(moved <= same && sped <= same * fastest, who,
+            ": the model's state is not the one that the memory belongs to");
     const VectorX then = memory.get("signature", 6);
     const VectorX here = signature(problem, point);
     const auto differ = [&](int k) {

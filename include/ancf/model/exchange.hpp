@@ -13,11 +13,14 @@
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
+#include <exception>
+#include <stdexcept>
 #include <vector>
 
 namespace ancf::detail {
 
-/// Sums over the parts of a scene. Every call but owns() and constraints() is collective.
+/// Sums over the parts of a scene. Every call is collective but owns(), element() and
+/// constraints().
 class Exchange {
 public:
     virtual ~Exchange() = default;
@@ -30,6 +33,8 @@ public:
     virtual void sum(double* values, int count) const = 0;
     /// Returns the largest of the values that the parts give.
     [[nodiscard]] virtual double largest(double value) const = 0;
+    /// Returns the number in the whole scene of an element of this part.
+    [[nodiscard]] virtual int element(int group, int element) const noexcept = 0;
     /// Returns the constraints of the whole scene.
     [[nodiscard]] virtual const std::vector<AnyConstraint>& constraints() const noexcept = 0;
 
@@ -38,5 +43,22 @@ protected:
     Exchange(const Exchange&) = default;             ///< by derived classes alone
     Exchange& operator=(const Exchange&) = default;  ///< by derived classes alone
 };
+
+/// Calls what may throw in one part of a scene alone: then all parts throw.
+/// @param exchange  none of a whole scene
+/// @throws std::runtime_error where only others did; else what the call throws.
+template <class Call>
+void together(const Exchange* exchange, const Call& call) {
+    if (exchange == nullptr) return call();
+    std::exception_ptr thrown;
+    try {
+        call();
+    } catch (...) {
+        thrown = std::current_exception();
+    }
+    const bool any = exchange->largest(thrown ? 1.0 : 0.0) > 0.0;
+    if (thrown) std::rethrow_exception(thrown);
+    if (any) throw std::runtime_error("another part of the scene threw an exception");
+}
 
 }  // namespace ancf::detail

@@ -86,14 +86,14 @@ struct BeamStation {
 ///
 /// @param stations  per element, at least 2.
 /// @param visit     called as visit(const BeamStation<Element>&).
+/// @param start     reference length before the first element, m.
 /// @throws InvalidArgument for fewer stations.
 template <class Element, class Visitor>
-void for_each_station(const Scene& model, const Beam<Element>& beam, int stations,
-                      Visitor&& visit) {
+void for_each_station(const Scene& model, const Beam<Element>& beam, int stations, Visitor&& visit,
+                      double start = 0.0) {
     detail::require(stations >= 2, "for_each_station: at least 2 stations are needed, got ",
                     stations);
     const auto& group = model.group<Element>();
-    double start = 0.0;
     for (std::size_t place = 0; place < beam.elements.size(); ++place) {
         const int index = beam.elements[place];
         const Element& element = group.element(index);

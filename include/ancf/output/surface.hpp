@@ -50,11 +50,12 @@ public:
     /// Adds a beam as its model stands now.
     /// @param section   whose outline is drawn.
     /// @param stations  per element, at least 2.
+    /// @param start     reference length before the beam, m: of a part of a longer one.
     /// @throws InvalidArgument for fewer stations, an outline of fewer than three corners, or a
     ///         beam without elements.
     template <class Element>
     void add(const Scene& model, const Beam<Element>& beam, const Section& section,
-             int stations = 9);
+             int stations = 9, double start = 0.0);
 
     /// Returns the points, m.
     [[nodiscard]] const std::vector<Vector<double, 3>>& points() const noexcept { return points_; }
@@ -94,15 +95,16 @@ private:
 
 template <class Element>
 void Surface::add(const Scene& model, const Beam<Element>& beam, const Section& section,
-                  int stations) {
+                  int stations, double start) {
     begin_beam(beam, section);
     std::vector<Corner> corners;
-    for_each_station(model, beam, stations, [&](const BeamStation<Element>& at) {
+    const auto show = [&](const BeamStation<Element>& at) {
         corners.clear();
         for (const auto& [y, z] : section.outline())
             corners.push_back({at.position(y, z), at.velocity(y, z), at.axial_stress(y, z)});
         add_station(at.s, transmitted_forces(at.element, at.e, at.xi), corners, at.xi > 0.0);
-    });
+    };
+    for_each_station(model, beam, stations, show, start);
     end_beam();
 }
 

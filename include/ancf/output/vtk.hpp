@@ -16,6 +16,7 @@
 #include <fstream>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace ancf {
 
@@ -33,6 +34,15 @@ void write_vtk(std::ostream& out, const Surface& surface, VtkFormat format, doub
 /// Writes a surface to a file, in the format of its extension.
 /// @throws InvalidArgument for an extension that is not known or a file that cannot be written.
 void write_vtk(const std::filesystem::path& file, const Surface& surface, double time = 0.0);
+
+/// Writes the file that lists pieces of a surface, each an XML file of cells (.vtu) that one of
+/// several processes wrote.
+/// @param file    ends in .pvtu
+/// @param like    any of the pieces: all have its arrays.
+/// @param pieces  names of files in the same folder.
+/// @throws InvalidArgument for a file that cannot be written.
+void write_vtk_pieces(const std::filesystem::path& file, const Surface& like,
+                      const std::vector<std::string>& pieces);
 
 /// Surfaces in time: FOLDER/NAME_000000.vtp and so on, with their times in FOLDER/NAME.pvd.
 ///

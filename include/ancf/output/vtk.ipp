@@ -57,13 +57,18 @@ ANCF_INLINE void write_integers(std::ostream& out, std::string_view type, std::s
     out << "</DataArray>\n";
 }
 
+/// Opens the element of an array without its end.
+ANCF_INLINE void begin_array(std::ostream& out, std::string_view element, const PointArray& array) {
+    out << '<' << element << " type=\"Float64\" Name=\"" << array.name << "\" NumberOfComponents=\""
+        << array.components.size() << '"';
+    for (std::size_t k = 0; k < array.components.size(); ++k)
+        out << " ComponentName" << k << "=\"" << array.components[k] << '"';
+}
+
 ANCF_INLINE void write_xml_arrays(std::ostream& out, const Surface& surface) {
     out << "<PointData>\n";
     for (const PointArray& array : surface.arrays()) {
-        out << "<DataArray type=\"Float64\" Name=\"" << array.name << "\" NumberOfComponents=\""
-            << array.components.size() << '"';
-        for (std::size_t k = 0; k < array.components.size(); ++k)
-            out << " ComponentName" << k << "=\"" << array.components[k] << '"';
+        begin_array(out, "DataArray", array);
         out << " format=\"ascii\">\n";
         write_values(out, array);
         out << "</DataArray>\n";
@@ -159,6 +164,22 @@ ANCF_INLINE void write_vtk(const std::filesystem::path& file, const Surface& sur
     const VtkFormat format = vtk_format(file);
     std::ofstream out = detail::opened(file);
     write_vtk(out, surface, format, time);
+    detail::finish(out, file);
+}
+
+ANCF_INLINE void write_vtk_pieces(const std::filesystem::path& file, const Surface& like,
+                                  const std::vector<std::string>& pieces) {
+    std::ofstream out = detail::opened(file);
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" "
+        << "byte_order=\"LittleEndian\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n";
+    for (const PointArray& array : like.arrays()) {
+        detail::begin_array(out, "PDataArray", array);
+        out << "/>\n";
+    }
+    out << "</PPointData>\n<PPoints>\n"
+        << "<PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+    for (const std::string& piece : pieces) out << "<Piece Source=\"" << piece << "\"/>\n";
+    out << "</PUnstructuredGrid>\n</VTKFile>\n";
     detail::finish(out, file);
 }
 

@@ -14,6 +14,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/model/exchange.hpp>
 #include <ancf/model/scene.hpp>
+#include <ancf/petsc/errors.hpp>
 #include <ancf/types.hpp>
 
 #include <petscsf.h>
@@ -23,6 +24,9 @@
 #include <vector>
 
 namespace ancf::petsc::detail {
+
+/// Returns a number as a place in a vector.
+[[nodiscard]] inline std::size_t at(int k) noexcept { return static_cast<std::size_t>(k); }
 
 /// The division of one scene, and what its parts tell each other.
 class Partition final : public ancf::detail::Exchange {
@@ -51,9 +55,15 @@ public:
     }
     ANCF_INLINE_VIRTUAL void sum(double* values, int count) const override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL double largest(double value) const override;
+    [[nodiscard]] int element(int group, int element) const noexcept override {
+        return held_.elements[static_cast<std::size_t>(group)][static_cast<std::size_t>(element)];
+    }
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept override {
         return whole_.constraints();
     }
+
+    /// Returns the number in this part of an element of a group of the whole scene; -1 of others'.
+    [[nodiscard]] int number_in_part(const ElementGroup& group, int element) const;
 
     /// Returns the coordinates of the whole scene, in every process. Collective.
     /// @param of_part  coordinates, rates or forces of the part.
@@ -121,7 +131,7 @@ private:
     std::vector<char> own_;  // of each coordinate of the part
     std::vector<int> mine_;  // own coordinates, in the order of the roots
     std::vector<int> rim_;   // the others, in the order of the leaves
-    PetscSF shared_ = nullptr;
+    Handle<PetscSF> shared_;
     mutable std::vector<double> roots_, leaves_;
 };
 

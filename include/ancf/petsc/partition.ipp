@@ -6,8 +6,8 @@
 
 #pragma once
 
+#include <ancf/petsc/errors.hpp>
 #include <ancf/petsc/partition.hpp>
-#include <ancf/petsc/session.hpp>
 
 #include <petscmat.h>
 
@@ -17,14 +17,12 @@
 
 namespace ancf::petsc::detail {
 
-[[nodiscard]] ANCF_INLINE std::size_t at(int k) { return static_cast<std::size_t>(k); }
-
 /// Returns the part of each vertex of a graph, the same in every process.
 /// @param edges  of this process's share of the vertices, both ways, sorted by the first
 [[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
     MPI_Comm comm, const std::string& prefix, const std::vector<int>& shares,
     const std::vector<std::pair<int, int>>& edges) {
-    const int first = shares[at(Session::rank(comm))], last = shares[at(Session::rank(comm)) + 1];
+    const int first = shares[at(rank_in(comm))], last = shares[at(rank_in(comm)) + 1];
     PetscInt *ia = nullptr, *ja = nullptr;  // the matrix takes them over
     check(PetscMalloc1(static_cast<std::size_t>(last - first) + 1, &ia));
     check(PetscMalloc1(edges.size(), &ja));
@@ -34,25 +32,23 @@ namespace ancf::petsc::detail {
         for (; k < edges.size() && edges[k].first == vertex; ++k) ja[k] = edges[k].second;
     }
     ia[last - first] = static_cast<PetscInt>(k);
-    Mat graph = nullptr;
-    MatPartitioning method = nullptr;
-    IS found = nullptr;
-    check(MatCreateMPIAdj(comm, last - first, shares.back(), ia, ja, nullptr, &graph));
-    check(MatPartitioningCreate(comm, &method));
+    Handle<Mat> graph;
+    Handle<MatPartitioning> method;
+    Handle<IS> found;
+    check(MatCreateMPIAdj(comm, last - first, shares.back(), ia, ja, nullptr, graph.fresh()));
+    check(MatPartitioningCreate(comm, method.fresh()));
     check(MatPartitioningSetAdjacency(method, graph));
 #if defined(PETSC_HAVE_PTSCOTCH)
     check(MatPartitioningSetType(method, MATPARTITIONINGPTSCOTCH));
 #endif
-    check(PetscObjectSetOptionsPrefix(reinterpret_cast<PetscObject>(method), prefix.c_str()));
+    check(PetscObjectSetOptionsPrefix(reinterpret_cast<PetscObject>(MatPartitioning(method)),
+                                      prefix.c_str()));
     check(MatPartitioningSetFromOptions(method));
-    check(MatPartitioningApply(method, &found));
+    check(MatPartitioningApply(method, found.fresh()));
     const PetscInt* of = nullptr;
     check(ISGetIndices(found, &of));
     const std::vector<int> own(of, of + (last - first));
     check(ISRestoreIndices(found, &of));
-    check(ISDestroy(&found));
-    check(MatPartitioningDestroy(&method));
-    check(MatDestroy(&graph));
     std::vector<int> all(at(shares.back())), counts;
     for (std::size_t r = 0; r + 1 < shares.size(); ++r) counts.push_back(shares[r + 1] - shares[r]);
     MPI_Allgatherv(own.data(), last - first, MPI_INT, all.data(), counts.data(), shares.data(),
@@ -63,10 +59,10 @@ namespace ancf::petsc::detail {
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
     : whole_(whole),
       comm_(comm),
-      rank_(Session::rank(comm)),
-      ranks_(Session::ranks(comm)),
-      owner_(detail::at(whole.nodes()), -1) {
-    const detail::QuietErrors quiet;
+      rank_(rank_in(comm)),
+      ranks_(ranks_in(comm)),
+      owner_(at(whole.nodes()), -1) {
+    const QuietErrors quiet;
     follow();
     divide(prefix);
     assign_elements();
@@ -76,23 +72,21 @@ ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::s
     connect();
 }
 
-ANCF_INLINE Partition::~Partition() {
-    if (shared_ != nullptr) static_cast<void>(PetscSFDestroy(&shared_));
-}
+ANCF_INLINE Partition::~Partition() = default;
 
 template <class Visitor>
 void Partition::visit_all(int node, const Visitor& visit) const {
     visit(node);
     if (followed_.empty()) return;
-    for (const int other : followed_[detail::at(node)]) visit(other);
+    for (const int other : followed_[at(node)]) visit(other);
 }
 
 ANCF_INLINE void Partition::follow() {
     if (whole_.attachments().empty()) return;
     const Layout& layout = whole_.layout();
-    followed_.resize(detail::at(layout.nodes()));
+    followed_.resize(at(layout.nodes()));
     const auto append = [&](int from, int to) {
-        std::vector<int>& of = followed_[detail::at(from)];
+        std::vector<int>& of = followed_[at(from)];
         if (std::find(of.begin(), of.end(), to) == of.end()) of.push_back(to);
     };
     for (const AttachedVector& attachment : whole_.attachments()) {
@@ -106,7 +100,7 @@ ANCF_INLINE void Partition::follow() {
         append(attachment.vector.node.index, attachment.to.index);
     for (std::vector<int>& of : followed_)
         for (std::size_t k = 0; k < of.size(); ++k) {
-            const std::vector<int> further = followed_[detail::at(of[k])];
+            const std::vector<int> further = followed_[at(of[k])];
             for (const int node : further)
                 if (std::find(of.begin(), of.end(), node) == of.end()) of.push_back(node);
         }
@@ -116,7 +110,7 @@ ANCF_INLINE void Partition::divide(const std::string& prefix) {
     std::vector<int> vertex(owner_.size(), -1), nodes;
     for (int node = 0; node < whole_.nodes(); ++node)
         if (whole_.layout().size(node) > 0 && leader(node) == node) {
-            vertex[detail::at(node)] = static_cast<int>(nodes.size());
+            vertex[at(node)] = static_cast<int>(nodes.size());
             nodes.push_back(node);
         }
     const auto count = static_cast<long>(nodes.size());
@@ -125,10 +119,9 @@ ANCF_INLINE void Partition::divide(const std::string& prefix) {
     std::vector<int> part(nodes.size());
     if (ranks_ == 1 || count < 16L * ranks_) {
         for (int r = 0; r < ranks_; ++r)
-            std::fill(part.begin() + shares[detail::at(r)],
-                      part.begin() + shares[detail::at(r) + 1], r);
+            std::fill(part.begin() + shares[at(r)], part.begin() + shares[at(r) + 1], r);
     } else {
-        const int first = shares[detail::at(rank_)], last = shares[detail::at(rank_) + 1];
+        const int first = shares[at(rank_)], last = shares[at(rank_) + 1];
         std::vector<std::pair<int, int>> edges;
         std::vector<int> ends;
         for (const auto& group : whole_.groups())
@@ -136,7 +129,7 @@ ANCF_INLINE void Partition::divide(const std::string& prefix) {
                 ends.clear();
                 for (const NodeId node : {c.first, c.second})
                     visit_all(node.index, [&](int k) {
-                        if (vertex[detail::at(k)] >= 0) ends.push_back(vertex[detail::at(k)]);
+                        if (vertex[at(k)] >= 0) ends.push_back(vertex[at(k)]);
                     });
                 for (const int a : ends)
                     for (const int b : ends)
@@ -144,25 +137,25 @@ ANCF_INLINE void Partition::divide(const std::string& prefix) {
             }
         std::sort(edges.begin(), edges.end());
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        part = detail::parts_of_graph(comm_, prefix, shares, edges);
+        part = parts_of_graph(comm_, prefix, shares, edges);
     }
-    for (std::size_t k = 0; k < nodes.size(); ++k) owner_[detail::at(nodes[k])] = part[k];
+    for (std::size_t k = 0; k < nodes.size(); ++k) owner_[at(nodes[k])] = part[k];
 }
 
 ANCF_INLINE void Partition::assign_elements() {
     for (const auto& group : whole_.groups()) {
         std::vector<int>& own = held_.elements.emplace_back();
         for (int k = 0; k < group->size(); ++k) {
-            const Connection& c = group->connections[detail::at(k)];
-            const int owner = owner_[detail::at(leader(c.first.index))];
+            const Connection& c = group->connections[at(k)];
+            const int owner = owner_[at(leader(c.first.index))];
             if (owner == rank_) own.push_back(k);
             for (const NodeId node : {c.first, c.second})
-                if (int& of = owner_[detail::at(node.index)]; of < 0) of = owner;
+                if (int& of = owner_[at(node.index)]; of < 0) of = owner;
         }
     }
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (int& of = owner_[detail::at(node)]; of < 0 && whole_.layout().size(node) > 0)
-            of = owner_[detail::at(leader(node))];
+        if (int& of = owner_[at(node)]; of < 0 && whole_.layout().size(node) > 0)
+            of = owner_[at(leader(node))];
 }
 
 // An attached node that one element alone sees.
@@ -170,7 +163,7 @@ ANCF_INLINE void Partition::eliminate() {
     eliminated_.assign(owner_.size(), 0);
     if (followed_.empty()) return;
     std::vector<int> seen(owner_.size(), 0);
-    const auto see = [&](NodeId node) { seen[detail::at(node.index)] += 1; };
+    const auto see = [&](NodeId node) { seen[at(node.index)] += 1; };
     for (const auto& group : whole_.groups())
         for (const Connection& c : group->connections) {
             see(c.first);
@@ -178,9 +171,9 @@ ANCF_INLINE void Partition::eliminate() {
         }
     for (const ScaledLoad& load : whole_.loads())
         if (!load.load.constant())
-            for (const NodeField& at : load.load.coupling()) see(at.node);
+            for (const NodeField& vector : load.load.coupling()) see(vector.node);
     for (const AnyConstraint& constraint : whole_.constraints())
-        for (const NodeField& at : constraint.coupling()) see(at.node);
+        for (const NodeField& vector : constraint.coupling()) see(vector.node);
     for (const AttachedVector& attachment : whole_.attachments()) see(attachment.to);
     for (std::size_t k = 0; k < owner_.size(); ++k)
         eliminated_[k] = !followed_[k].empty() && seen[k] == 1 ? 1 : 0;
@@ -188,22 +181,20 @@ ANCF_INLINE void Partition::eliminate() {
 
 ANCF_INLINE void Partition::hold() {
     held_.nodes.assign(owner_.size(), 0);
-    const auto take = [&](int node) {
-        visit_all(node, [&](int k) { held_.nodes[detail::at(k)] = 1; });
-    };
+    const auto take = [&](int node) { visit_all(node, [&](int k) { held_.nodes[at(k)] = 1; }); };
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (owner_[detail::at(node)] == rank_) take(node);
+        if (owner_[at(node)] == rank_) take(node);
     for (std::size_t group = 0; group < held_.elements.size(); ++group)
         for (const int k : held_.elements[group]) {
-            const Connection& c = whole_.groups()[group]->connections[detail::at(k)];
+            const Connection& c = whole_.groups()[group]->connections[at(k)];
             take(c.first.index);
             take(c.second.index);
         }
     // what couples nodes is where its first one is
     const auto owner_of = [&](const Coupling& coupling) {
-        const int owner = coupling.empty() ? 0 : owner_[detail::at(coupling.front().node.index)];
+        const int owner = coupling.empty() ? 0 : owner_[at(coupling.front().node.index)];
         if (owner == rank_)
-            for (const NodeField& at : coupling) take(at.node.index);
+            for (const NodeField& vector : coupling) take(vector.node.index);
         return owner;
     };
     for (std::size_t k = 0; k < whole_.loads().size(); ++k)
@@ -214,7 +205,7 @@ ANCF_INLINE void Partition::hold() {
         if (constraint_owner_.back() == rank_) held_.constraints.push_back(static_cast<int>(k));
     }
     for (std::size_t k = 0; k < whole_.masses().size(); ++k)
-        if (owner_[detail::at(whole_.masses()[k].node.index)] == rank_)
+        if (owner_[at(whole_.masses()[k].node.index)] == rank_)
             held_.masses.push_back(static_cast<int>(k));
 }
 
@@ -223,7 +214,7 @@ ANCF_INLINE void Partition::number_rows() {
     const Numbering numbering(whole_);
     const auto is_free = [&](int coordinate) { return numbering.equation(coordinate) >= 0; };
     const auto keeps = [&](int node) {
-        return numbering.block_sizes()[detail::at(node)] > 0 && eliminated_[detail::at(node)] == 0;
+        return numbering.block_sizes()[at(node)] > 0 && eliminated_[at(node)] == 0;
     };
     if (whole_.constraints().empty()) {
         by_node_ = true;
@@ -237,7 +228,7 @@ ANCF_INLINE void Partition::number_rows() {
     }
     const auto rows_of = [&](int node) {
         if (by_node_) return block_;
-        if (block_ == 1) return numbering.block_sizes()[detail::at(node)];
+        if (block_ == 1) return numbering.block_sizes()[at(node)];
         int vectors = 0;
         for (int at = layout.first(node); at < layout.first(node + 1); at += block_) {
             bool any = false;
@@ -246,23 +237,23 @@ ANCF_INLINE void Partition::number_rows() {
         }
         return vectors * block_;
     };
-    std::vector<PetscInt> count(detail::at(ranks_) + 1, 0);  // of the ranks before
+    std::vector<PetscInt> count(at(ranks_) + 1, 0);  // of the ranks before
     for (int node = 0; node < layout.nodes(); ++node)
-        if (keeps(node)) count[detail::at(owner_[detail::at(node)]) + 1] += rows_of(node);
+        if (keeps(node)) count[at(owner_[at(node)]) + 1] += rows_of(node);
     for (std::size_t k = 0; k < constraint_owner_.size(); ++k)
-        count[detail::at(constraint_owner_[k]) + 1] += whole_.constraints()[k].equations();
+        count[at(constraint_owner_[k]) + 1] += whole_.constraints()[k].equations();
     for (std::size_t r = 0; r + 1 < count.size(); ++r) count[r + 1] += count[r];
-    first_row_ = count[detail::at(rank_)];
-    last_row_ = count[detail::at(rank_) + 1];
+    first_row_ = count[at(rank_)];
+    last_row_ = count[at(rank_) + 1];
     node_row_.assign(owner_.size(), -1);
     for (int node = 0; node < layout.nodes(); ++node)
         if (keeps(node)) {
-            PetscInt& next = count[detail::at(owner_[detail::at(node)])];
-            node_row_[detail::at(node)] = next;
+            PetscInt& next = count[at(owner_[at(node)])];
+            node_row_[at(node)] = next;
             next += rows_of(node);
         }
     for (std::size_t k = 0; k < constraint_owner_.size(); ++k) {
-        PetscInt& next = count[detail::at(constraint_owner_[k])];
+        PetscInt& next = count[at(constraint_owner_[k])];
         constraint_row_.push_back(next);
         next += whole_.constraints()[k].equations();
     }
@@ -271,51 +262,55 @@ ANCF_INLINE void Partition::number_rows() {
 // The coordinates that a process owns are roots, those at its rim leaves.
 ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
-    std::vector<PetscInt> first(detail::at(ranks_) + 1, 0), global(owner_.size(), -1);
+    std::vector<PetscInt> first(at(ranks_) + 1, 0), global(owner_.size(), -1);
     for (int node = 0; node < layout.nodes(); ++node)
-        if (const int of = owner_[detail::at(node)]; of >= 0)
-            first[detail::at(of) + 1] += layout.size(node);
+        if (const int of = owner_[at(node)]; of >= 0) first[at(of) + 1] += layout.size(node);
     for (std::size_t r = 0; r + 1 < first.size(); ++r) first[r + 1] += first[r];
-    const PetscInt all = first.back(),
-                   own = first[detail::at(rank_) + 1] - first[detail::at(rank_)];
+    const PetscInt all = first.back(), own = first[at(rank_) + 1] - first[at(rank_)];
     for (int node = 0; node < layout.nodes(); ++node)
-        if (const int of = owner_[detail::at(node)]; of >= 0) {
-            global[detail::at(node)] = first[detail::at(of)];
-            first[detail::at(of)] += layout.size(node);
+        if (const int of = owner_[at(node)]; of >= 0) {
+            global[at(node)] = first[at(of)];
+            first[at(of)] += layout.size(node);
         }
     std::vector<PetscInt> remote;
     int next = 0;  // coordinate of the part
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[detail::at(node)] == 0) continue;
-        const bool mine = owner_[detail::at(node)] == rank_;
+        if (held_.nodes[at(node)] == 0) continue;
+        const bool mine = owner_[at(node)] == rank_;
         for (int k = 0; k < layout.size(node); ++k, ++next) {
             own_.push_back(mine ? 1 : 0);
             (mine ? mine_ : rim_).push_back(next);
-            if (!mine) remote.push_back(global[detail::at(node)] + k);
+            if (!mine) remote.push_back(global[at(node)] + k);
         }
     }
     roots_.resize(mine_.size());
     leaves_.resize(rim_.size());
     if (ranks_ == 1) return;
     PetscLayout order = nullptr;
-    detail::check(PetscLayoutCreateFromSizes(comm_, own, all, 1, &order));
-    detail::check(PetscSFCreate(comm_, &shared_));
-    detail::check(PetscSFSetGraphLayout(shared_, order, static_cast<PetscInt>(remote.size()),
-                                        nullptr, PETSC_COPY_VALUES, remote.data()));
-    detail::check(PetscLayoutDestroy(&order));
+    check(PetscLayoutCreateFromSizes(comm_, own, all, 1, &order));
+    check(PetscSFCreate(comm_, shared_.fresh()));
+    check(PetscSFSetGraphLayout(shared_, order, static_cast<PetscInt>(remote.size()), nullptr,
+                                PETSC_COPY_VALUES, remote.data()));
+    check(PetscLayoutDestroy(&order));
+}
+
+ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
+    std::size_t at = 0;
+    while (whole_.groups()[at].get() != &group) ++at;
+    const std::vector<int>& own = held_.elements[at];
+    const auto found = std::lower_bound(own.begin(), own.end(), element);
+    return found != own.end() && *found == element ? static_cast<int>(found - own.begin()) : -1;
 }
 
 ANCF_INLINE void Partition::add(VectorX& forces) const {
     if (shared_ == nullptr) return;
-    const detail::QuietErrors quiet;
+    const QuietErrors quiet;
     for (std::size_t k = 0; k < mine_.size(); ++k) roots_[k] = forces[mine_[k]];
     for (std::size_t k = 0; k < rim_.size(); ++k) leaves_[k] = forces[rim_[k]];
-    detail::check(PetscSFReduceBegin(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
-    detail::check(PetscSFReduceEnd(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
-    detail::check(
-        PetscSFBcastBegin(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
-    detail::check(
-        PetscSFBcastEnd(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
+    check(PetscSFReduceBegin(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
+    check(PetscSFReduceEnd(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
+    check(PetscSFBcastBegin(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
+    check(PetscSFBcastEnd(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
     for (std::size_t k = 0; k < mine_.size(); ++k) forces[mine_[k]] = roots_[k];
     for (std::size_t k = 0; k < rim_.size(); ++k) forces[rim_[k]] = leaves_[k];
 }
@@ -339,9 +334,9 @@ ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
     VectorX all = VectorX::Zero(layout.size());
     Eigen::Index next = 0;
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[detail::at(node)] == 0) continue;
+        if (held_.nodes[at(node)] == 0) continue;
         for (int k = layout.first(node); k < layout.first(node + 1); ++k, ++next)
-            if (owner_[detail::at(node)] == rank_) all[k] = of_part[next];
+            if (owner_[at(node)] == rank_) all[k] = of_part[next];
     }
     sum(all.data(), static_cast<int>(all.size()));
     return all;
@@ -360,7 +355,7 @@ ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const 
 ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& numbering) const {
     const Layout& layout = part.layout();
     Rows rows;
-    rows.row.reserve(detail::at(numbering.unknowns()));
+    rows.row.reserve(at(numbering.unknowns()));
     std::vector<char> taken(static_cast<std::size_t>(last_row_ - first_row_), 0);
     const auto append = [&](PetscInt row) {
         const bool own = row >= first_row_ && row < last_row_;
@@ -369,7 +364,7 @@ ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& 
         rows.own.push_back(own ? 1 : 0);
     };
     for (int node = 0; node < layout.nodes(); ++node) {
-        const PetscInt first = node_row_[detail::at(node)];
+        const PetscInt first = node_row_[at(node)];
         PetscInt next = 0;  // of the node's rows so far
         const int step = by_node_ || block_ == 1 ? 1 : block_;
         for (int at = layout.first(node); at < layout.first(node + 1); at += step) {
@@ -383,8 +378,8 @@ ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& 
         }
     }
     for (const int k : held_.constraints)
-        for (int i = 0; i < whole_.constraints()[detail::at(k)].equations(); ++i)
-            append(constraint_row_[detail::at(k)] + i);
+        for (int i = 0; i < whole_.constraints()[at(k)].equations(); ++i)
+            append(constraint_row_[at(k)] + i);
     for (std::size_t k = 0; k < taken.size(); ++k)
         if (taken[k] == 0) rows.idle.push_back(first_row_ + static_cast<PetscInt>(k));
     if (followed_.empty()) return rows;
@@ -392,7 +387,7 @@ ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& 
         for (const Connection& c : group->connections) {
             std::vector<int> set;
             for (const int node : {c.first.index, c.second.index})
-                if (eliminated_[detail::at(node)] != 0)
+                if (eliminated_[at(node)] != 0)
                     for (int k = layout.first(node); k < layout.first(node + 1); ++k)
                         if (const int equation = numbering.equation(k); equation >= 0)
                             set.push_back(equation);

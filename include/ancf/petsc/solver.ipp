@@ -25,6 +25,14 @@
 
 namespace ancf::petsc {
 
+ANCF_INLINE Session::Session(int* argc, char*** argv) : own_(!detail::petsc_runs()) {
+    if (own_) detail::check(PetscInitialize(argc, argv, nullptr, nullptr));
+}
+
+ANCF_INLINE Session::~Session() {
+    if (own_) static_cast<void>(PetscFinalize());
+}
+
 ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
     SolverOptions options;
     options.prefix = std::move(prefix);
@@ -34,7 +42,9 @@ ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
     return {
         "-ksp_type cg -ksp_rtol 1e-8 -ksp_max_it 2000 -pc_type gamg "
-        "-pc_gamg_aggressive_coarsening 0 -mg_levels_pc_type pbjacobi -pc_mg_cycle_type w",
+        "-pc_gamg_aggressive_coarsening 0 -mg_levels_pc_type pbjacobi "
+        "-mg_levels_esteig_ksp_max_it 20 -mg_levels_ksp_chebyshev_esteig 0,0.1,0,1.2 "
+        "-pc_mg_cycle_type w",
         std::move(prefix)};
 }
 
@@ -90,16 +100,13 @@ private:
     return "ancf_" + std::to_string(++count) + "_";
 }
 
-}  // namespace detail
-
 /// The objects of PETSc, and how a matrix becomes theirs.
-struct Solver::Run {
-    Run(const Scene* of, SolverOptions wanted);
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
-    ~Run();
+struct SolverRun {
+    SolverRun(const Scene* of, SolverOptions wanted);
+    SolverRun(const SolverRun&) = delete;
+    SolverRun& operator=(const SolverRun&) = delete;
+    ~SolverRun() = default;
 
-    void release_system();
     void analyze(const SparseMatrix& pattern);
     void set_values(const SparseMatrix& matrix);
     void set_rigid_motions();
@@ -110,74 +117,53 @@ struct Solver::Run {
     const Scene* scene;
     SolverOptions options;
     MPI_Comm comm = PETSC_COMM_SELF;
-    std::unique_ptr<detail::OptionsInTable> table;
-    const detail::Partition* partition = nullptr;
-    std::unique_ptr<detail::Partition> alone;  // of a whole scene
-    detail::Partition::Rows rows;
-    detail::Condensation condensation;
+    std::unique_ptr<OptionsInTable> table;
+    const Partition* partition = nullptr;
+    std::unique_ptr<Partition> alone;  // of a whole scene
+    Partition::Rows rows;
+    Condensation condensation;
     Numbering numbering;
     bool symmetric = false;
     PetscInt size = 0;           // rows of all processes
     std::vector<double> values;  // handed over
     VectorX local, shifted;
-    KSP ksp = nullptr;
-    Mat matrix = nullptr;
-    Vec b = nullptr, x = nullptr;
-    Vec part = nullptr;  // entries of this process's equations
-    VecScatter scatter = nullptr;
+    Handle<KSP> ksp;
+    Handle<Mat> matrix;
+    Handle<Vec> b, x;
+    Handle<Vec> part;  // entries of this process's equations
+    Handle<VecScatter> scatter;
     std::string failure;
     int iterations = 0, most = 0;
     bool factorises = false;
 };
 
-ANCF_INLINE Solver::Run::Run(const Scene* of, SolverOptions wanted)
+ANCF_INLINE SolverRun::SolverRun(const Scene* of, SolverOptions wanted)
     : scene(of), options(std::move(wanted)) {
-    detail::require_session();
-    const detail::QuietErrors quiet;
-    if (options.prefix.empty()) options.prefix = detail::fresh_prefix();
-    table = std::make_unique<detail::OptionsInTable>(options.options, options.prefix);
-    if (scene != nullptr) {
-        partition = static_cast<const detail::Partition*>(scene->exchange());
-        if (partition == nullptr) {
-            alone = std::make_unique<detail::Partition>(*scene, PETSC_COMM_SELF);
-            partition = alone.get();
-        }
-        comm = partition->comm();
-    }
+    require_session();
+    const QuietErrors quiet;
+    if (options.prefix.empty()) options.prefix = fresh_prefix();
+    table = std::make_unique<OptionsInTable>(options.options, options.prefix);
+    if (scene != nullptr) partition = static_cast<const Partition*>(scene->exchange());
+    if (partition != nullptr) comm = partition->comm();
     try {
-        detail::check(KSPCreate(comm, &ksp));
-        detail::check(KSPSetOptionsPrefix(ksp, options.prefix.c_str()));
-        detail::check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
-        detail::check(KSPSetFromOptions(ksp));
-    } catch (const detail::PetscFailure& failed) {
-        static_cast<void>(KSPDestroy(&ksp));
+        check(KSPCreate(comm, ksp.fresh()));
+        check(KSPSetOptionsPrefix(ksp, options.prefix.c_str()));
+        check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
+        check(KSPSetFromOptions(ksp));
+    } catch (const PetscFailure& failed) {
+        ksp.reset();
         ancf::detail::reject("petsc::SolverOptions \"", options.options, "\": ", failed.what());
     }
     PC pc = nullptr;
-    detail::check(KSPGetPC(ksp, &pc));
+    check(KSPGetPC(ksp, &pc));
     PetscBool lu = PETSC_FALSE, cholesky = PETSC_FALSE;
-    detail::check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
-    detail::check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
+    check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
+    check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
     factorises = lu != PETSC_FALSE || cholesky != PETSC_FALSE;
 }
 
-ANCF_INLINE void Solver::Run::release_system() {
-    static_cast<void>(VecScatterDestroy(&scatter));
-    static_cast<void>(VecDestroy(&part));
-    static_cast<void>(VecDestroy(&x));
-    static_cast<void>(VecDestroy(&b));
-    static_cast<void>(MatDestroy(&matrix));
-}
-
-ANCF_INLINE Solver::Run::~Run() {
-    const detail::QuietErrors quiet;
-    static_cast<void>(KSPDestroy(&ksp));
-    release_system();
-}
-
-ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
-    release_system();
-    detail::check(KSPReset(ksp));
+ANCF_INLINE void SolverRun::analyze(const SparseMatrix& pattern) {
+    check(KSPReset(ksp));
     PetscInt first = 0, last = static_cast<PetscInt>(pattern.rows());
     symmetric = false;
     int block = 1;
@@ -190,9 +176,9 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
         ancf::detail::require(pattern.rows() == numbering.unknowns(),
                               "petsc::Solver: the scene has ", numbering.unknowns(),
                               " unknowns, the matrix ", pattern.rows());
-        if (alone) {  // the scene may have changed
+        if (scene->exchange() == nullptr) {  // it may have changed
             alone.reset();
-            alone = std::make_unique<detail::Partition>(*scene, PETSC_COMM_SELF);
+            alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
             partition = alone.get();
         }
         rows = partition->rows(*scene, numbering);
@@ -203,7 +189,7 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
         symmetric = std::all_of(loads.begin(), loads.end(),
                                 [](const ScaledLoad& load) { return load.load.symmetric(); });
     }
-    condensation = detail::Condensation(pattern, std::move(rows.sets), symmetric);
+    condensation = Condensation(pattern, std::move(rows.sets), symmetric);
 
     std::vector<PetscInt> is, js;  // of each value
     is.reserve(condensation.entries() + rows.idle.size());
@@ -213,30 +199,28 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
         for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
             const int i = pattern.innerIndexPtr()[k];
             if (!condensation.keeps(i)) continue;
-            is.push_back(rows.row[static_cast<std::size_t>(i)]);
-            js.push_back(rows.row[static_cast<std::size_t>(j)]);
+            is.push_back(rows.row[at(i)]);
+            js.push_back(rows.row[at(j)]);
         }
     }
     is.insert(is.end(), rows.idle.begin(), rows.idle.end());
     js.insert(js.end(), rows.idle.begin(), rows.idle.end());
     values.resize(is.size());
 
-    detail::check(MatCreate(comm, &matrix));
-    detail::check(
-        MatSetSizes(matrix, last - first, last - first, PETSC_DETERMINE, PETSC_DETERMINE));
-    detail::check(MatSetType(matrix, MATAIJ));
-    detail::check(MatSetBlockSize(matrix, block));
-    detail::check(
-        MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(), js.data()));
+    check(MatCreate(comm, matrix.fresh()));
+    check(MatSetSizes(matrix, last - first, last - first, PETSC_DETERMINE, PETSC_DETERMINE));
+    check(MatSetType(matrix, MATAIJ));
+    check(MatSetBlockSize(matrix, block));
+    check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(), js.data()));
     Mat own = nullptr;  // PETSc 3.18 forgets the blocks of this process's part
-    detail::check(MatGetDiagonalBlock(matrix, &own));
-    detail::check(MatSetBlockSize(own, block));
+    check(MatGetDiagonalBlock(matrix, &own));
+    check(MatSetBlockSize(own, block));
     if (symmetric) {
-        detail::check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
-        detail::check(MatSetOption(matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+        check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+        check(MatSetOption(matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
     }
-    detail::check(MatGetSize(matrix, &size, nullptr));
-    detail::check(MatCreateVecs(matrix, &x, &b));
+    check(MatGetSize(matrix, &size, nullptr));
+    check(MatCreateVecs(matrix, x.fresh(), b.fresh()));
 
     std::vector<PetscInt> to, from;  // rows, and the equations that have them
     for (std::size_t k = 0; k < rows.row.size(); ++k)
@@ -244,18 +228,16 @@ ANCF_INLINE void Solver::Run::analyze(const SparseMatrix& pattern) {
             to.push_back(rows.row[k]);
             from.push_back(static_cast<PetscInt>(k));
         }
-    detail::check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(rows.row.size()), &part));
-    IS is_rows = nullptr, is_equations = nullptr;
+    check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(rows.row.size()), part.fresh()));
+    Handle<IS> is_rows, is_equations;
     const auto count = static_cast<PetscInt>(to.size());
-    detail::check(ISCreateGeneral(comm, count, to.data(), PETSC_COPY_VALUES, &is_rows));
-    detail::check(
-        ISCreateGeneral(PETSC_COMM_SELF, count, from.data(), PETSC_COPY_VALUES, &is_equations));
-    detail::check(VecScatterCreate(x, is_rows, part, is_equations, &scatter));
-    detail::check(ISDestroy(&is_rows));
-    detail::check(ISDestroy(&is_equations));
+    check(ISCreateGeneral(comm, count, to.data(), PETSC_COPY_VALUES, is_rows.fresh()));
+    check(ISCreateGeneral(PETSC_COMM_SELF, count, from.data(), PETSC_COPY_VALUES,
+                          is_equations.fresh()));
+    check(VecScatterCreate(x, is_rows, part, is_equations, scatter.fresh()));
 }
 
-ANCF_INLINE void Solver::Run::set_values(const SparseMatrix& from) {
+ANCF_INLINE void SolverRun::set_values(const SparseMatrix& from) {
     double failed = condensation.reduce(from, values.data()) ? 0.0 : 1.0;
     double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
     if (!rows.idle.empty() || partition != nullptr) {
@@ -274,71 +256,66 @@ ANCF_INLINE void Solver::Run::set_values(const SparseMatrix& from) {
         std::fill(values.end() - static_cast<std::ptrdiff_t>(rows.idle.size()), values.end(), idle);
     }
     if (failed > 0.0) throw std::domain_error("the slope r_x of a member's end has no stiffness");
-    detail::check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
+    check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
 }
 
 // Translations of positions, and w x v of positions and slopes, where the scene stands now. Where
 // nodes differ, or have positions alone, a few of them cannot hold six motions: PETSc's own choice
 // of three, a constant in each direction, stays.
-ANCF_INLINE void Solver::Run::set_rigid_motions() {
+ANCF_INLINE void SolverRun::set_rigid_motions() {
     if (scene == nullptr || size == 0 || !partition->blocks_are_nodes()) return;
     const Layout& layout = scene->layout();
     const VectorX& q = scene->state().q;
     const int dimension = layout.dimension(), turns = dimension == 3 ? 3 : 1;
-    Vec mode = nullptr;
-    std::vector<Vec> modes;
+    std::vector<Handle<Vec>> modes;
     for (int m = 0; m < dimension + turns; ++m) {
-        detail::check(VecDuplicate(x, &mode));
-        modes.push_back(mode);
+        check(VecDuplicate(x, modes.emplace_back().fresh()));
+        const Vec mode = modes.back();
         PetscScalar* entry = nullptr;
-        detail::check(VecGetArray(mode, &entry));
+        check(VecGetArray(mode, &entry));
         for (int node = 0; node < layout.nodes(); ++node)
-            for (int at = layout.first(node); at < layout.first(node + 1); at += dimension) {
+            for (int k = layout.first(node); k < layout.first(node + 1); k += dimension) {
                 double v[3] = {};
                 if (m < dimension) {
-                    v[m] = at == layout.first(node) ? 1.0 : 0.0;  // a node's position comes first
+                    v[m] = k == layout.first(node) ? 1.0 : 0.0;  // a node's position comes first
                 } else {
                     const int a = dimension == 3 ? (m - dimension + 1) % 3 : 0;
                     const int c = dimension == 3 ? (m - dimension + 2) % 3 : 1;
-                    v[a] = -q[at + c];
-                    v[c] = q[at + a];
+                    v[a] = -q[k + c];
+                    v[c] = q[k + a];
                 }
-                for (int k = 0; k < dimension; ++k) {
-                    const int equation = numbering.equation(at + k);
-                    if (equation < 0 || rows.own[static_cast<std::size_t>(equation)] == 0) continue;
-                    entry[rows.row[static_cast<std::size_t>(equation)] - partition->first_row()] =
-                        v[k];
+                for (int i = 0; i < dimension; ++i) {
+                    const int equation = numbering.equation(k + i);
+                    if (equation < 0 || rows.own[at(equation)] == 0) continue;
+                    entry[rows.row[at(equation)] - partition->first_row()] = v[i];
                 }
             }
-        detail::check(VecRestoreArray(mode, &entry));
+        check(VecRestoreArray(mode, &entry));
         for (int sweep = 0; sweep < 2; ++sweep)
             for (std::size_t k = 0; k + 1 < modes.size(); ++k) {
                 PetscScalar share = 0.0;
-                detail::check(VecDot(mode, modes[k], &share));
-                detail::check(VecAXPY(mode, -share, modes[k]));
+                check(VecDot(mode, modes[k], &share));
+                check(VecAXPY(mode, -share, modes[k]));
             }
         PetscReal length = 0.0;
-        detail::check(VecNormalize(mode, &length));
-        if (length > 1e-12) continue;
-        detail::check(VecDestroy(&modes.back()));
-        modes.pop_back();
+        check(VecNormalize(mode, &length));
+        if (length <= 1e-12) modes.pop_back();
     }
-    MatNullSpace space = nullptr;
-    detail::check(MatNullSpaceCreate(comm, PETSC_FALSE, static_cast<PetscInt>(modes.size()),
-                                     modes.data(), &space));
-    detail::check(MatSetNearNullSpace(matrix, space));
-    detail::check(MatNullSpaceDestroy(&space));
-    for (Vec& one : modes) detail::check(VecDestroy(&one));
+    const std::vector<Vec> all(modes.begin(), modes.end());
+    Handle<MatNullSpace> space;
+    check(MatNullSpaceCreate(comm, PETSC_FALSE, static_cast<PetscInt>(all.size()), all.data(),
+                             space.fresh()));
+    check(MatSetNearNullSpace(matrix, space));
 }
 
 /// Says why a kind of solver does not suit the scene; empty where it does.
-ANCF_INLINE std::string Solver::Run::refusal() {
+ANCF_INLINE std::string SolverRun::refusal() {
     if (scene == nullptr || factorises) return {};
     if (!partition->whole().constraints().empty())
         return "a scene with multipliers needs a direct solver: -pc_type lu "
                "-pc_factor_mat_solver_type mumps";
     KSPType type = nullptr;
-    detail::check(KSPGetType(ksp, &type));
+    check(KSPGetType(ksp, &type));
     const std::string name = type != nullptr ? type : "";
     const bool needs_symmetry = name.find("cg") != std::string::npos && name.find("bcgs") != 0 &&
                                 name != "cgs" && name != "cgne";
@@ -348,7 +325,7 @@ ANCF_INLINE std::string Solver::Run::refusal() {
     return {};
 }
 
-ANCF_INLINE FactorReport Solver::Run::factorize(const SparseMatrix& from) {
+ANCF_INLINE FactorReport SolverRun::factorize(const SparseMatrix& from) {
     failure.clear();
     iterations = 0;
     FactorReport report;
@@ -373,12 +350,12 @@ ANCF_INLINE FactorReport Solver::Run::factorize(const SparseMatrix& from) {
     try {
         set_values(from);
         if (!factorises) set_rigid_motions();
-        detail::check(KSPSetOperators(ksp, matrix, matrix));
-        detail::check(KSPSetUp(ksp));
+        check(KSPSetOperators(ksp, matrix, matrix));
+        check(KSPSetUp(ksp));
         PC pc = nullptr;
         PCFailedReason reason = PC_NOERROR;
-        detail::check(KSPGetPC(ksp, &pc));
-        detail::check(PCGetFailedReason(pc, &reason));
+        check(KSPGetPC(ksp, &pc));
+        check(PCGetFailedReason(pc, &reason));
         double worst = static_cast<double>(reason);
         if (partition != nullptr) worst = partition->largest(worst);
         if (worst != 0.0) {
@@ -391,14 +368,14 @@ ANCF_INLINE FactorReport Solver::Run::factorize(const SparseMatrix& from) {
     } catch (const std::domain_error& singular) {
         report.status = Status::singular;
         failure = singular.what();
-    } catch (const detail::PetscFailure& failed) {
+    } catch (const PetscFailure& failed) {
         report.status = Status::diverged;
         failure = failed.what();
     }
     return report;
 }
 
-ANCF_INLINE void Solver::Run::solve(const VectorX& right, VectorX& out) {
+ANCF_INLINE void SolverRun::solve(const VectorX& right, VectorX& out) {
     const auto count = static_cast<std::size_t>(right.size());
     failure.clear();
     condensation.shift(right, shifted);
@@ -410,46 +387,49 @@ ANCF_INLINE void Solver::Run::solve(const VectorX& right, VectorX& out) {
     }
     try {
         PetscScalar* entry = nullptr;
-        detail::check(VecGetArray(part, &entry));
+        check(VecGetArray(part, &entry));
         for (std::size_t k = 0; k < count; ++k) {
             const auto i = static_cast<Eigen::Index>(k);
             entry[k] = (rows.own[k] != 0 ? local[i] : 0.0) + shifted[i];
         }
-        detail::check(VecRestoreArray(part, &entry));
-        detail::check(VecSet(b, 0.0));
-        detail::check(VecScatterBegin(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
-        detail::check(VecScatterEnd(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
-        detail::check(KSPSolve(ksp, b, x));
+        check(VecRestoreArray(part, &entry));
+        check(VecSet(b, 0.0));
+        check(VecScatterBegin(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
+        check(VecScatterEnd(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
+        check(KSPSolve(ksp, b, x));
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         PetscInt taken = 0;
-        detail::check(KSPGetConvergedReason(ksp, &reason));
-        detail::check(KSPGetIterationNumber(ksp, &taken));
+        check(KSPGetConvergedReason(ksp, &reason));
+        check(KSPGetIterationNumber(ksp, &taken));
         iterations = static_cast<int>(taken);
         most = std::max(most, iterations);
         if (reason < 0) {
             failure = std::string("PETSc: ") + KSPConvergedReasons[reason] + " after " +
                       std::to_string(taken) + " iterations";
         } else {
-            detail::check(VecScatterBegin(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
-            detail::check(VecScatterEnd(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
+            check(VecScatterBegin(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
+            check(VecScatterEnd(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
             const PetscScalar* solved = nullptr;
-            detail::check(VecGetArrayRead(part, &solved));
+            check(VecGetArrayRead(part, &solved));
             std::copy_n(solved, count, out.data());
-            detail::check(VecRestoreArrayRead(part, &solved));
+            check(VecRestoreArrayRead(part, &solved));
             condensation.complete(local, out);
         }
-    } catch (const detail::PetscFailure& failed) {
+    } catch (const PetscFailure& failed) {
         failure = failed.what();
     }
     if (!failure.empty()) out.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-ANCF_INLINE void Solver::Finish::operator()(Run* run) const noexcept { delete run; }
+}  // namespace detail
 
-ANCF_INLINE Solver::Solver(SolverOptions options) : run_(new Run(nullptr, std::move(options))) {}
+ANCF_INLINE void Solver::Finish::operator()(detail::SolverRun* run) const noexcept { delete run; }
+
+ANCF_INLINE Solver::Solver(SolverOptions options)
+    : run_(new detail::SolverRun(nullptr, std::move(options))) {}
 
 ANCF_INLINE Solver::Solver(const Scene& scene, SolverOptions options)
-    : run_(new Run(&scene, std::move(options))) {}
+    : run_(new detail::SolverRun(&scene, std::move(options))) {}
 
 ANCF_INLINE Solver::~Solver() = default;
 

@@ -16,24 +16,22 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/petsc/partition.hpp>
+#include <ancf/petsc/divided_scene.hpp>
 #include <ancf/petsc/solver.hpp>
 #include <ancf/solver/statics.hpp>
-#include <ancf/types.hpp>
-
-#include <memory>
 
 namespace ancf::petsc {
 
-/// One scene, divided between processes. All of its calls are collective but part(), solver() and
-/// partition().
-class DistributedStatics {
+/// One scene, divided between processes. All calls are collective but part(), solver(),
+/// partition() and runs().
+class DistributedStatics : public detail::DividedScene {
 public:
     /// Divides the scene, which outlives this and is the same in every process.
     /// @throws InvalidArgument for options that PETSc refuses, or where PETSc does not run.
     /// @throws std::runtime_error where it cannot be divided.
     explicit DistributedStatics(Scene& model, MPI_Comm comm = PETSC_COMM_WORLD,
-                                const SolverOptions& options = {});
+                                const SolverOptions& options = {})
+        : DividedScene(model, comm, options) {}
 
     /// Brings the parts to equilibrium.
     ///
@@ -46,28 +44,6 @@ public:
     ///         its corrections tie all nodes of the scene.
     /// @throws std::runtime_error where a user's function threw in another process.
     [[nodiscard]] StaticsReport solve(const StaticsOptions& options = {});
-
-    /// Writes the state of all parts to the whole scene of every process.
-    void gather();
-
-    /// Returns coordinates or forces of the whole scene, in every process.
-    /// @param of_part  of the coordinates of this process's part, such as its reactions.
-    [[nodiscard]] VectorX gathered(const VectorX& of_part) const {
-        return partition_->gather(of_part);
-    }
-
-    /// Returns the part of this process, with the numbers of all nodes.
-    [[nodiscard]] Scene& part() noexcept { return *part_; }
-    /// Returns who has which node.
-    [[nodiscard]] const detail::Partition& partition() const noexcept { return *partition_; }
-    /// Returns the solver.
-    [[nodiscard]] Solver& solver() noexcept { return solver_; }
-
-private:
-    Scene& model_;
-    std::shared_ptr<const detail::Partition> partition_;
-    std::unique_ptr<Scene> part_;
-    Solver solver_;
 };
 
 }  // namespace ancf::petsc

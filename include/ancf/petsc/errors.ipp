@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Definitions of session.hpp.
+/// Definitions of errors.hpp.
 
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/petsc/session.hpp>
+#include <ancf/petsc/errors.hpp>
 
-namespace ancf::petsc {
-namespace detail {
+namespace ancf::petsc::detail {
 
 /// The text of the last error, of the place where it arose.
 [[nodiscard]] ANCF_INLINE std::string& error_text() {
@@ -45,37 +44,27 @@ ANCF_INLINE void check(PetscErrorCode code) {
     throw PetscFailure(text);
 }
 
-ANCF_INLINE void require_session() {
+ANCF_INLINE bool petsc_runs() {
     PetscBool started = PETSC_FALSE;
     check(PetscInitialized(&started));
-    ancf::detail::require(started != PETSC_FALSE,
+    return started != PETSC_FALSE;
+}
+
+ANCF_INLINE void require_session() {
+    ancf::detail::require(petsc_runs(),
                           "ancf::petsc: PETSc does not run; let an ancf::petsc::Session stand");
 }
 
-}  // namespace detail
-
-ANCF_INLINE Session::Session(int* argc, char*** argv) {
-    PetscBool started = PETSC_FALSE;
-    detail::check(PetscInitialized(&started));
-    if (started != PETSC_FALSE) return;
-    detail::check(PetscInitialize(argc, argv, nullptr, nullptr));
-    own_ = true;
-}
-
-ANCF_INLINE Session::~Session() {
-    if (own_) static_cast<void>(PetscFinalize());
-}
-
-ANCF_INLINE int Session::rank(MPI_Comm comm) {
+ANCF_INLINE int rank_in(MPI_Comm comm) {
     int rank = 0;
     MPI_Comm_rank(comm, &rank);
     return rank;
 }
 
-ANCF_INLINE int Session::ranks(MPI_Comm comm) {
+ANCF_INLINE int ranks_in(MPI_Comm comm) {
     int ranks = 1;
     MPI_Comm_size(comm, &ranks);
     return ranks;
 }
 
-}  // namespace ancf::petsc
+}  // namespace ancf::petsc::detail
