@@ -321,8 +321,10 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
         if (detail::entries(damping_) != detail::entries(tangent_)) damping_ = pattern_.matrix();
         std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
+    predicted_.setZero(last != nullptr || increment != nullptr ? numbering_.coordinates() : 0);
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
+    if (predicted_.size() > 0) numbering_.dependence().carry(predicted_);
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_scale * gravity_;
     load_potential_ = -detail::dot(external_, at.q);
@@ -369,6 +371,7 @@ ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) cons
             nullptr,
             false,
             nullptr,
+            nullptr,
             values,
             attached_[group].empty() ? nullptr : attached_[group].data()};
 }
@@ -385,6 +388,7 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
         target.change = last != nullptr ? last->change.data() : nullptr;
         target.tangent = tangent;
         target.internal_force = internal_.data();
+        if (predicted_.size() > 0) target.predicted_force = predicted_.data();
         strain_energy_ += schedules_[index].sum([&](const ElementRun& run, std::size_t place) {
             if (tangent) clear_values(cleared_[index][place]);
             return group.add(run, target);
@@ -700,6 +704,13 @@ ANCF_INLINE void Assembly::residual(VectorX& out) const {
         if (const int equation = numbering_.equation(k); equation >= 0)
             out[equation] = internal_[k] + constraint_[k] - external_[k];
     out.tail(numbering_.multipliers()) = violation_;
+}
+
+ANCF_INLINE void Assembly::predicted_residual(VectorX& out) const {
+    residual(out);
+    for (int k = 0; k < static_cast<int>(predicted_.size()); ++k)
+        if (const int equation = numbering_.equation(k); equation >= 0)
+            out[equation] += predicted_[k] - internal_[k];
 }
 
 namespace detail {
