@@ -7,7 +7,7 @@
 ///
 /// For each element the time and the operations of one force and tangent, and the time of one
 /// Newton step (assembly, factorisation, solution) of a cantilever; beside them the ratio to the
-/// spatial cross-section beam and that of the coordinates. Cables and the quintic beam by their own
+/// spatial cross-section beam and that of the coordinates. Cables and quintic beams by their own
 /// rules, all others by the rule "mixed"; factorisation by Eigen's sparse L D L^T.
 ///
 ///     element_cost --csv > element_cost.csv
@@ -163,6 +163,7 @@ int main(int argc, char** argv) {
         settings,
         {measure<Cable<2>>("Cable<2>", settings, {}), measure<Cable<3>>("Cable<3>", settings, {}),
          measure<CrossSectionBeam<2>>("CrossSectionBeam<2>", settings),
+         measure<PlanarQuinticBeam<>>("PlanarQuinticBeam<>", settings, {}),
          measure<TorsionBeam>("TorsionBeam", settings), beam,
          measure<CrossSectionBeam<3, Geodesic>>("CrossSectionBeam<3, Geodesic>", settings),
          measure<QuinticBeam<>>("QuinticBeam<>", settings, {})},

@@ -62,6 +62,18 @@ inline Integrator explicit_method(std::string name, sundials::Table table) {
                 return sundials::Explicit(options).integrate(problem, schedule);
             }};
 }
+
+/// The same with fixed steps, which fail above the stable one.
+inline Integrator fixed_explicit_method(std::string name, sundials::Table table) {
+    return {std::move(name), "step", [table](Scene& model, const Schedule& schedule, double step) {
+                DynamicProblem problem(model);
+                sundials::ExplicitOptions options;
+                options.table = table;
+                options.step = step;
+                options.follow_energy = false;
+                return sundials::Explicit(options).integrate(problem, schedule);
+            }};
+}
 #endif
 
 /// Runs an integrator with the solver that suits the scene.

@@ -10,4 +10,6 @@ void speed::planar(const Plan& plan, const Report& report) {
     run_statics<ancf::CrossSectionBeam<2>>(
         plan, report, "planar", {Rule::paper(), Rule::gauss(3), Rule::lobatto3(), Rule::mixed()},
         Rule::mixed());
+    run_statics<ancf::PlanarQuinticBeam<>>(plan, report, "planar-quintic", {Rule::quintic()},
+                                           Rule::quintic());
 }

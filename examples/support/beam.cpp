@@ -80,15 +80,17 @@ void BeamOptions::settle(const CommandLine& line) {
         line.settle<std::string>("--directors", directors, "geodesic");
         line.settle<std::string>("--transverse", transverse, green ? "green" : "stretch");
         line.settle<std::string>("--section", section_model, as_paper ? "paper" : "saint-venant");
-        if (moving && is_cross_section())
+        if (moving && is_cross_section() && !has_cubic_shear())
             line.settle<std::string>("--rotary-inertia", rotary_inertia,
                                      lumped ? "lumped" : "consistent");
     }
     if (is_quintic()) line.settle<std::string>("--rule", rule, "quintic");
-    refuse(has_directors(), "--directors", directors, is_quintic() ? "geodesic" : paper.directors);
+    const bool carried = is_quintic() && !is_planar();
+    refuse(has_directors(), "--directors", directors, carried ? "geodesic" : paper.directors);
     refuse(has_measures(), "--measure", measure, paper.measure);
     if (moving)
-        refuse(is_cross_section(), "--rotary-inertia", rotary_inertia, paper.rotary_inertia);
+        refuse(is_cross_section() && !has_cubic_shear(), "--rotary-inertia", rotary_inertia,
+               paper.rotary_inertia);
     refuse(is_cross_section(), "--transverse", transverse, paper.transverse);
     refuse(is_cross_section() && !is_planar(), "--section", section_model, paper.section_model);
     if (clampable && is_cable()) refuse(false, "--clamp", clamp, "full");  // no other slope

@@ -45,11 +45,17 @@ inline const std::vector<std::string> cross_section_beams = {
 inline const std::vector<std::string> spatial_beams = {
     "cross-section", "cross-section-quintic", "cross-section-pointwise",
     "continuum",     "continuum-hooke",       "continuum-enhanced"};
-inline const std::vector<std::string> all_elements = {
-    "cross-section",    "cross-section-quintic", "cross-section-pointwise",
-    "continuum",        "continuum-hooke",       "continuum-enhanced",
-    "cross-section-2d", "continuum-2d",          "cable",
-    "cable-2d"};
+inline const std::vector<std::string> all_elements = {"cross-section",
+                                                      "cross-section-quintic",
+                                                      "cross-section-pointwise",
+                                                      "continuum",
+                                                      "continuum-hooke",
+                                                      "continuum-enhanced",
+                                                      "cross-section-2d",
+                                                      "cross-section-quintic-2d",
+                                                      "continuum-2d",
+                                                      "cable",
+                                                      "cable-2d"};
 
 /// A beam as the command line describes it; the defaults are the paper's.
 struct BeamOptions {
@@ -91,7 +97,10 @@ struct BeamOptions {
         return element.size() > 3 && element.compare(element.size() - 3, 3, "-2d") == 0;
     }
 
-    [[nodiscard]] bool is_quintic() const { return element == "cross-section-quintic"; }
+    [[nodiscard]] bool is_quintic() const { return element.rfind("cross-section-quintic", 0) == 0; }
+
+    /// Returns whether shear is cubic along the element, which fixes the rotary inertia.
+    [[nodiscard]] bool has_cubic_shear() const { return is_quintic() && is_planar(); }
 
     /// Returns whether the element's directors may be chosen.
     [[nodiscard]] bool has_directors() const { return element == "cross-section"; }
@@ -99,7 +108,7 @@ struct BeamOptions {
     /// Returns whether the element's strain measure may be chosen.
     [[nodiscard]] bool has_measures() const {
         return (element == "cross-section" && directors != "transported") ||
-               element == "cross-section-2d";
+               element == "cross-section-2d" || element == "cross-section-quintic-2d";
     }
 
     /// Returns whether every choice but that of the element is the paper's.

@@ -43,6 +43,11 @@ auto with_element(const BeamOptions& options, const Visit& visit) {
         if (options.directors == "geodesic")
             return visit(ElementType<CrossSectionBeam<3, Geodesic>>{});
     }
+    if constexpr (Dimension == 2) {
+        if (options.is_quintic() && options.measure == "engineering")
+            return visit(ElementType<PlanarQuinticBeam<EngineeringMeasure>>{});
+        if (options.is_quintic()) return visit(ElementType<PlanarQuinticBeam<>>{});
+    }
     if (options.measure == "engineering")
         return visit(
             ElementType<CrossSectionBeam<Dimension, Projected, LinearShear, EngineeringMeasure>>{});

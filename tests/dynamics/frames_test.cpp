@@ -7,6 +7,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints.hpp>
@@ -69,13 +70,19 @@ TEST_CASE("dynamic frames: a free one keeps momenta and energy by energy-momentu
 }
 
 TEST_CASE("dynamic frames: integrators agree, attached ends follow", "[dynamics]") {
-    const auto tip = [](bool alpha, double step) {
+    enum class Method { alpha, energy, radau };
+    const auto tip = [](Method method, double step) {
         Rubber scene;
         scene.model.set_gravity({0, 0, -9.81});
         scene.model.clamp(scene.frame.joints[0]);
         DynamicProblem problem(scene.model);
         EigenLu solver;
-        if (alpha) {
+        if (method == Method::radau) {
+            RadauOptions options;
+            options.tolerance = step;
+            REQUIRE(RadauIIA(options).integrate(problem, solver, until(0.2)).status ==
+                    Status::converged);
+        } else if (method == Method::alpha) {
             GeneralizedAlphaOptions options;
             options.step = step;
             REQUIRE(GeneralizedAlpha(options).integrate(problem, solver, until(0.2)).status ==
@@ -92,9 +99,10 @@ TEST_CASE("dynamic frames: integrators agree, attached ends follow", "[dynamics]
         CHECK(scene.model.velocity(joint) == scene.model.velocity(scene.frame.members[1].last()));
         return scene.model.position(joint);
     };
-    const Vector3 fine = tip(true, 5e-4);
-    CHECK((tip(true, 2e-3) - fine).norm() <= 2e-3);
-    CHECK((tip(false, 1e-3) - fine).norm() <= 2e-3);
+    const Vector3 fine = tip(Method::alpha, 5e-4);
+    CHECK((tip(Method::alpha, 2e-3) - fine).norm() <= 2e-3);
+    CHECK((tip(Method::energy, 1e-3) - fine).norm() <= 2e-3);
+    CHECK((tip(Method::radau, 1e-5) - fine).norm() <= 1e-5);  // 3.6e-6, the error of the steps
     CHECK(fine[2] < -0.05);
 }
 

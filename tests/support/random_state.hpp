@@ -109,7 +109,8 @@ struct Shape {
     template <class Visit>
     void for_each_vector(const Visit& visit) const {
         for (int node = 0; node < 2; ++node) {
-            for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z, Field::r_xx}) {
+            for (int k = 0; k < field_count; ++k) {
+                const auto field = static_cast<Field>(k);
                 if (!fields.contains(field)) continue;
                 visit(node, field, dimension * (node * fields.count() + fields.rank(field)));
             }
@@ -186,7 +187,7 @@ template <class Element>
             v *= shape.length;
         } else {
             v = frame[node] * (v + strain * random.vector(dimension));
-            if (field == Field::r_xx) v /= shape.length;
+            if (length_power(field) < 0) v /= shape.length;
         }
         e.segment(first, dimension) = v;
     });

@@ -36,7 +36,7 @@ public:
     /// Calls visit(run, place) for every run, on several threads where the compiler has OpenMP;
     /// `place` counts the runs in the order in which they are added.
     /// @return the sum of what the calls return, added in a fixed order.
-    /// @throws what the first of them threw, once all of its colour have ended.
+    /// @throws what the first of them threw; on threads once all of its colour have ended.
     template <class Visitor>
     double sum(const Visitor& visit) const;
 
@@ -70,11 +70,15 @@ double ElementSchedule::sum(const Visitor& visit) const {
     double total = 0.0;
     std::size_t done = 0;
     for (const std::vector<ElementRun>& runs : colours_) {
+        if (sequential_ || runs.size() == 1) {  // even a team of one thread costs a system call
+            for (const ElementRun& run : runs) total += visit(run, done++);
+            continue;
+        }
         std::vector<double> parts(runs.size(), 0.0);
         std::vector<std::exception_ptr> thrown(runs.size());  // none may leave a thread
         const auto size = static_cast<std::ptrdiff_t>(runs.size());
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(static) if (!sequential_ && size > 1)
+#pragma omp parallel for schedule(static)
 #endif
         for (std::ptrdiff_t run = 0; run < size; ++run) {
             const auto k = static_cast<std::size_t>(run);

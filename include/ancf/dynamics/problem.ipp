@@ -109,7 +109,7 @@ ANCF_INLINE VectorX DynamicProblem::scales_of(double length) const {
     const Layout& layout = model_.layout();
     VectorX scales = VectorX::Ones(layout.size());
     for (int node = 0; node < layout.nodes(); ++node)
-        for (const Field field : {Field::r, Field::r_xx})
+        for (const Field field : {Field::r, Field::r_xy, Field::r_xx})
             if (const int first = layout.index({{node}, field}); first >= 0)
                 for (int i = 0; i < model_.dimension(); ++i)
                     scales[first + i] = field == Field::r ? length : 1.0 / length;

@@ -20,6 +20,7 @@ struct Transported;
 struct Geodesic;
 struct LinearShear;
 struct PointwiseShear;
+struct CubicShear;
 struct GreenMeasure;
 struct EngineeringMeasure;
 struct CubicLine;
@@ -33,6 +34,11 @@ class CrossSectionBeam;
 /// accurate for its coordinates; docs/theory-quintic.md.
 template <class Measure = GreenMeasure>
 using QuinticBeam = CrossSectionBeam<3, Geodesic, LinearShear, Measure, QuinticLine>;
+
+/// The beam in the plane with a quintic centre line and cubic shear: each node has r_xx and the
+/// rate r_xy of its slope as well. Of the sixth order, thick or thin; docs/theory-quintic.md.
+template <class Measure = GreenMeasure>
+using PlanarQuinticBeam = CrossSectionBeam<2, Projected, CubicShear, Measure, QuinticLine>;
 
 /// How the length of a slope across becomes a strain.
 enum class TransverseStrain {
@@ -74,6 +80,19 @@ struct QuinticOptions : CrossSectionOptions {
     static QuinticOptions paper() = delete;  ///< the paper has no such element
     /// What is most accurate for its cost: the default.
     [[nodiscard]] static QuinticOptions best() { return QuinticOptions(); }
+};
+
+/// The choices of PlanarQuinticBeam; by default the best there are.
+struct PlanarQuinticOptions : QuinticOptions {
+    /// A rule, and the rest of QuinticOptions but for the rotary inertia, which is consistent.
+    PlanarQuinticOptions(Rule chosen = Rule::quintic())  // NOLINT: {rule}, as of every element's
+        : QuinticOptions(std::move(chosen)) {
+        rotary_inertia = RotaryInertia::consistent;
+    }
+
+    static PlanarQuinticOptions paper() = delete;  ///< the paper has no such element
+    /// What is most accurate for its cost: the default.
+    [[nodiscard]] static PlanarQuinticOptions best() { return PlanarQuinticOptions(); }
 };
 
 }  // namespace ancf

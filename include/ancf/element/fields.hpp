@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The vectors that a node carries: position, slopes, and the curvature of a quintic centre line.
+/// The vectors that a node carries: position, slopes, the curvature of a quintic centre line and
+/// the rate of a slope.
 ///
 /// A node stores the union of what its elements need, in the order of Field; an element's nodal
 /// coordinates are the fields of its first node, then those of its second.
@@ -13,11 +14,12 @@ namespace ancf {
 
 /// A vector of nodal coordinates, of as many components as the space has dimensions.
 enum class Field : unsigned {
-    r,    ///< position, m
-    r_x,  ///< slope along the axis, 1
-    r_y,  ///< slope across, 1
-    r_z,  ///< slope across, 1 (three dimensions only)
-    r_xx  ///< second derivative along the axis, 1/m
+    r,     ///< position, m
+    r_x,   ///< slope along the axis, 1
+    r_y,   ///< slope across, 1
+    r_z,   ///< slope across, 1 (three dimensions only)
+    r_xy,  ///< rate of r_y along the axis, 1/m (two dimensions only)
+    r_xx   ///< second derivative along the axis, 1/m
 };
 
 /// Returns the word for a field that messages use.
@@ -27,16 +29,17 @@ enum class Field : unsigned {
         case Field::r_x: return "r_x";
         case Field::r_y: return "r_y";
         case Field::r_z: return "r_z";
+        case Field::r_xy: return "r_xy";
         case Field::r_xx: return "r_xx";
     }
     return "unknown";
 }
 
-inline constexpr int field_count = 5;  ///< number of vectors that there are
+inline constexpr int field_count = 6;  ///< number of vectors that there are
 
-/// Returns the power of a length in the unit of a field: 1 of r, 0 of slopes, -1 of r_xx.
+/// Returns the power of a length in the unit of a field: 1 of r, 0 of slopes, -1 of their rates.
 constexpr int length_power(Field field) noexcept {
-    return field == Field::r ? 1 : field == Field::r_xx ? -1 : 0;
+    return field == Field::r ? 1 : field == Field::r_xx || field == Field::r_xy ? -1 : 0;
 }
 
 /// A set of fields.

@@ -30,24 +30,26 @@ enum class RotaryInertia {
 
 /// Returns the mass weights W = int rho s^T s dV, s the row of shape functions in the order
 /// [r, r_x, r_y, r_z]_i, [r, r_x, r_y, r_z]_j cut to the first FieldsPerNode fields of each node;
-/// a quintic line has r_xx after them.
+/// slopes with rates have r_xy after them, a quintic line r_xx last.
 ///
-/// FieldsPerNode, r_xx not counted, is 2 for a cable, 3 in the plane, 4 in space.
+/// FieldsPerNode, r_xy and r_xx not counted, is 2 for a cable, 3 in the plane, 4 in space.
+/// @tparam Rates  whether r_y is cubic, by its rates r_xy: in the plane
 /// @param density  rho, kg/m^3
 /// @param moments  of the section; area, first and second moments are used
 /// @param length   l, m
 /// @param points   of the integration; 4, for a quintic 6, are exact for a straight element
 /// @param metric   ds/dx as a function of xi, 1 for a straight element
-/// @return kg between positions, times m for each slope and m^2 for each r_xx of a pair
-template <int FieldsPerNode, class Line = CubicLine, class Metric>
+/// @return kg between positions, times m for each slope and m^2 for each rate of a pair
+template <int FieldsPerNode, class Line = CubicLine, bool Rates = false, class Metric>
 [[nodiscard]] auto mass_weights(double density, const Moments& moments, double length, int points,
                                 const Metric& metric) {
-    static_assert(FieldsPerNode >= 2 && FieldsPerNode <= 4);
+    static_assert(FieldsPerNode >= 2 && FieldsPerNode <= 4 && (!Rates || FieldsPerNode == 3));
     // integrals of the products of 1, y and z over the section
     const double section[3][3] = {{moments.area, moments.y, moments.z},
                                   {moments.y, moments.yy, moments.yz},
                                   {moments.z, moments.yz, moments.zz}};
-    constexpr int fields = FieldsPerNode + Line::fields - CubicLine::fields;
+    constexpr int before = FieldsPerNode + (Rates ? 1 : 0);  // of r_xx
+    constexpr int fields = before + Line::fields - CubicLine::fields;
     constexpr int size = 2 * fields;
     Matrix<double, size> weights = Matrix<double, size>::Zero();
     for (const QuadraturePoint& point : gauss_quadrature(points)) {
@@ -59,12 +61,16 @@ template <int FieldsPerNode, class Line = CubicLine, class Metric>
             of_node[1] = line[1 + static_cast<unsigned>(node)];
             for (int slope = 2; slope < FieldsPerNode; ++slope)
                 of_node[slope] = node == 0 ? 1.0 - point.xi : point.xi;
-            if constexpr (fields > FieldsPerNode)
-                of_node[FieldsPerNode] = line[3 + static_cast<unsigned>(node)];
+            if constexpr (Rates) {
+                const auto cubic = hermite(point.xi, length);
+                of_node[2] = cubic[2 * static_cast<unsigned>(node)];
+                of_node[3] = cubic[1 + 2 * static_cast<unsigned>(node)];
+            }
+            if constexpr (fields > before) of_node[before] = line[3 + static_cast<unsigned>(node)];
         }
         // which of 1, y and z a field is multiplied by
         const auto factor = [](int field) {
-            return field < 2 || field == FieldsPerNode ? 0 : field - 1;
+            return field < 2 || field == before ? 0 : Rates ? 1 : field - 1;
         };
         const double scale = density * length * point.weight * metric(point.xi);
         for (int a = 0; a < size; ++a)
@@ -76,10 +82,10 @@ template <int FieldsPerNode, class Line = CubicLine, class Metric>
 }
 
 /// Returns the mass weights of a straight element.
-template <int FieldsPerNode, class Line = CubicLine>
+template <int FieldsPerNode, class Line = CubicLine, bool Rates = false>
 [[nodiscard]] auto mass_weights(double density, const Moments& moments, double length) {
-    return mass_weights<FieldsPerNode, Line>(density, moments, length, Line::vectors + 1,
-                                             [](double) { return 1.0; });
+    return mass_weights<FieldsPerNode, Line, Rates>(density, moments, length, Line::vectors + 1,
+                                                    [](double) { return 1.0; });
 }
 
 /// Moves the weights between slopes across of different nodes to the node of their row:

@@ -140,20 +140,21 @@ public:
     }
 
     /// Returns the mass weights of an element on this line, see mass_weights().
-    template <int FieldsPerNode>
+    template <int FieldsPerNode, bool Rates = false>
     [[nodiscard]] auto mass(double density, const Moments& moments) const {
-        if (!curved_) return mass_weights<FieldsPerNode, Line>(density, moments, parameter_length_);
-        return mass_weights<FieldsPerNode, Line>(density, moments, parameter_length_,
-                                                 integration_points,
-                                                 [this](double xi) { return metric(xi); });
+        if (!curved_)
+            return mass_weights<FieldsPerNode, Line, Rates>(density, moments, parameter_length_);
+        return mass_weights<FieldsPerNode, Line, Rates>(density, moments, parameter_length_,
+                                                        integration_points,
+                                                        [this](double xi) { return metric(xi); });
     }
 
     /// Returns the nodal force of a dead force per arc length, N/m.
-    template <int FieldsPerNode>
+    template <int FieldsPerNode, bool Rates = false>
     [[nodiscard]] auto line_load(const Point& force) const {
         Moments line;  // a section of unit area on the axis alone
         line.area = 1.0;
-        return gravity_force<Dimension>(mass<FieldsPerNode>(1.0, line), force);
+        return gravity_force<Dimension>(mass<FieldsPerNode, Rates>(1.0, line), force);
     }
 
 private:

@@ -34,14 +34,14 @@ namespace ancf::detail {
 /// than 1e-6 and right-handed, det > 1e-6 of the product of their lengths.
 ///
 /// @tparam Line   CubicLine or QuinticLine
-/// @param e       finite; [r, r_x, r_y] of both nodes in the plane, with r_z in space; then r_xx of
-///                a quintic line
+/// @param e       finite; [r, r_x, r_y] of both nodes in the plane, with r_z in space; r_xx of a
+///                quintic line is the last of a node
 /// @param length  m, that the parameter of the slopes r_x runs through
-template <int Dimension, class Line = CubicLine>
-[[nodiscard]] bool upright(const Vector<double, 2 * Dimension*(Dimension - 1 + Line::fields)>& e,
-                           double length) noexcept {
+template <int Dimension, class Line = CubicLine, int Dofs>
+[[nodiscard]] bool upright(const Vector<double, Dofs>& e, double length) noexcept {
+    static_assert(Dofs >= 2 * Dimension * (Dimension - 1 + Line::fields));
     constexpr double least = 1e-6;
-    constexpr int node = Dimension * (Dimension - 1 + Line::fields);
+    constexpr int node = Dofs / 2;
     const auto product = [](const double* a, const double* b) {
         double sum = 0.0;
         for (int i = 0; i < Dimension; ++i) sum += a[i] * b[i];

@@ -18,6 +18,21 @@
 
 namespace ancf {
 
+namespace detail {
+
+/// Returns the rate r_xy, 1/m, by which r_y turns as r_x does, at a constant angle between them.
+/// @param slopes     columns r_x, r_y
+/// @param curvature  r_xx, 1/m
+[[nodiscard]] inline Vector<double, 2> turning_rate(const Matrix<double, 2>& slopes,
+                                                    const Vector<double, 2>& curvature) {
+    const double square = slopes(0, 0) * slopes(0, 0) + slopes(1, 0) * slopes(1, 0);
+    const double turn = slopes(0, 0) * curvature[1] - slopes(1, 0) * curvature[0];
+    if (turn == 0.0) return {0.0, 0.0};
+    return {-turn / square * slopes(1, 1), turn / square * slopes(0, 1)};
+}
+
+}  // namespace detail
+
 /// A scene of a given dimension; what it holds and most of its calls are those of Scene.
 template <int Dimension>
 class BasicModel : public Scene {
@@ -35,6 +50,7 @@ public:
     /// Adds a node; it carries the vectors that the elements connected to it need.
     /// @param position   m.  @param slopes  columns r_x, r_y (and r_z) of the reference.
     /// @param curvature  r_xx of the reference, 1/m; elements of a quintic centre line have it.
+    ///                   In the plane r_xy, where elements have it, turns r_y as r_xx turns r_x.
     /// @throws InvalidArgument unless every value is finite.
     NodeId add_node(const Argument& position, const Slopes& slopes = Slopes::Identity(),
                     const Point& curvature = Point::Zero());
@@ -157,6 +173,11 @@ NodeId BasicModel<Dimension>::add_node(const Argument& position, const Slopes& s
         for (int k = 0; k < Dimension; ++k)
             vectors[at + 3 * static_cast<std::size_t>(1 + k)] = slopes(i, k);
         vectors[at + 3 * static_cast<std::size_t>(Field::r_xx)] = curvature[i];
+    }
+    if constexpr (Dimension == 2) {
+        const Point rate = detail::turning_rate(slopes, curvature);
+        vectors[3 * static_cast<std::size_t>(Field::r_xy)] = rate[0];
+        vectors[3 * static_cast<std::size_t>(Field::r_xy) + 1] = rate[1];
     }
     return add_initial_node(vectors);
 }

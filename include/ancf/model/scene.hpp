@@ -160,7 +160,7 @@ public:
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
 
-    /// Holds position and slopes of a node, or all of them but r_x; never r_xx.
+    /// Holds position and slopes of a node, or all of them but r_x; never r_xx, r_xy.
     /// @throws InvalidArgument for a node that does not exist.
     void clamp(NodeId node, Clamp clamp = Clamp::full);
 
@@ -194,8 +194,8 @@ public:
     ///
     /// An offset below 1e-12 of the coordinates that it is the difference of counts as none.
     /// @throws InvalidArgument for a node that does not exist or carries no such vector, a vector
-    ///         that is attached already, held or r_xx, nodes that would follow each other in a
-    ///         circle, and a joint whose slopes are not independent.
+    ///         that is attached already, held, r_xx or r_xy, nodes that would follow each other in
+    ///         a circle, and a joint whose slopes are not independent.
     void attach(NodeId end, NodeId joint, Fields vectors);
 
     // Loads, constraints, masses --------------------------------------------------------------
@@ -323,7 +323,7 @@ protected:
     explicit Scene(int dimension) noexcept : dimension_(dimension) {}
 
     /// Adds a node.
-    /// @param vectors  r, r_x, r_y, r_z and r_xx, each of as many components as space has
+    /// @param vectors  r, r_x, r_y, r_z, r_xy and r_xx, each of as many components as space has
     NodeId add_initial_node(const std::array<double, 3 * field_count>& vectors);
     /// Sets the acceleration of gravity, m/s^2; what is beyond the dimension is zero.
     void set_gravity_components(const std::array<double, 3>& gravity, Amplitude amplitude);

@@ -290,7 +290,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
 
 ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) const {
     const char* const name = to_string(field);
-    detail::require(field != Field::r_xx, "Model::attach: r_xx follows no other vector");
+    detail::require(length_power(field) >= 0, "Model::attach: ", name, " follows no other vector");
     detail::require(initial_[static_cast<std::size_t>(end.index)].fields.contains(field),
                     "Model::attach: node ", end.index, " carries no ", name,
                     "; connect its elements first");

@@ -46,7 +46,7 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
     const Layout& layout = model.layout();
     power_.assign(static_cast<std::size_t>(layout.size()), 0);
     for (int node = 0; node < layout.nodes(); ++node)
-        for (const Field field : {Field::r, Field::r_xx})
+        for (const Field field : {Field::r, Field::r_xy, Field::r_xx})
             if (const int first = layout.index({{node}, field}); first >= 0)
                 std::fill_n(power_.begin() + first, model.dimension(),
                             static_cast<signed char>(length_power(field)));

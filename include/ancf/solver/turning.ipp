@@ -234,8 +234,10 @@ ANCF_INLINE Turning::Turning(const Scene& model, const Numbering& numbering)
 ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
     const int first =
         layout_.first(node) + (layout_.fields(node).contains(Field::r) ? dimension_ : 0);
-    const int last = layout_.index({{node}, Field::r_xx});  // which is no slope
-    const int count = ((last < 0 ? layout_.first(node + 1) : last) - first) / dimension_;
+    int last = layout_.first(node + 1);
+    for (const Field rate : {Field::r_xx, Field::r_xy})  // which are no slopes
+        if (const int at = layout_.index({{node}, rate}); at >= 0) last = at;
+    const int count = (last - first) / dimension_;
     bool whole = count == dimension_;
     for (int k = first; k < first + count * dimension_; ++k)
         whole = whole && numbering_.equation(k) >= 0;

@@ -13,6 +13,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -32,7 +33,7 @@ public:
     /// Takes values in the order of the pattern's. @return false where one is not finite.
     [[nodiscard]] bool take(const Scalar* values) {
         double* magnitudes = magnitudes_.valuePtr();
-        for (std::size_t k = 0; k < values_.size(); ++k) magnitudes[k] = std::abs(values[k]);
+        for (std::size_t k = 0; k < values_.size(); ++k) magnitudes[k] = magnitude(values[k]);
         if (!ancf::detail::all_finite(magnitudes_)) return false;
         columns_ = ancf::detail::unit_scales(magnitudes_);
         rows_ = ancf::detail::row_scales(magnitudes_, columns_);
@@ -63,6 +64,12 @@ public:
     }
 
 private:
+    static double magnitude(double value) noexcept { return std::abs(value); }
+    // a scale of a power of two needs no root
+    static double magnitude(const std::complex<double>& value) noexcept {
+        return std::abs(value.real()) + std::abs(value.imag());
+    }
+
     SparseMatrix magnitudes_;
     std::vector<Scalar> values_;
     VectorX rows_, columns_;

@@ -84,10 +84,11 @@ public:
     }
 
     /// Returns the elastic force.
-    [[nodiscard]] Coordinates force(const Coordinates& e) const {
-        double s[Dimension][Dimension];
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const {
+        S s[Dimension][Dimension];
         stress(e, s);
-        Coordinates result = Coordinates::Zero();
+        Vector<S, dofs> result = Vector<S, dofs>::Zero();
         for (int a = 0; a < Dimension; ++a)
             for (int b = 0; b < Dimension; ++b)
                 for (int i = 0; i < Dimension; ++i)
@@ -96,8 +97,9 @@ public:
     }
 
     /// Returns the strain energy, J.
-    [[nodiscard]] double energy(const Coordinates& e) const {
-        double trace = 0.0, square = 0.0;
+    template <class S>
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const {
+        S trace(0.0), square(0.0);
         for (int a = 0; a < Dimension; ++a) {
             trace += strain(e, a, a);
             for (int b = 0; b < Dimension; ++b) square += strain(e, a, b) * strain(e, a, b);
@@ -122,18 +124,20 @@ public:
 
 private:
     // Returns E_ab.
-    [[nodiscard]] static double strain(const Coordinates& e, int a, int b) {
-        double product = a == b ? -1.0 : 0.0;
+    template <class S>
+    [[nodiscard]] static S strain(const Vector<S, dofs>& e, int a, int b) {
+        S product(a == b ? -1.0 : 0.0);
         for (int i = 0; i < Dimension; ++i) product += e[Dimension * a + i] * e[Dimension * b + i];
         return 0.5 * product;
     }
 
-    void stress(const Coordinates& e, double (&s)[Dimension][Dimension]) const {
-        double trace = 0.0;
+    template <class S>
+    void stress(const Vector<S, dofs>& e, S (&s)[Dimension][Dimension]) const {
+        S trace(0.0);
         for (int a = 0; a < Dimension; ++a) trace += strain(e, a, a);
         for (int a = 0; a < Dimension; ++a)
             for (int b = 0; b < Dimension; ++b)
-                s[a][b] = 2.0 * shear_ * strain(e, a, b) + (a == b ? lame_ * trace : 0.0);
+                s[a][b] = 2.0 * shear_ * strain(e, a, b) + (a == b ? lame_ * trace : S(0.0));
     }
 
     double volume_, size_, inertia_, lame_ = 0.0, shear_;

@@ -7,7 +7,8 @@
 ///
 /// Nodal coordinates are r, r_x, r_y of both nodes, 12 in all. It is the spatial element with every
 /// z slope held at the plane's normal: no e_zz, no 2e_yz, no torsion; the section stays as wide as
-/// it is.
+/// it is. With a quintic centre line nodes have r_xx besides, and r_xy where shear is cubic:
+/// docs/theory-quintic.md, "In the plane".
 
 #pragma once
 
@@ -15,10 +16,15 @@
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/element/hermite.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar/kernel.hpp>
+#include <ancf/element/planar/nodal.hpp>
+#include <ancf/element/planar/section.hpp>
+#include <ancf/element/planar/station.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
+#include <ancf/element/station_data.hpp>
 #include <ancf/element/upright.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
@@ -27,26 +33,47 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
+#include <type_traits>
 
 namespace ancf {
+
+/// Shear, and the slopes across, cubic along the element: a node has the rate r_xy of its slope
+/// beside it. Goes with a quintic centre line in the plane.
+struct CubicShear {};
 
 /// The cross-section beam in the plane. Directors of every kind coincide there.
 ///
 /// Section moments about y alone count: area, y, yy, yyy, yyyy.
-template <class Directors, class Measure>
-class CrossSectionBeam<2, Directors, LinearShear, Measure> {
+/// @tparam Shear  LinearShear, or CubicShear that goes with QuinticLine: PlanarQuinticBeam
+/// @tparam Line   CubicLine or QuinticLine
+template <class Directors, class Shear, class Measure, class Line>
+class CrossSectionBeam<2, Directors, Shear, Measure, Line> {
+    static_assert(std::is_same_v<Shear, LinearShear> || std::is_same_v<Shear, CubicShear>,
+                  "in the plane shear is LinearShear or CubicShear");
+    static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;
+    static constexpr bool cubic_shear = std::is_same_v<Shear, CubicShear>;
+    using Layout = detail::PlanarLayout<Line::vectors, cubic_shear>;
+
 public:
     static constexpr int dimension = 2;  ///< of space
-    static constexpr int dofs = 12;      ///< number of nodal coordinates of an element
+    /// Number of nodal coordinates of an element: 12, with a quintic centre line 16, with cubic
+    /// shear 20.
+    static constexpr int dofs = Layout::dofs;
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.
-    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y;
+    static constexpr Fields fields = Field::r | Field::r_x | Field::r_y |
+                                     (cubic_shear ? Fields(Field::r_xy) : Fields()) |
+                                     (quintic ? Fields(Field::r_xx) : Fields());
 
     /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
-    using Options = CrossSectionOptions;  ///< choices that are values
+    /// Choices that are values.
+    using Options =
+        std::conditional_t<cubic_shear, PlanarQuinticOptions,
+                           std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>>;
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -57,7 +84,7 @@ public:
 
     /// Makes an element whose stress-free state is given: its strains are subtracted, integrals run
     /// over its arc length.
-    /// @param reference  nodal coordinates, 12 x 1
+    /// @param reference  nodal coordinates, dofs x 1
     /// @param length     range of the parameter x of r_x = dr/dx, m, > 0; with unit slopes r_x the
     ///                   arc length
     /// @throws InvalidArgument as above, and for a reference that is not admissible.
@@ -77,7 +104,8 @@ public:
     }
 
     /// Returns energy, elastic force and tangent in one pass; noexcept, no heap allocation.
-    /// @param e  nodal coordinates, 12 x 1, [r r_x r_y] per node; m and 1
+    /// @param e  nodal coordinates, 12 x 1, [r r_x r_y] per node; m and 1. A quintic line: r_xx
+    ///           last, cubic shear: r_xy before it, 1/m
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
         return kernel_.evaluate(e);
@@ -86,8 +114,8 @@ public:
     /// Returns the same with the tangent of mixed integration points: its geometric part has the
     /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
     /// unknowns".
-    /// @param before  where the last tangent was taken, 12 x 1
-    /// @param change  the correction that it gave, 12 x 1
+    /// @param before  where the last tangent was taken, dofs x 1
+    /// @param change  the correction that it gave, dofs x 1
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                const Vector<S, dofs>& before,
@@ -95,7 +123,8 @@ public:
         return kernel_.evaluate(e, before, change);
     }
 
-    /// Returns the constant mass matrix, 12 x 12; kg, kg m and kg m^2 by block.
+    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
+    /// r_xx and r_xy.
     [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<2>(mass_weights_); }
 
     /// Returns the nodal force of gravity.
@@ -107,12 +136,12 @@ public:
     /// Returns the nodal force of a dead force per length of the stress-free centre line.
     /// @param force  N/m
     [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 2>& force) const {
-        return line_.template line_load<3>(force);
+        return line_.template line_load<3, cubic_shear>(force);
     }
 
-    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6 at
-    /// every station, and all along r_y to its left by more than an angle of 1e-6, turning by less
-    /// than 120 degrees from node to node.
+    /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6
+    /// and the shear's sine less than 1 at every station, and all along r_y to its left by more
+    /// than an angle of 1e-6, turning by less than 120 degrees from node to node.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Tells whether the centre line is shorter than softening_stretch of its length, at an end or
@@ -172,12 +201,16 @@ public:
 private:
     using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
 
-    struct Place {
-        StationShape<double> shape;
-        detail::PlanarSine<double> sine[2];
-        detail::PlanarFrame<double> frame;
-    };
-    [[nodiscard]] Place place(const Coordinates& e, double xi) const noexcept;
+    using Shape = detail::PlanarShape<double, Layout>;
+    [[nodiscard]] Shape shape(double xi) const noexcept {
+        return Shape::of(line_.shape(xi), line_.parameter_length());
+    }
+    [[nodiscard]] detail::PlanarFrame<double> frame(const Coordinates& e,
+                                                    double xi) const noexcept {
+        detail::PlanarFrame<double> f;
+        detail::planar_frame(shape(xi), detail::PlanarNodes<double, Layout>(e), f);
+        return f;
+    }
     /// Returns the factor of the normal in the director: 1, or what makes it a unit vector.
     [[nodiscard]] static double director_cosine(const detail::PlanarFrame<double>& f) noexcept {
         return PlanarMeasure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
@@ -186,14 +219,14 @@ private:
     [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
 
-    ReferenceLine<2> line_;
+    ReferenceLine<2, Line> line_;
     Coordinates
         reference_;  // nodal coordinates of the stress-free state; used where the line is curved
     Options options_;
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
-    detail::PlanarKernel<double, PlanarMeasure> kernel_;
-    Matrix<double, 6> mass_weights_;
+    detail::PlanarKernel<double, PlanarMeasure, Layout> kernel_;
+    Matrix<double, dofs / 2> mass_weights_;
 };
 
 namespace detail {
@@ -214,8 +247,8 @@ namespace detail {
 
 }  // namespace detail
 
-template <class Directors, class Measure>
-CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
+template <class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Material& material,
                                                                        const Section& section,
                                                                        double length,
                                                                        const Options& options)
@@ -223,8 +256,8 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
     set_up(material, section);
 }
 
-template <class Directors, class Measure>
-CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Material& material,
+template <class Directors, class Shear, class Measure, class Line>
+CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Material& material,
                                                                        const Section& section,
                                                                        const Coordinates& reference,
                                                                        double length,
@@ -243,95 +276,75 @@ CrossSectionBeam<2, Directors, LinearShear, Measure>::CrossSectionBeam(const Mat
     kernel_.set_reference(reference);
 }
 
-template <class Directors, class Measure>
-void CrossSectionBeam<2, Directors, LinearShear, Measure>::set_up(const Material& material,
+template <class Directors, class Shear, class Measure, class Line>
+void CrossSectionBeam<2, Directors, Shear, Measure, Line>::set_up(const Material& material,
                                                                   const Section& section) {
-    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
-    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
-    detail::require_points(options_.rule, StrainGroup::shear, "shear", 2);
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", quintic ? 5 : 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", quintic ? 4 : 2);
+    detail::require_points(options_.rule, StrainGroup::shear, "shear", Layout::shears);
+    detail::require(!cubic_shear || options_.rotary_inertia == RotaryInertia::consistent,
+                    "an element of cubic shear takes RotaryInertia::consistent alone: at the nodes "
+                    "the rates of its slopes would have no mass");
     section_ = section_stiffness(material, section, options_.section_model);
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
-    const StationTable<double> table =
-        line_.stations(options_.rule, section_, !PlanarMeasure::engineering);
-    for (const StationData<double>& station : table.full)
-        kernel_.stations.push_back(
-            {station.shape, {}, detail::planar_stiffness(station.stiffness)});
+    const auto table = line_.stations(options_.rule, section_, !PlanarMeasure::engineering);
+    for (const auto& station : table.full)
+        kernel_.stations.push_back({Shape::of(station.shape, line_.parameter_length()),
+                                    {},
+                                    detail::planar_stiffness(station.stiffness)});
     kernel_.axial = table.axial;
     kernel_.transverse_stiffness = section_.transverse_yy * line_.length();
-    kernel_.transverse_reference[0] = kernel_.transverse_reference[1] = 0.0;
+    kernel_.transverse_length = line_.parameter_length();
+    for (double& reference : kernel_.transverse_reference) reference = 0.0;
     kernel_.transverse_measure = options_.transverse;
-    mass_weights_ = line_.template mass<3>(material.density, section.mass_moments());
+    mass_weights_ = line_.template mass<3, cubic_shear>(material.density, section.mass_moments());
     if (options_.rotary_inertia == RotaryInertia::lumped) lump_rotary_inertia<3>(mass_weights_);
 }
 
-template <class Directors, class Measure>
-auto CrossSectionBeam<2, Directors, LinearShear, Measure>::place(const Coordinates& e,
-                                                                 double xi) const noexcept
-    -> Place {
-    using namespace detail;
-    Place at;
-    at.shape = line_.shape(xi);
-    double v[planar_nodal_count][2];
-    for (int k = 0; k < 2; ++k) {
-        v[pn_D][k] = e[6 + k] - e[k];
-        for (int x = pn_g1; x < planar_nodal_count; ++x) v[x][k] = e[planar_start[x] + k];
-    }
-    double values[2];
-    for (int node = 0; node < 2; ++node) {
-        at.sine[node] = planar_sine(v[pn_a1 + node], v[pn_g1 + node]);
-        values[node] = at.sine[node].value;
-    }
-    planar_frame(at.shape, v, values, at.frame);
-    return at;
-}
-
-template <class Directors, class Measure>
-bool CrossSectionBeam<2, Directors, LinearShear, Measure>::admissible(
+template <class Directors, class Shear, class Measure, class Line>
+bool CrossSectionBeam<2, Directors, Shear, Measure, Line>::admissible(
     const Coordinates& e) const noexcept {
-    if (!detail::all_finite(e) || !detail::upright<2>(e, line_.parameter_length())) return false;
+    if (!detail::all_finite(e) || !detail::upright<2, Line>(e, line_.parameter_length()))
+        return false;
     constexpr double smallest = 1e-6;
-    for (const detail::PlanarStation<double>& station : kernel_.stations) {
-        const auto& weight = station.shape.p;
-        Vector<double, 2> p;
-        for (int k = 0; k < 2; ++k)
-            p[k] = weight[0] * (e[6 + k] - e[k]) + weight[1] * e[2 + k] + weight[2] * e[8 + k];
-        if (!(detail::span(p) > smallest)) return false;
+    const detail::PlanarNodes<double, Layout> nodes(e);
+    for (const auto& station : kernel_.stations) {
+        detail::PlanarFrame<double> f;
+        detail::planar_frame(station.shape, nodes, f);
+        if (!(f.w.lam > smallest && std::abs(f.w.s) < 1.0)) return false;
     }
     return true;
 }
 
-template <class Directors, class Measure>
-Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::strains(
+template <class Directors, class Shear, class Measure, class Line>
+Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::strains(
     const Coordinates& e, double xi) const noexcept {
     Vector<double, 5> result = raw_strains(e, xi);
     if (line_.curved()) result -= raw_strains(reference_, xi);
     return result;
 }
 
-template <class Directors, class Measure>
-Vector<double, 5> CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_strains(
+template <class Directors, class Shear, class Measure, class Line>
+Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_strains(
     const Coordinates& e, double xi) const noexcept {
     double strains[detail::planar_strain_count];
-    PlanarMeasure::strains(place(e, xi).frame.w, strains);
+    PlanarMeasure::strains(frame(e, xi).w, strains);
     return Eigen::Map<const Vector<double, 5>>(strains);
 }
 
-template <class Directors, class Measure>
-double CrossSectionBeam<2, Directors, LinearShear, Measure>::raw_transverse_strain(
+template <class Directors, class Shear, class Measure, class Line>
+double CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_transverse_strain(
     const Coordinates& e, double xi) const noexcept {
+    double nodal[Layout::shears];
+    kernel_.transverse(e, nodal);
+    const Shape at = shape(xi);
     double strain = 0.0;
-    for (int node = 0; node < 2; ++node) {
-        const double y = e[6 * node + 4], z = e[6 * node + 5];
-        const double square = y * y + z * z;
-        const bool green = options_.transverse == TransverseStrain::green;
-        strain +=
-            (node == 0 ? 1.0 - xi : xi) * (green ? 0.5 * (square - 1.0) : std::sqrt(square) - 1.0);
-    }
+    for (int m = 0; m < Layout::shears; ++m) strain += at.weight(m) * nodal[m];
     return strain;
 }
 
-template <class Directors, class Measure>
-Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_strain(
+template <class Directors, class Shear, class Measure, class Line>
+Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_strain(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
     double transverse = raw_transverse_strain(e, xi);
@@ -339,10 +352,10 @@ Vector<double, 3> CrossSectionBeam<2, Directors, LinearShear, Measure>::green_st
     return {s[0] + y * s[1] + y * y * s[2], transverse, s[3] + y * s[4]};
 }
 
-template <class Directors, class Measure>
-SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forces(
+template <class Directors, class Shear, class Measure, class Line>
+SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forces(
     const Coordinates& e, double xi) const noexcept {
-    const detail::PlanarFrame<double> f = place(e, xi).frame;
+    const detail::PlanarFrame<double> f = frame(e, xi);
     const Vector<double, 5> s = strains(e, xi);
     const SectionMatrix<double> C = station_stiffness(section_, {xi, {1.0, 1.0, 1.0, 1.0}}, 1.0);
     double stress[detail::planar_strain_count];
@@ -365,39 +378,48 @@ SectionForces CrossSectionBeam<2, Directors, LinearShear, Measure>::section_forc
     return forces;
 }
 
-template <class Directors, class Measure>
-Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::directors(
+template <class Directors, class Shear, class Measure, class Line>
+Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::directors(
     const Coordinates& e, double xi) const noexcept {
-    const detail::PlanarFrame<double> f = place(e, xi).frame;
+    const detail::PlanarFrame<double> f = frame(e, xi);
     const double cosine = director_cosine(f);
     return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
 }
 
-template <class Directors, class Measure>
-Vector<double, 2> CrossSectionBeam<2, Directors, LinearShear, Measure>::position(
+template <class Directors, class Shear, class Measure, class Line>
+Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::position(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
-    const auto weights = hermite(xi, line_.parameter_length());
+    const auto weights = Line::value(xi, line_.parameter_length());
     Vector<double, 2> r, director{0.0, 0.0};
     if (y != 0.0) director = directors(e, xi);
-    for (int k = 0; k < 2; ++k)
-        r[k] = weights[0] * e[k] + weights[1] * e[2 + k] + weights[2] * e[6 + k] +
-               weights[3] * e[8 + k] + y * director[k];
+    for (int k = 0; k < 2; ++k) {
+        r[k] = (1.0 - weights[0]) * e[k] + weights[1] * e[2 + k] +
+               weights[0] * e[Layout::node + k] + weights[2] * e[Layout::node + 2 + k];
+        for (std::size_t x = 3; x < weights.size(); ++x)
+            r[k] += weights[x] * e[Layout::start[x] + k];
+        r[k] += y * director[k];
+    }
     return r;
 }
 
-template <class Directors, class Measure>
-auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
+template <class Directors, class Shear, class Measure, class Line>
+auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept
     -> Matrix<double, 2, dofs> {
     Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
-    const auto weights = hermite(xi, line_.parameter_length());
+    const auto weights = Line::value(xi, line_.parameter_length());
     for (int k = 0; k < 2; ++k) {
-        jacobian(k, k) = weights[0], jacobian(k, 2 + k) = weights[1];
-        jacobian(k, 6 + k) = weights[2], jacobian(k, 8 + k) = weights[3];
+        jacobian(k, k) = 1.0 - weights[0];
+        for (int x = 0; x < Layout::line; ++x)
+            jacobian(k, Layout::start[x] + k) = weights[static_cast<unsigned>(x)];
     }
     if (y == 0.0) return jacobian;
-    const Place at = place(e, xi);
-    const detail::PlanarFrame<double>& f = at.frame;
+    const Shape at = shape(xi);
+    const detail::PlanarNodes<double, Layout> nodes(e);
+    detail::PlanarFrame<double> f;
+    detail::planar_frame(at, nodes, f);
+    double by_nodes[Layout::shears][Layout::size];
+    nodes.gradients(by_nodes);
     // d n = -u_n t, d t = u_n n with u_n = n.dp/lam
     const double cosine = director_cosine(f);
     const double normal_part = PlanarMeasure::engineering ? f.w.s / cosine : 0.0;
@@ -406,14 +428,13 @@ auto CrossSectionBeam<2, Directors, LinearShear, Measure>::position_jacobian(
         const double by_shear = y * (f.t[i] - normal_part * f.n[i]);
         for (int k = 0; k < 2; ++k) {
             const double by_p = by_turn * f.n[k];
-            jacobian(i, k) -= at.shape.p[0] * by_p;
-            jacobian(i, 6 + k) += at.shape.p[0] * by_p;
-            jacobian(i, 2 + k) += at.shape.p[1] * by_p;
-            jacobian(i, 8 + k) += at.shape.p[2] * by_p;
-            for (int node = 0; node < 2; ++node) {
-                const double weight = node == 0 ? 1.0 - at.shape.n2 : at.shape.n2;
-                jacobian(i, 6 * node + 2 + k) += weight * by_shear * at.sine[node].g[k];
-                jacobian(i, 6 * node + 4 + k) += weight * by_shear * at.sine[node].a[k];
+            jacobian(i, k) -= at.p[0] * by_p;
+            for (int x = 0; x < Layout::line; ++x)
+                jacobian(i, Layout::start[x] + k) += at.p[x] * by_p;
+            for (int x = Layout::g; x < Layout::vectors; ++x) {
+                for (int m = 0; m < Layout::shears; ++m)
+                    jacobian(i, Layout::start[x] + k) +=
+                        at.weight(m) * by_shear * by_nodes[m][2 * x + k];
             }
         }
     }
@@ -427,6 +448,9 @@ namespace ancf {
 
 extern template class CrossSectionBeam<2>;
 extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2>>();
+extern template class CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>>();
 extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
 extern template std::unique_ptr<ElementGroup>
 detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();

@@ -4,279 +4,96 @@
 /// @file
 /// The evaluation of the cross-section beam in the plane.
 ///
-/// Stations depend on p = r0', p1 = r0'' and the shear sines of the two nodes; slopes enter by
-/// these sines and by the transverse strain alone. Vectors are (x, y) pairs of plain scalars.
+/// Stations give derivatives by the vectors of the centre line and by nodal shears; slopes enter by
+/// these shears and by the transverse strain alone.
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
+#include <ancf/element/planar/nodal.hpp>
 #include <ancf/element/planar/section.hpp>
+#include <ancf/element/planar/station.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 namespace ancf::detail {
 
-/// Places of the planar nodal vectors: D = r_j - r_i, g = r_x, a = r_y.
-enum PlanarNodal : int { pn_D, pn_g1, pn_g2, pn_a1, pn_a2, planar_nodal_count };
-
-/// Where their coordinates start; those of D are those of r_j, and r_i has their negatives.
-inline constexpr int planar_start[planar_nodal_count] = {6, 2, 8, 4, 10};
-
-/// A station of the planar element.
-template <class T>
-struct PlanarStation {
-    StationShape<T> shape;
-    T reference[planar_strain_count];  ///< strains of the stress-free state, subtracted
-    PlanarStiffness<T> stiffness;
+/// A transverse strain of a node: gradient by the slope, 1/|a| of the stretch, conjugate.
+template <class C>
+struct TransverseTerm {
+    C gradient[2];
+    C inverse;
+    C stress;  ///< nodal_conjugate()
 };
-
-/// The shear sine s = a.g/(|a| |g|) of a node.
-template <class S>
-struct PlanarSine {
-    S value;
-    S a[2], g[2];    ///< ds/da, ds/dg
-    S u[2], t[2];    ///< unit slope, unit tangent
-    S inv_a, inv_g;  ///< 1/|a|, 1/|g|
-};
-
-template <class S>
-inline PlanarSine<S> planar_sine(const S* a, const S* g) noexcept {
-    using std::sqrt;
-    PlanarSine<S> s;
-    s.inv_a = 1.0 / sqrt(a[0] * a[0] + a[1] * a[1]);
-    s.inv_g = 1.0 / sqrt(g[0] * g[0] + g[1] * g[1]);
-    for (int k = 0; k < 2; ++k) {
-        s.u[k] = s.inv_a * a[k];
-        s.t[k] = s.inv_g * g[k];
-    }
-    s.value = s.u[0] * s.t[0] + s.u[1] * s.t[1];
-    for (int k = 0; k < 2; ++k) {
-        s.a[k] = s.inv_a * (s.t[k] - s.value * s.u[k]);
-        s.g[k] = s.inv_g * (s.u[k] - s.value * s.t[k]);
-    }
-    return s;
-}
-
-/// The geometry of a planar station.
-template <class S>
-struct PlanarFrame {
-    S p[2], p1[2];
-    S t[2], n[2];  ///< unit tangent, normal: t turned by a right angle counterclockwise
-    S inv_lam, eta;
-    PlanarInvariants<S> w;
-};
-
-template <class T, class S>
-inline void planar_frame(const StationShape<T>& shape, const S (&v)[planar_nodal_count][2],
-                         const S (&sines)[2], PlanarFrame<S>& f) noexcept {
-    using std::sqrt;
-    ANCF_UNROLL
-    for (int k = 0; k < 2; ++k) {
-        f.p[k] = shape.p[0] * v[pn_D][k] + shape.p[1] * v[pn_g1][k] + shape.p[2] * v[pn_g2][k];
-        f.p1[k] = shape.p1[0] * v[pn_D][k] + shape.p1[1] * v[pn_g1][k] + shape.p1[2] * v[pn_g2][k];
-    }
-    f.w.lam = sqrt(f.p[0] * f.p[0] + f.p[1] * f.p[1]);
-    f.inv_lam = 1.0 / f.w.lam;
-    for (int k = 0; k < 2; ++k) f.t[k] = f.inv_lam * f.p[k];
-    f.n[0] = -f.t[1];
-    f.n[1] = f.t[0];
-    f.eta = f.inv_lam * (f.t[0] * f.p1[0] + f.t[1] * f.p1[1]);
-    f.w.kap = f.inv_lam * (f.n[0] * f.p1[0] + f.n[1] * f.p1[1]);
-    const S difference = sines[1] - sines[0];
-    f.w.s = sines[0] + shape.n2 * difference;
-    f.w.s1 = shape.n2_x * difference;
-}
-
-/// Sums over the stations: derivatives by (D, g1, g2) and by the two sines.
-template <class S>
-struct PlanarSums {
-    S energy{};
-    S line[3][2]{};
-    S sine[2]{};
-    S line_line[3][3][2][2]{};  ///< [x][y] for x <= y, components (of x, of y)
-    S line_sine[3][2][2]{};     ///< [vector][component][sine]
-    S sine_sine[2][2]{};
-};
-
-/// Adds a station's Hessian.
-/// @param b_p,b_p1  rows of d lam and d kap by p, and of d kap by p1
-template <class Measure, class T, class S>
-inline void add_planar_hessian(const PlanarStation<T>& data, const PlanarFrame<S>& f,
-                               const S (&stress)[planar_strain_count],
-                               const S (&U)[planar_invariant_count], const S (&b_p)[2][2],
-                               const S (&b_p1)[2], PlanarSums<S>& sums) noexcept {
-    S J[planar_invariant_count][planar_strain_count];
-    Measure::jacobian(f.w, J);
-    S D[planar_invariant_count][planar_invariant_count];
-    for (int j = 0; j < planar_invariant_count; ++j) {
-        S column[planar_strain_count];
-        planar_stress(data.stiffness, J[j], column);
-        for (int i = 0; i <= j; ++i) {
-            D[i][j] = J[i][0] * column[0];
-            for (int k = 1; k < planar_strain_count; ++k) D[i][j] += J[i][k] * column[k];
-        }
-    }
-    Measure::add_curvature(f.w, stress, D);
-
-    const S scale = f.inv_lam * f.inv_lam * U[pw_kap];
-    const S tt = 2.0 * f.w.kap * scale, tn = 2.0 * f.eta * scale;
-    const S nn = f.inv_lam * U[pw_lam] - 2.0 * f.w.kap * scale;
-    const StationShape<T>& shape = data.shape;
-    for (int i = 0; i < 2; ++i) {
-        for (int j = 0; j < 2; ++j) {
-            const S pp = D[pw_lam][pw_lam] * b_p[0][i] * b_p[0][j] +
-                         D[pw_kap][pw_kap] * b_p[1][i] * b_p[1][j] +
-                         D[pw_lam][pw_kap] * (b_p[0][i] * b_p[1][j] + b_p[1][i] * b_p[0][j]) +
-                         tt * f.t[i] * f.t[j] + nn * f.n[i] * f.n[j] +
-                         tn * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);
-            const S bend = scale * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);  // symmetric in p and p1
-            const S pv =
-                (D[pw_lam][pw_kap] * b_p[0][i] + D[pw_kap][pw_kap] * b_p[1][i]) * b_p1[j] - bend;
-            const S vp =
-                b_p1[i] * (D[pw_lam][pw_kap] * b_p[0][j] + D[pw_kap][pw_kap] * b_p[1][j]) - bend;
-            const S vv = D[pw_kap][pw_kap] * b_p1[i] * b_p1[j];
-            for (int y = 0; y < 3; ++y) {
-                const S p = shape.p[y] * pp + shape.p1[y] * pv,
-                        w = shape.p[y] * vp + shape.p1[y] * vv;
-                for (int x = 0; x <= y; ++x)
-                    sums.line_line[x][y][i][j] += shape.p[x] * p + shape.p1[x] * w;
-            }
-        }
-        for (int m = 0; m < 2; ++m) {
-            const T n = m == 0 ? T(1.0 - shape.n2) : shape.n2;
-            const T n_x = m == 0 ? T(-shape.n2_x) : shape.n2_x;
-            const S lam = n * D[pw_lam][pw_s] + n_x * D[pw_lam][pw_s1];
-            const S kap = n * D[pw_kap][pw_s] + n_x * D[pw_kap][pw_s1];
-            const S p = lam * b_p[0][i] + kap * b_p[1][i], v1 = kap * b_p1[i];
-            for (int x = 0; x < 3; ++x)
-                sums.line_sine[x][i][m] += shape.p[x] * p + shape.p1[x] * v1;
-        }
-    }
-    const T n[2] = {T(1.0 - shape.n2), shape.n2}, n_x[2] = {T(-shape.n2_x), shape.n2_x};
-    for (int m = 0; m < 2; ++m) {
-        for (int k = 0; k < 2; ++k) {
-            sums.sine_sine[m][k] += n[m] * n[k] * D[pw_s][pw_s] +
-                                    n_x[m] * n_x[k] * D[pw_s1][pw_s1] +
-                                    (n[m] * n_x[k] + n_x[m] * n[k]) * D[pw_s][pw_s1];
-        }
-    }
-}
-
-/// Writes a station's geometry, strains and stresses.
-template <class Measure, class T, class S>
-inline void planar_state(const PlanarStation<T>& data, const S (&v)[planar_nodal_count][2],
-                         const S (&sines)[2], PlanarFrame<S>& f, S (&strains)[planar_strain_count],
-                         S (&stress)[planar_strain_count]) noexcept {
-    planar_frame(data.shape, v, sines, f);
-    Measure::strains(f.w, strains);
-    ANCF_UNROLL
-    for (int k = 0; k < planar_strain_count; ++k)
-        strains[k] = deformation(strains[k], data.reference[k]);
-    planar_stress(data.stiffness, strains, stress);
-}
-
-/// Adds a station's energy and gradient; `Second` adds the Hessian as well.
-/// @param predicted  stresses to take instead of its own; null: its own
-template <bool Second, class Measure, class T, class S>
-inline void add_planar_station(const PlanarStation<T>& data, const S (&v)[planar_nodal_count][2],
-                               const S (&sines)[2], PlanarSums<S>& sums,
-                               const S* predicted = nullptr) noexcept {
-    PlanarFrame<S> f;
-    S strains[planar_strain_count], stress[planar_strain_count];
-    planar_state<Measure>(data, v, sines, f, strains, stress);
-    if (Second && predicted != nullptr) std::copy_n(predicted, planar_strain_count, stress);
-    ANCF_UNROLL
-    for (int k = 0; k < planar_strain_count; ++k) sums.energy += 0.5 * stress[k] * strains[k];
-    S U[planar_invariant_count];
-    Measure::gradient(f.w, stress, U);
-
-    // rows of d lam and d kap by p and p1
-    S b_p[2][2], b_p1[2];
-    ANCF_UNROLL
-    for (int k = 0; k < 2; ++k) {
-        b_p[pw_lam][k] = f.t[k];
-        b_p[pw_kap][k] = -f.inv_lam * (f.w.kap * f.t[k] + f.eta * f.n[k]);
-        b_p1[k] = f.inv_lam * f.n[k];
-    }
-    const StationShape<T>& shape = data.shape;
-    ANCF_UNROLL
-    for (int k = 0; k < 2; ++k) {
-        const S p = U[pw_lam] * b_p[pw_lam][k] + U[pw_kap] * b_p[pw_kap][k],
-                v1 = U[pw_kap] * b_p1[k];
-        ANCF_UNROLL
-        for (int x = 0; x < 3; ++x) sums.line[x][k] += shape.p[x] * p + shape.p1[x] * v1;
-    }
-    const S to_second = shape.n2 * U[pw_s] + shape.n2_x * U[pw_s1];
-    sums.sine[0] += U[pw_s] - to_second;
-    sums.sine[1] += to_second;
-    if constexpr (Second) add_planar_hessian<Measure>(data, f, stress, U, b_p, b_p1, sums);
-}
 
 /// Constant data of a planar element and its evaluation.
-template <class T, class Measure>
+/// @tparam Layout  a PlanarLayout
+template <class T, class Measure, class Layout>
 struct PlanarKernel {
-    static constexpr int dofs = 12;
+    static constexpr int dofs = Layout::dofs;
+    template <class S>
+    using Nodes = PlanarNodes<S, Layout>;
 
-    std::vector<PlanarStation<T>> stations;
-    std::vector<AxialStationData<T>> axial;
-    T transverse_stiffness;     ///< of e_yy times the length, N m
-    T transverse_reference[2];  ///< nodal e_yy of the stress-free state
+    std::vector<PlanarStation<T, Layout>> stations;
+    std::vector<AxialStationData<T, Layout::line>> axial;
+    T transverse_stiffness;        ///< of e_yy times the length, N m
+    T transverse_length = T(0.0);  ///< l, m, that the parameter of nodal rates runs through
+    T transverse_reference[Layout::shears];  ///< nodal e_yy, and rates, of the stress-free state
     TransverseStrain transverse_measure = TransverseStrain::green;
 
     /// Makes e the stress-free state: its strains are the ones subtracted from now on.
     void set_reference(const Vector<double, dofs>& e) noexcept {
         const Nodes<double> nodes(e);
-        for (PlanarStation<T>& station : stations) {
+        for (PlanarStation<T, Layout>& station : stations) {
             PlanarFrame<double> f;
-            planar_frame(station.shape, nodes.v, nodes.values, f);
+            planar_frame(station.shape, nodes, f);
             double strains[planar_strain_count];
             Measure::strains(f.w, strains);
             for (int k = 0; k < planar_strain_count; ++k) station.reference[k] = strains[k];
         }
-        for (AxialStationData<T>& station : axial) {
-            const double p[2] = {axial_slope(station, nodes.v, 0),
-                                 axial_slope(station, nodes.v, 1)};
-            station.reference = 0.5 * (p[0] * p[0] + p[1] * p[1] - 1.0);
+        for (AxialStationData<T, Layout::line>& station : axial) {
+            station.reference = 0.0;
+            station.reference = planar_axial(station, nodes).strain;
         }
-        TransverseTerm<double> terms[2];
-        transverse_reference[0] = transverse_reference[1] = 0.0;
-        transverse_strains(nodes, terms, transverse_reference);
+        Transverse<double> terms;
+        for (T& reference : transverse_reference) reference = 0.0;
+        double strains[Layout::shears];
+        transverse_strains(nodes, terms, strains);
+        for (int m = 0; m < Layout::shears; ++m) transverse_reference[m] = strains[m];
     }
 
     template <class S>
     [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
-        Nodes<S> nodes(e);
-        PlanarSums<S> sums;
+        const Nodes<S> nodes(e);
+        PlanarSums<S, Layout> sums;
         walk<false>(nodes, sums);
-        TransverseTerm<S> transverse[2];
+        Transverse<S> transverse;
         return sums.energy + transverse_terms(nodes, transverse);
     }
 
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
-        Nodes<S> nodes(e);
-        PlanarSums<S> sums;
+        const Nodes<S> nodes(e);
+        PlanarSums<S, Layout> sums;
         walk<false>(nodes, sums);
-        TransverseTerm<S> transverse[2];
+        Transverse<S> transverse;
         (void)transverse_terms(nodes, transverse);
         return gradient(nodes, sums, transverse);
     }
 
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        Nodes<S> nodes(e);
-        PlanarSums<S> sums;
+        const Nodes<S> nodes(e);
+        PlanarSums<S, Layout> sums;
         walk<true>(nodes, sums);
-        TransverseTerm<S> transverse[2];
+        Transverse<S> transverse;
         Evaluation<S, dofs> result;
         result.energy = sums.energy + transverse_terms(nodes, transverse);
         result.force = gradient(nodes, sums, transverse);
@@ -291,9 +108,9 @@ struct PlanarKernel {
                                                const Vector<S, dofs>& before,
                                                const Vector<S, dofs>& change) const noexcept {
         const Nodes<S> nodes(e);
-        PlanarSums<S> sums;
+        PlanarSums<S, Layout> sums;
         walk<false>(nodes, sums);
-        TransverseTerm<S> transverse[2];
+        Transverse<S> transverse;
         Evaluation<S, dofs> result;
         result.energy = sums.energy + transverse_terms(nodes, transverse);
         result.force = gradient(nodes, sums, transverse);
@@ -301,84 +118,49 @@ struct PlanarKernel {
         Dual<S> course[dofs];
         for (int i = 0; i < dofs; ++i) course[i] = Dual<S>(before[i], change[i]);
         const Nodes<Dual<S>> line(course);
-        PlanarSums<S> predicted;
-        for (const PlanarStation<T>& station : stations) {
+        PlanarSums<S, Layout> predicted;
+        for (const PlanarStation<T, Layout>& station : stations) {
             PlanarFrame<Dual<S>> frame;
             Dual<S> strains[planar_strain_count], course_stress[planar_strain_count];
-            planar_state<Measure>(station, line.v, line.values, frame, strains, course_stress);
+            planar_state<Measure>(station, line, frame, strains, course_stress);
             S stress[planar_strain_count];
             for (int k = 0; k < planar_strain_count; ++k) stress[k] = arrived(course_stress[k]);
-            add_planar_station<true, Measure>(station, nodes.v, nodes.values, predicted, stress);
+            add_planar_station<true, Measure>(station, nodes, predicted, stress);
         }
-        for (const AxialStationData<T>& station : axial) {
-            const S stress = arrived(axial_state(station, line.v).stress);
-            add_axial<true>(station, nodes.v, predicted, &stress);
+        for (const AxialStationData<T, Layout::line>& station : axial) {
+            const S stress = arrived(planar_axial(station, line).stress);
+            add_planar_axial<true>(station, nodes, predicted, &stress);
         }
-        TransverseTerm<Dual<S>> course_transverse[2];
-        (void)transverse_terms(line, course_transverse);
+        Transverse<Dual<S>> course_transverse;
+        Dual<S> course_strain[Layout::shears], course_stress[Layout::shears];
+        transverse_strains(line, course_transverse, course_strain);
+        transverse_stresses(course_strain, course_stress);
+        S stress[Layout::shears];
+        for (int m = 0; m < Layout::shears; ++m) stress[m] = arrived(course_stress[m]);
         for (int node = 0; node < 2; ++node)
-            transverse[node].stress = arrived(course_transverse[node].stress);
+            transverse[node].stress = nodal_conjugate<Layout::rates>(stress, node);
         write_tangent(nodes, predicted, transverse, result.tangent);
         return result;
     }
 
+    /// Writes the nodal strains e_yy, and rates, those of the stress-free state not subtracted.
+    void transverse(const Vector<double, dofs>& e,
+                    double (&strain)[Layout::shears]) const noexcept {
+        Transverse<double> terms;
+        transverse_strains(Nodes<double>(e), terms, strain);
+        for (int m = 0; m < Layout::shears; ++m) strain[m] += transverse_reference[m];
+    }
+
 private:
     template <class S>
-    struct Nodes {
-        S v[planar_nodal_count][2];
-        PlanarSine<S> sine[2];
-        S values[2];
-
-        template <class Coordinates>
-        explicit Nodes(const Coordinates& e) noexcept {
-            for (int k = 0; k < 2; ++k) {
-                v[pn_D][k] = e[6 + k] - e[k];
-                for (int x = pn_g1; x < planar_nodal_count; ++x) v[x][k] = e[planar_start[x] + k];
-            }
-            for (int node = 0; node < 2; ++node) {
-                sine[node] = planar_sine(v[pn_a1 + node], v[pn_g1 + node]);
-                values[node] = sine[node].value;
-            }
-        }
-    };
-
-    // A nodal strain of the slope's length: gradient by the slope, 1/|a| of the stretch, stress.
-    template <class S>
-    struct TransverseTerm {
-        S gradient[2];
-        S inverse;
-        S stress;
-    };
+    using Transverse = TransverseTerm<NodalScalar<S, Layout::rates>>[2];
 
     template <bool Second, class S>
-    void walk(const Nodes<S>& nodes, PlanarSums<S>& sums) const noexcept {
-        for (const PlanarStation<T>& station : stations)
-            add_planar_station<Second, Measure>(station, nodes.v, nodes.values, sums);
-        for (const AxialStationData<T>& station : axial) add_axial<Second>(station, nodes.v, sums);
-    }
-
-    template <class S>
-    static S axial_slope(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2],
-                         int k) noexcept {
-        return data.p[0] * v[pn_D][k] + data.p[1] * v[pn_g1][k] + data.p[2] * v[pn_g2][k];
-    }
-
-    // The slope of the centre line with its strain and force.
-    template <class S>
-    struct Axial {
-        S p[2];
-        S strain, stress;
-    };
-
-    template <class S>
-    static Axial<S> axial_state(const AxialStationData<T>& data,
-                                const S (&v)[planar_nodal_count][2]) noexcept {
-        Axial<S> at;
-        for (int k = 0; k < 2; ++k) at.p[k] = axial_slope(data, v, k);
-        at.strain =
-            deformation(S(0.5 * (at.p[0] * at.p[0] + at.p[1] * at.p[1] - 1.0)), data.reference);
-        at.stress = data.stiffness * at.strain;
-        return at;
+    void walk(const Nodes<S>& nodes, PlanarSums<S, Layout>& sums) const noexcept {
+        for (const PlanarStation<T, Layout>& station : stations)
+            add_planar_station<Second, Measure>(station, nodes, sums);
+        for (const AxialStationData<T, Layout::line>& station : axial)
+            add_planar_axial<Second>(station, nodes, sums);
     }
 
     // What a linearised state has reached at the end of its change.
@@ -387,163 +169,188 @@ private:
         return course.value + course.rate;
     }
 
-    template <bool Second, class S>
-    static void add_axial(const AxialStationData<T>& data, const S (&v)[planar_nodal_count][2],
-                          PlanarSums<S>& sums, const S* predicted = nullptr) noexcept {
-        const Axial<S> at = axial_state(data, v);
-        const S(&p)[2] = at.p;
-        const S stress = Second && predicted != nullptr ? *predicted : at.stress;
-        sums.energy += 0.5 * stress * at.strain;
-        for (int x = 0; x < 3; ++x) {
-            for (int k = 0; k < 2; ++k) sums.line[x][k] += data.p[x] * stress * p[k];
-        }
-        if constexpr (Second) {
-            for (int i = 0; i < 2; ++i) {
-                for (int j = 0; j < 2; ++j) {
-                    S entry = data.stiffness * p[i] * p[j];
-                    if (i == j) entry += stress;
-                    for (int y = 0; y < 3; ++y) {
-                        for (int x = 0; x <= y; ++x)
-                            sums.line_line[x][y][i][j] += data.p[x] * data.p[y] * entry;
-                    }
-                }
+    template <class S>
+    void transverse_strains(const Nodes<S>& nodes, Transverse<S>& terms,
+                            S (&strain)[Layout::shears]) const noexcept {
+        using std::sqrt;
+        using C = NodalScalar<S, Layout::rates>;
+        for (int node = 0; node < 2; ++node) {
+            const C a[2] = {nodes.slope(node, 0), nodes.slope(node, 1)};
+            const C square = a[0] * a[0] + a[1] * a[1];
+            const bool green = transverse_measure == TransverseStrain::green;
+            terms[node].inverse = green ? C(1.0) : nodes.sine[node].inv_a;
+            for (int k = 0; k < 2; ++k) terms[node].gradient[k] = terms[node].inverse * a[k];
+            const C raw = green ? C(0.5 * (square - 1.0)) : C(sqrt(square) - 1.0);
+            if constexpr (Layout::rates) {
+                strain[node] = deformation(raw.value, transverse_reference[node]);
+                strain[2 + node] = deformation(raw.rate, transverse_reference[2 + node]);
+            } else {
+                strain[node] = deformation(raw, transverse_reference[node]);
             }
         }
     }
 
+    // The integral of the product of the weights of two nodal strains times the stiffness.
     template <class S>
-    void transverse_strains(const Nodes<S>& nodes, TransverseTerm<S> (&terms)[2],
-                            S (&strain)[2]) const noexcept {
-        using std::sqrt;
-        for (int node = 0; node < 2; ++node) {
-            const S* a = nodes.v[pn_a1 + node];
-            const S square = a[0] * a[0] + a[1] * a[1];
-            const bool green = transverse_measure == TransverseStrain::green;
-            terms[node].inverse = green ? S(1.0) : nodes.sine[node].inv_a;
-            for (int k = 0; k < 2; ++k) terms[node].gradient[k] = terms[node].inverse * a[k];
-            strain[node] = deformation(green ? S(0.5 * (square - 1.0)) : S(sqrt(square) - 1.0),
-                                       transverse_reference[node]);
+    [[nodiscard]] S transverse_weight(int m, int other) const noexcept {
+        const S W = transverse_stiffness * S(1.0 / 6.0);
+        if constexpr (Layout::rates) {
+            // of Hermite's cubics over a unit length, in the order of the nodal scalars
+            constexpr double products[4][4] = {{78.0, 27.0, 11.0, -6.5},
+                                               {27.0, 78.0, 6.5, -11.0},
+                                               {11.0, 6.5, 2.0, -1.5},
+                                               {-6.5, -11.0, -1.5, 2.0}};
+            S weight = W * S(products[m][other] / 35.0);
+            for (const int k : {m, other})
+                if (k >= 2) weight *= S(transverse_length);
+            return weight;
+        } else {
+            return m == other ? S(2.0 * W) : W;
         }
     }
 
     template <class S>
-    S transverse_terms(const Nodes<S>& nodes, TransverseTerm<S> (&terms)[2]) const noexcept {
-        S strain[2];
-        transverse_strains(nodes, terms, strain);
-        const S W = transverse_stiffness * S(1.0 / 6.0);
-        terms[0].stress = W * (2.0 * strain[0] + strain[1]);
-        terms[1].stress = W * (strain[0] + 2.0 * strain[1]);
-        return 0.5 * (terms[0].stress * strain[0] + terms[1].stress * strain[1]);
+    void transverse_stresses(const S (&strain)[Layout::shears],
+                             S (&stress)[Layout::shears]) const noexcept {
+        if constexpr (Layout::rates) {
+            for (int m = 0; m < Layout::shears; ++m) {
+                stress[m] = S(0.0);
+                for (int k = 0; k < Layout::shears; ++k)
+                    stress[m] += transverse_weight<S>(m, k) * strain[k];
+            }
+        } else {
+            const S W = transverse_stiffness * S(1.0 / 6.0);
+            stress[0] = W * (2.0 * strain[0] + strain[1]);
+            stress[1] = W * (strain[0] + 2.0 * strain[1]);
+        }
     }
 
     template <class S>
-    static Vector<S, dofs> gradient(const Nodes<S>& nodes, const PlanarSums<S>& sums,
-                                    const TransverseTerm<S> (&transverse)[2]) noexcept {
+    S transverse_terms(const Nodes<S>& nodes, Transverse<S>& terms) const noexcept {
+        S strain[Layout::shears], stress[Layout::shears];
+        transverse_strains(nodes, terms, strain);
+        transverse_stresses(strain, stress);
+        for (int node = 0; node < 2; ++node)
+            terms[node].stress = nodal_conjugate<Layout::rates>(stress, node);
+        S twice = stress[0] * strain[0] + stress[1] * strain[1];
+        for (int m = 2; m < Layout::shears; ++m) twice += stress[m] * strain[m];
+        return 0.5 * twice;
+    }
+
+    template <class S>
+    static Vector<S, dofs> gradient(const Nodes<S>& nodes, const PlanarSums<S, Layout>& sums,
+                                    const Transverse<S>& transverse) noexcept {
+        S by[Layout::size];
+        for (int x = 0; x < Layout::vectors; ++x) {
+            for (int k = 0; k < 2; ++k) by[2 * x + k] = x < Layout::line ? sums.line[x][k] : S(0.0);
+        }
+        for (int node = 0; node < 2; ++node) {
+            const auto f = nodal_conjugate<Layout::rates>(sums.sine, node);
+            for (int k = 0; k < 2; ++k) {
+                S* const of_slope = by + 2 * (Layout::a + node) + k;
+                add_nodal(f * nodes.sine[node].g[k], by + 2 * (Layout::g + node) + k);
+                add_nodal(f * nodes.sine[node].a[k], of_slope);
+                add_nodal(transverse[node].stress * transverse[node].gradient[k], of_slope);
+            }
+        }
         Vector<S, dofs> force;
         for (int k = 0; k < 2; ++k) {
-            force[k] = -sums.line[0][k];
-            force[6 + k] = sums.line[0][k];
-            for (int node = 0; node < 2; ++node) {
-                force[planar_start[pn_g1 + node] + k] =
-                    sums.line[1 + node][k] + sums.sine[node] * nodes.sine[node].g[k];
-                force[planar_start[pn_a1 + node] + k] =
-                    sums.sine[node] * nodes.sine[node].a[k] +
-                    transverse[node].stress * transverse[node].gradient[k];
-            }
+            force[k] = -by[k];
+            for (int x = 0; x < Layout::vectors; ++x) force[Layout::start[x] + k] = by[2 * x + k];
         }
         return force;
     }
 
-    // The upper triangle in the order D, g1, g2, a1, a2, then the rows and columns of r_i.
+    // The upper triangle over the components of the nodal vectors, then the rows and columns of
+    // r_i.
     template <class S>
-    void write_tangent(const Nodes<S>& nodes, const PlanarSums<S>& sums,
-                       const TransverseTerm<S> (&transverse)[2],
-                       Matrix<S, dofs>& tangent) const noexcept {
-        constexpr int size = 2 * planar_nodal_count;
-        S L[2][size];  // gradients of the sines
-        for (int m = 0; m < 2; ++m) {
-            for (S& entry : L[m]) entry = S(0.0);
-            for (int k = 0; k < 2; ++k) {
-                L[m][2 * (pn_g1 + m) + k] = nodes.sine[m].g[k];
-                L[m][2 * (pn_a1 + m) + k] = nodes.sine[m].a[k];
-            }
-        }
-        S Z[2][size];  // coupling + shear matrix/2 L
-        for (int m = 0; m < 2; ++m) {
+    void write_tangent(const Nodes<S>& nodes, const PlanarSums<S, Layout>& sums,
+                       const Transverse<S>& transverse, Matrix<S, dofs>& tangent) const noexcept {
+        constexpr int size = Layout::size, in_line = 2 * Layout::line, shears = Layout::shears;
+        S L[shears][size];
+        nodes.gradients(L);
+        S Z[shears][size];  // coupling + shear matrix/2 L
+        for (int m = 0; m < shears; ++m) {
             for (int k = 0; k < size; ++k) {
-                Z[m][k] = 0.5 * (sums.sine_sine[m][0] * L[0][k] + sums.sine_sine[m][1] * L[1][k]);
-                if (k < 6) Z[m][k] += sums.line_sine[k / 2][k % 2][m];
+                S sum = sums.sine_sine[m][0] * L[0][k];
+                for (int n = 1; n < shears; ++n) sum += sums.sine_sine[m][n] * L[n][k];
+                Z[m][k] = 0.5 * sum;
+                if (k < in_line) Z[m][k] += sums.line_sine[k / 2][k % 2][m];
             }
         }
         S K[size][size];
         for (int j = 0; j < size; ++j) {
             for (int i = 0; i <= j; ++i) {
-                K[i][j] =
-                    Z[0][i] * L[0][j] + L[0][i] * Z[0][j] + Z[1][i] * L[1][j] + L[1][i] * Z[1][j];
-                if (j < 6) K[i][j] += sums.line_line[i / 2][j / 2][i % 2][j % 2];
-            }
-        }
-        const S W = transverse_stiffness * S(1.0 / 6.0);
-        for (int node = 0; node < 2; ++node) {
-            add_sine_second(nodes.sine[node], sums.sine[node], 2 * (pn_g1 + node),
-                            2 * (pn_a1 + node), K);
-            for (int other = node; other < 2; ++other) {
-                const S weight = node == other ? S(2.0 * W) : W;
-                for (int i = 0; i < 2; ++i) {
-                    for (int j = 0; j < 2; ++j) {
-                        const int row = 2 * (pn_a1 + node) + i, column = 2 * (pn_a1 + other) + j;
-                        if (row <= column) {
-                            K[row][column] += weight * transverse[node].gradient[i] *
-                                              transverse[other].gradient[j];
-                        }
-                    }
+                S sum = Z[0][i] * L[0][j] + L[0][i] * Z[0][j];
+                for (int m = 1; m < shears; ++m) {
+                    sum += Z[m][i] * L[m][j];
+                    sum += L[m][i] * Z[m][j];
                 }
+                K[i][j] = sum;
+                if (j < in_line) K[i][j] += sums.line_line[i / 2][j / 2][i % 2][j % 2];
             }
-            add_stretch_second(transverse[node], 2 * (pn_a1 + node), K);
         }
+        for (int node = 0; node < 2; ++node) {
+            add_sine_second(nodes.sine[node], nodal_conjugate<Layout::rates>(sums.sine, node),
+                            2 * (Layout::g + node), 2 * (Layout::a + node), K);
+        }
+        add_transverse_second<S>(transverse, K);
         for (int j = 0; j < size; ++j) {
-            const int column = planar_start[j / 2] + j % 2;
+            const int column = Layout::start[j / 2] + j % 2;
             for (int i = 0; i <= j; ++i) {
-                const int row = planar_start[i / 2] + i % 2;
+                const int row = Layout::start[i / 2] + i % 2;
                 tangent(row, column) = tangent(column, row) = K[i][j];
             }
         }
         for (int k = 0; k < 2; ++k) {
-            for (int i = 2; i < dofs; ++i) tangent(i, k) = tangent(k, i) = -tangent(i, 6 + k);
+            for (int i = 2; i < dofs; ++i)
+                tangent(i, k) = tangent(k, i) = -tangent(i, Layout::node + k);
         }
         for (int i = 0; i < 2; ++i) {
-            for (int k = 0; k < 2; ++k) tangent(i, k) = tangent(6 + i, 6 + k);
+            for (int k = 0; k < 2; ++k) tangent(i, k) = tangent(Layout::node + i, Layout::node + k);
         }
     }
 
     template <class S>
-    static void add_sine_second(const PlanarSine<S>& s, const S& f, int g, int a,
-                                S (&K)[2 * planar_nodal_count][2 * planar_nodal_count]) noexcept {
-        const S aa = f * s.inv_a, gg = f * s.inv_g, ga = f * s.inv_a * s.inv_g;
-        for (int i = 0; i < 2; ++i) {
-            for (int j = 0; j < 2; ++j) {
-                const S delta(i == j ? 1.0 : 0.0);
-                if (i <= j) {
-                    K[a + i][a + j] -= aa * (s.u[i] * s.a[j] + s.a[i] * s.u[j] +
-                                             s.value * s.inv_a * (delta - s.u[i] * s.u[j]));
-                    K[g + i][g + j] -= gg * (s.t[i] * s.g[j] + s.g[i] * s.t[j] +
-                                             s.value * s.inv_g * (delta - s.t[i] * s.t[j]));
+    void add_transverse_second(const Transverse<S>& terms,
+                               S (&K)[Layout::size][Layout::size]) const noexcept {
+        constexpr int depth = Layout::shears / 2;
+        S rows[Layout::shears][2 * depth];  // gradients by the components of a, then of b
+        for (int node = 0; node < 2; ++node) {
+            for (int k = 0; k < 2; ++k) {
+                if constexpr (Layout::rates) {
+                    rows[node][k] = rows[2 + node][2 + k] = terms[node].gradient[k].value;
+                    rows[node][2 + k] = S(0.0);
+                    rows[2 + node][k] = terms[node].gradient[k].rate;
+                } else {
+                    rows[node][k] = terms[node].gradient[k];
                 }
-                K[g + i][a + j] +=
-                    ga * (delta - s.u[i] * s.u[j] - s.t[i] * s.t[j] + s.value * s.t[i] * s.u[j]);
             }
         }
-    }
-
-    template <class S>
-    void add_stretch_second(const TransverseTerm<S>& term, int a,
-                            S (&K)[2 * planar_nodal_count][2 * planar_nodal_count]) const noexcept {
-        const S share = term.stress * term.inverse;
-        const bool green = transverse_measure == TransverseStrain::green;
-        for (int j = 0; j < 2; ++j) {
-            K[a + j][a + j] += share;
-            for (int i = 0; i <= j && !green; ++i)
-                K[a + i][a + j] -= share * term.gradient[i] * term.gradient[j];
+        const auto place = [](int node, int i) {
+            return 2 * (Layout::a + node) + i % 2 + i / 2 * planar_rate;
+        };
+        for (int m = 0; m < Layout::shears; ++m) {
+            for (int other = depth == 1 ? m : 0; other < Layout::shears; ++other) {
+                const S weight = transverse_weight<S>(m, other);
+                for (int i = 0; i < 2 * depth; ++i) {
+                    for (int j = 0; j < 2 * depth; ++j) {
+                        const int row = place(m % 2, i), column = place(other % 2, j);
+                        if (row <= column) K[row][column] += weight * rows[m][i] * rows[other][j];
+                    }
+                }
+            }
+        }
+        for (int node = 0; node < 2; ++node) {
+            const TransverseTerm<NodalScalar<S, Layout::rates>>& term = terms[node];
+            const auto share = term.stress * term.inverse;
+            const bool green = transverse_measure == TransverseStrain::green;
+            for (int j = 0; j < 2; ++j) {
+                add_nodal(share, place(node, j), place(node, j), true, K);
+                for (int i = 0; i <= j && !green; ++i)
+                    add_nodal(decltype(share)(-(share * term.gradient[i] * term.gradient[j])),
+                              place(node, i), place(node, j), true, K);
+            }
         }
     }
 };

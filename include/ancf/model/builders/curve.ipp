@@ -12,6 +12,7 @@
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -146,6 +147,13 @@ void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
         for (int k = 0; k < field_count; ++k) {
             const auto field = static_cast<Field>(k);
             if (!fields.contains(field)) continue;
+            if constexpr (Dimension == 2) {
+                if (field == Field::r_xy) {
+                    const Vector<double, 2> rate = turning_rate(point->slopes, point->curvature);
+                    e = std::copy_n(rate.data(), 2, e);
+                    continue;
+                }
+            }
             for (int i = 0; i < Dimension; ++i)
                 *e++ = field == Field::r      ? point->position[i]
                        : field == Field::r_xx ? point->curvature[i]

@@ -65,7 +65,7 @@ ANCF_INLINE MatrixX line_mass(const ElementGroup& group, int prototype, int dime
     const int fields = group.fields().count();
     const auto in_line = [&](int vector) {
         const Field field = group.fields().at(vector % fields);
-        return field != Field::r_y && field != Field::r_z;
+        return field != Field::r_y && field != Field::r_z && field != Field::r_xy;
     };
     MatrixX mass(group.dofs(), group.dofs());
     group.mass(prototype, mass.data());

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// A station of the planar element: geometry, strains, energy, first and second derivatives.
+///
+/// It depends on p = r0', p1 = r0'' and the nodal shears; slopes enter by these shears alone.
+/// Vectors are (x, y) pairs of plain scalars.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/element/hermite.hpp>
+#include <ancf/element/planar/nodal.hpp>
+#include <ancf/element/planar/section.hpp>
+#include <ancf/element/rate.hpp>
+#include <ancf/element/station_data.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace ancf::detail {
+
+/// The weights of a planar station: of the line, and of the nodal shears.
+template <class T, class Layout, bool Rates = Layout::rates>
+struct PlanarShape : StationShape<T, Layout::line> {
+    /// Takes the weights of a station; shear is linear, so they are all there.
+    static PlanarShape of(const StationShape<T, Layout::line>& shape, double /*length*/) noexcept {
+        return {shape};
+    }
+
+    /// Writes the shear and its rate along the arc length.
+    template <class S>
+    void shear(const S (&nodal)[2], S& s, S& s1) const noexcept {
+        const S difference = nodal[1] - nodal[0];
+        s = nodal[0] + this->n2 * difference;
+        s1 = this->n2_x * difference;
+    }
+
+    /// Adds to the conjugates of the nodal shears those of shear and rate.
+    template <class S>
+    void add(const S& by_s, const S& by_s1, S (&nodal)[2]) const noexcept {
+        const S to_second = this->n2 * by_s + this->n2_x * by_s1;
+        nodal[0] += by_s - to_second;
+        nodal[1] += to_second;
+    }
+
+    /// Returns the weight of a nodal shear.
+    [[nodiscard]] T weight(int m) const noexcept { return m == 0 ? T(1.0 - this->n2) : this->n2; }
+    /// Returns the weight of a nodal shear in the rate.
+    [[nodiscard]] T rate_weight(int m) const noexcept {
+        return m == 0 ? T(-this->n2_x) : this->n2_x;
+    }
+};
+
+/// Shears with their rates at the nodes: Hermite's cubic.
+template <class T, class Layout>
+struct PlanarShape<T, Layout, true> : StationShape<T, Layout::line> {
+    T n[4];    ///< weights of s_i, s_j and their rates
+    T n_x[4];  ///< the same in the rate along the arc length
+
+    /// Takes the weights of a station.
+    /// @param length  m, that the parameter of the nodal rates runs through
+    static PlanarShape of(const StationShape<T, Layout::line>& shape, double length) noexcept {
+        const auto value = hermite<T>(shape.n2, length), first = hermite_first<T>(shape.n2, length);
+        const T scale = shape.n2_x * length;  // dx/ds
+        return {shape,
+                {value[0], value[2], value[1], value[3]},
+                {scale * first[0], scale * first[2], scale * first[1], scale * first[3]}};
+    }
+
+    /// Writes the shear and its rate along the arc length.
+    template <class S>
+    void shear(const S (&nodal)[4], S& s, S& s1) const noexcept {
+        s = n[0] * nodal[0];
+        s1 = n_x[0] * nodal[0];
+        for (int m = 1; m < 4; ++m) {
+            s += n[m] * nodal[m];
+            s1 += n_x[m] * nodal[m];
+        }
+    }
+
+    /// Adds to the conjugates of the nodal shears those of shear and rate.
+    template <class S>
+    void add(const S& by_s, const S& by_s1, S (&nodal)[4]) const noexcept {
+        for (int m = 0; m < 4; ++m) nodal[m] += n[m] * by_s + n_x[m] * by_s1;
+    }
+
+    /// Returns the weight of a nodal shear.
+    [[nodiscard]] T weight(int m) const noexcept { return n[m]; }
+    /// Returns the weight of a nodal shear in the rate.
+    [[nodiscard]] T rate_weight(int m) const noexcept { return n_x[m]; }
+};
+
+/// A station of the planar element.
+template <class T, class Layout>
+struct PlanarStation {
+    PlanarShape<T, Layout> shape;
+    T reference[planar_strain_count];  ///< strains of the stress-free state, subtracted
+    PlanarStiffness<T> stiffness;
+};
+
+/// Returns a component of the sum of nodal vectors by weights of the line.
+template <class T, class S, int Line, int Vectors>
+[[nodiscard]] inline S planar_line(const T (&weights)[Line], const S (&v)[Vectors][2],
+                                   int k) noexcept {
+    S sum = weights[0] * v[0][k];
+    ANCF_UNROLL
+    for (int x = 1; x < Line; ++x) sum += weights[x] * v[x][k];
+    return sum;
+}
+
+/// The geometry of a planar station.
+template <class S>
+struct PlanarFrame {
+    S p[2], p1[2];
+    S t[2], n[2];  ///< unit tangent, normal: t turned by a right angle counterclockwise
+    S inv_lam, eta;
+    PlanarInvariants<S> w;
+};
+
+template <class T, class S, class Layout>
+inline void planar_frame(const PlanarShape<T, Layout>& shape, const PlanarNodes<S, Layout>& nodes,
+                         PlanarFrame<S>& f) noexcept {
+    using std::sqrt;
+    ANCF_UNROLL
+    for (int k = 0; k < 2; ++k) {
+        f.p[k] = planar_line(shape.p, nodes.v, k);
+        f.p1[k] = planar_line(shape.p1, nodes.v, k);
+    }
+    f.w.lam = sqrt(f.p[0] * f.p[0] + f.p[1] * f.p[1]);
+    f.inv_lam = 1.0 / f.w.lam;
+    for (int k = 0; k < 2; ++k) f.t[k] = f.inv_lam * f.p[k];
+    f.n[0] = -f.t[1];
+    f.n[1] = f.t[0];
+    f.eta = f.inv_lam * (f.t[0] * f.p1[0] + f.t[1] * f.p1[1]);
+    f.w.kap = f.inv_lam * (f.n[0] * f.p1[0] + f.n[1] * f.p1[1]);
+    shape.shear(nodes.values, f.w.s, f.w.s1);
+}
+
+/// Sums over the stations: derivatives by the vectors of the line and by the nodal shears.
+template <class S, class Layout>
+struct PlanarSums {
+    static constexpr int line_count = Layout::line, shears = Layout::shears;
+    S energy{};
+    S line[line_count][2]{};
+    S sine[shears]{};
+    S line_line[line_count][line_count][2][2]{};  ///< [x][y] for x <= y, components (of x, of y)
+    S line_sine[line_count][2][shears]{};         ///< [vector][component][shear]
+    S sine_sine[shears][shears]{};
+};
+
+/// Adds a station's Hessian.
+/// @param b_p,b_p1  rows of d lam and d kap by p, and of d kap by p1
+template <class Measure, class T, class S, class Layout>
+inline void add_planar_hessian(const PlanarStation<T, Layout>& data, const PlanarFrame<S>& f,
+                               const S (&stress)[planar_strain_count],
+                               const S (&U)[planar_invariant_count], const S (&b_p)[2][2],
+                               const S (&b_p1)[2], PlanarSums<S, Layout>& sums) noexcept {
+    S J[planar_invariant_count][planar_strain_count];
+    Measure::jacobian(f.w, J);
+    S D[planar_invariant_count][planar_invariant_count];
+    for (int j = 0; j < planar_invariant_count; ++j) {
+        S column[planar_strain_count];
+        planar_stress(data.stiffness, J[j], column);
+        for (int i = 0; i <= j; ++i) {
+            D[i][j] = J[i][0] * column[0];
+            for (int k = 1; k < planar_strain_count; ++k) D[i][j] += J[i][k] * column[k];
+        }
+    }
+    Measure::add_curvature(f.w, stress, D);
+
+    const S scale = f.inv_lam * f.inv_lam * U[pw_kap];
+    const S tt = 2.0 * f.w.kap * scale, tn = 2.0 * f.eta * scale;
+    const S nn = f.inv_lam * U[pw_lam] - 2.0 * f.w.kap * scale;
+    const auto& shape = data.shape;
+    T n[Layout::shears], n_x[Layout::shears];
+    for (int m = 0; m < Layout::shears; ++m) {
+        n[m] = shape.weight(m);
+        n_x[m] = shape.rate_weight(m);
+    }
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) {
+            const S pp = D[pw_lam][pw_lam] * b_p[0][i] * b_p[0][j] +
+                         D[pw_kap][pw_kap] * b_p[1][i] * b_p[1][j] +
+                         D[pw_lam][pw_kap] * (b_p[0][i] * b_p[1][j] + b_p[1][i] * b_p[0][j]) +
+                         tt * f.t[i] * f.t[j] + nn * f.n[i] * f.n[j] +
+                         tn * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);
+            const S bend = scale * (f.t[i] * f.n[j] + f.n[i] * f.t[j]);  // symmetric in p and p1
+            const S pv =
+                (D[pw_lam][pw_kap] * b_p[0][i] + D[pw_kap][pw_kap] * b_p[1][i]) * b_p1[j] - bend;
+            const S vp =
+                b_p1[i] * (D[pw_lam][pw_kap] * b_p[0][j] + D[pw_kap][pw_kap] * b_p[1][j]) - bend;
+            const S vv = D[pw_kap][pw_kap] * b_p1[i] * b_p1[j];
+            for (int y = 0; y < Layout::line; ++y) {
+                const S p = shape.p[y] * pp + shape.p1[y] * pv,
+                        w = shape.p[y] * vp + shape.p1[y] * vv;
+                for (int x = 0; x <= y; ++x)
+                    sums.line_line[x][y][i][j] += shape.p[x] * p + shape.p1[x] * w;
+            }
+        }
+        for (int m = 0; m < Layout::shears; ++m) {
+            const S lam = n[m] * D[pw_lam][pw_s] + n_x[m] * D[pw_lam][pw_s1];
+            const S kap = n[m] * D[pw_kap][pw_s] + n_x[m] * D[pw_kap][pw_s1];
+            const S p = lam * b_p[0][i] + kap * b_p[1][i], v1 = kap * b_p1[i];
+            for (int x = 0; x < Layout::line; ++x)
+                sums.line_sine[x][i][m] += shape.p[x] * p + shape.p1[x] * v1;
+        }
+    }
+    for (int m = 0; m < Layout::shears; ++m) {
+        for (int k = 0; k < Layout::shears; ++k) {
+            sums.sine_sine[m][k] += n[m] * n[k] * D[pw_s][pw_s] +
+                                    n_x[m] * n_x[k] * D[pw_s1][pw_s1] +
+                                    (n[m] * n_x[k] + n_x[m] * n[k]) * D[pw_s][pw_s1];
+        }
+    }
+}
+
+/// Writes a station's geometry, strains and stresses.
+template <class Measure, class T, class S, class Layout>
+inline void planar_state(const PlanarStation<T, Layout>& data, const PlanarNodes<S, Layout>& nodes,
+                         PlanarFrame<S>& f, S (&strains)[planar_strain_count],
+                         S (&stress)[planar_strain_count]) noexcept {
+    planar_frame(data.shape, nodes, f);
+    Measure::strains(f.w, strains);
+    ANCF_UNROLL
+    for (int k = 0; k < planar_strain_count; ++k)
+        strains[k] = deformation(strains[k], data.reference[k]);
+    planar_stress(data.stiffness, strains, stress);
+}
+
+/// Adds a station's energy and gradient; `Second` adds the Hessian as well.
+/// @param predicted  stresses to take instead of its own; null: its own
+template <bool Second, class Measure, class T, class S, class Layout>
+inline void add_planar_station(const PlanarStation<T, Layout>& data,
+                               const PlanarNodes<S, Layout>& nodes, PlanarSums<S, Layout>& sums,
+                               const S* predicted = nullptr) noexcept {
+    PlanarFrame<S> f;
+    S strains[planar_strain_count], stress[planar_strain_count];
+    planar_state<Measure>(data, nodes, f, strains, stress);
+    if (Second && predicted != nullptr) std::copy_n(predicted, planar_strain_count, stress);
+    ANCF_UNROLL
+    for (int k = 0; k < planar_strain_count; ++k) sums.energy += 0.5 * stress[k] * strains[k];
+    S U[planar_invariant_count];
+    Measure::gradient(f.w, stress, U);
+
+    // rows of d lam and d kap by p and p1
+    S b_p[2][2], b_p1[2];
+    ANCF_UNROLL
+    for (int k = 0; k < 2; ++k) {
+        b_p[pw_lam][k] = f.t[k];
+        b_p[pw_kap][k] = -f.inv_lam * (f.w.kap * f.t[k] + f.eta * f.n[k]);
+        b_p1[k] = f.inv_lam * f.n[k];
+    }
+    const auto& shape = data.shape;
+    ANCF_UNROLL
+    for (int k = 0; k < 2; ++k) {
+        const S p = U[pw_lam] * b_p[pw_lam][k] + U[pw_kap] * b_p[pw_kap][k],
+                v1 = U[pw_kap] * b_p1[k];
+        ANCF_UNROLL
+        for (int x = 0; x < Layout::line; ++x) sums.line[x][k] += shape.p[x] * p + shape.p1[x] * v1;
+    }
+    shape.add(U[pw_s], U[pw_s1], sums.sine);
+    if constexpr (Second) add_planar_hessian<Measure>(data, f, stress, U, b_p, b_p1, sums);
+}
+
+/// The slope of the centre line at an axial station with its strain and force.
+template <class S>
+struct PlanarAxial {
+    S p[2];
+    S strain, stress;
+};
+
+template <class T, class S, class Layout>
+[[nodiscard]] inline PlanarAxial<S> planar_axial(const AxialStationData<T, Layout::line>& data,
+                                                 const PlanarNodes<S, Layout>& nodes) noexcept {
+    PlanarAxial<S> at;
+    for (int k = 0; k < 2; ++k) at.p[k] = planar_line(data.p, nodes.v, k);
+    at.strain = deformation(S(0.5 * (at.p[0] * at.p[0] + at.p[1] * at.p[1] - 1.0)), data.reference);
+    at.stress = data.stiffness * at.strain;
+    return at;
+}
+
+/// Adds an axial station, as add_planar_station() does.
+template <bool Second, class T, class S, class Layout>
+inline void add_planar_axial(const AxialStationData<T, Layout::line>& data,
+                             const PlanarNodes<S, Layout>& nodes, PlanarSums<S, Layout>& sums,
+                             const S* predicted = nullptr) noexcept {
+    const PlanarAxial<S> at = planar_axial(data, nodes);
+    const S(&p)[2] = at.p;
+    const S stress = Second && predicted != nullptr ? *predicted : at.stress;
+    sums.energy += 0.5 * stress * at.strain;
+    for (int x = 0; x < Layout::line; ++x) {
+        for (int k = 0; k < 2; ++k) sums.line[x][k] += data.p[x] * stress * p[k];
+    }
+    if constexpr (Second) {
+        for (int i = 0; i < 2; ++i) {
+            for (int j = 0; j < 2; ++j) {
+                S entry = data.stiffness * p[i] * p[j];
+                if (i == j) entry += stress;
+                for (int y = 0; y < Layout::line; ++y) {
+                    for (int x = 0; x <= y; ++x)
+                        sums.line_line[x][y][i][j] += data.p[x] * data.p[y] * entry;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace ancf::detail
