@@ -349,6 +349,15 @@ void print_iterates(bool mixed, bool turned) {
     }
 }
 
+/// Prints where each attempt of a run went, how it ended and how large its corrections were.
+void print_attempts(const ancf::StaticsReport& report) {
+    for (const ancf::LoadStep& step : report.steps) {
+        std::cout << "     " << step.factor << ' ' << to_string(step.status) << ':';
+        for (const double correction : step.corrections) std::cout << ' ' << correction;
+        std::cout << std::endl;
+    }
+}
+
 int run_random(int count, unsigned seed, const std::string& only, bool check, bool verbose) {
     int wrong = 0, solved = 0;
     std::vector<std::vector<double>> iterations(kinds().size());
@@ -385,6 +394,7 @@ int run_random(int count, unsigned seed, const std::string& only, bool check, bo
                 if (report.status != ancf::Status::converged) std::cout << " at " << report.factor;
                 if (other) std::cout << ", elsewhere by " << off;
                 std::cout << std::endl;
+                if (verbose) print_attempts(report);
             }
         }
     }
@@ -418,7 +428,7 @@ int main(int argc, char** argv) {
     app.add_option("--random", random, "number of random cantilevers");
     app.add_option("--seed", seed, "of the first of them");
     app.add_flag("--no-check", no_check, "do not compare them with sixty small steps");
-    app.add_flag("--verbose", verbose, "print each of them");
+    app.add_flag("--verbose", verbose, "print each of them, and the corrections of each attempt");
     app.add_flag("--quick", quick, "a few of all");
     CLI11_PARSE(app, argc, argv);
     if (random > 0) return run_random(random, seed, newton, !no_check, verbose);

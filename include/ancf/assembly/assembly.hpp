@@ -139,6 +139,8 @@ public:
     }
     /// Returns the tangent, in the pattern.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept { return tangent_; }
+    /// Returns its values, for terms of a solver's own; the next evaluation writes them anew.
+    [[nodiscard]] double* tangent_values() noexcept { return tangent_.valuePtr(); }
     /// Returns -dQ/dv, in the pattern.
     [[nodiscard]] const SparseMatrix& damping() const noexcept { return damping_; }
 
@@ -162,6 +164,9 @@ public:
 
     /// Writes the residual of the unknowns.
     void residual(VectorX& out) const;
+    /// Writes the same with the stresses that the tangent has: those predicted, where the last
+    /// evaluation was given a correction, and no effect of an increment.
+    void predicted_residual(VectorX& out) const;
 
     /// Returns g_t of dg/dt = G v + g_t, one entry per equation; m/s where g is a length.
     [[nodiscard]] const VectorX& violation_rate() const noexcept { return violation_rate_; }
@@ -258,7 +263,7 @@ private:
     Revision revision_;                                // of the model that this is set up for
     VectorX gravity_;                                  // force of gravity at unit scale
 
-    VectorX internal_, external_, constraint_, violation_, violation_rate_, convection_;
+    VectorX internal_, predicted_, external_, constraint_, violation_, violation_rate_, convection_;
     detail::Records<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
     VectorX force_q_;                   // coordinates of the last evaluation of forces alone
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed

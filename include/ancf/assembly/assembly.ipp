@@ -321,8 +321,10 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
         }
         std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
+    predicted_.setZero(last != nullptr || increment != nullptr ? numbering_.coordinates() : 0);
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
+    if (predicted_.size() > 0) numbering_.dependence().carry(predicted_);
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_;
     for (double& entry : external_) entry *= gravity_scale;
@@ -371,6 +373,7 @@ ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) cons
             nullptr,
             false,
             nullptr,
+            nullptr,
             values,
             plan.attached.empty() ? nullptr : plan.attached.data()};
 }
@@ -388,6 +391,7 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
         target.change = last != nullptr ? last->change.data() : nullptr;
         target.tangent = tangent;
         target.internal_force = internal_.data();
+        if (predicted_.size() > 0) target.predicted_force = predicted_.data();
         strain_energy_ += plans_[index].schedule.sum([&](const ElementRun& run, std::size_t place) {
             if (tangent)
                 clear_values(plan.cleared.begin() + plan.first_cleared[place],
@@ -714,6 +718,13 @@ ANCF_INLINE void Assembly::residual(VectorX& out) const {
         if (const int equation = numbering_.equation(k); equation >= 0)
             out[equation] = internal_[k] + constraint_[k] - external_[k];
     std::copy_n(violation_.data(), violation_.size(), out.data() + numbering_.free_coordinates());
+}
+
+ANCF_INLINE void Assembly::predicted_residual(VectorX& out) const {
+    residual(out);
+    for (int k = 0; k < static_cast<int>(predicted_.size()); ++k)
+        if (const int equation = numbering_.equation(k); equation >= 0)
+            out[equation] += predicted_[k] - internal_[k];
 }
 
 namespace detail {

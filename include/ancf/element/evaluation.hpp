@@ -20,6 +20,12 @@ struct Evaluation {
     Matrix<Scalar, Dofs> tangent;  ///< K = dQ/de, symmetric
 };
 
+/// The same with the tangent of mixed integration points.
+template <class Scalar, int Dofs>
+struct MixedEvaluation : Evaluation<Scalar, Dofs> {
+    Vector<Scalar, Dofs> predicted;  ///< B^T sigma of the stresses that the tangent has
+};
+
 /// Force and moment about the centre line that the part at larger x exerts on the part at smaller
 /// x.
 ///

@@ -54,6 +54,13 @@ struct TellsSoftened<Element, std::void_t<decltype(std::declval<const Element&>(
                                   std::declval<const typename Element::Coordinates&>()))>>
     : std::true_type {};
 
+/// Whether an evaluation has the force of the stresses in its tangent.
+template <class Result, class = void>
+struct PredictsForce : std::false_type {};
+template <class Result>
+struct PredictsForce<Result, std::void_t<decltype(std::declval<Result>().predicted)>>
+    : std::true_type {};
+
 /// Whether an element has the tangent of mixed integration points.
 template <class Element, class = void>
 struct EvaluatesMixed : std::false_type {};
@@ -266,11 +273,24 @@ double GroupOf<Element>::add_element(int index, const GroupTarget& target) const
         for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += force[i];
         return 0.0;
     }
-    auto result = [&] {
+    const auto predict = [&](const Coordinates& force) {
+        for (int i = 0; target.predicted_force != nullptr && i < Element::dofs; ++i)
+            target.predicted_force[coordinate[i]] += force[i];
+    };
+    auto result = [&]() -> Evaluation<double, Element::dofs> {
         if constexpr (detail::EvaluatesMixed<Element>::value)
-            if (target.before != nullptr)
-                return element.evaluate(e, gathered(target.before), gathered(target.change));
-        return element.evaluate(e);
+            if (target.before != nullptr) {
+                const auto mixed =
+                    element.evaluate(e, gathered(target.before), gathered(target.change));
+                if constexpr (detail::PredictsForce<decltype(mixed)>::value)
+                    predict(mixed.predicted);
+                else
+                    predict(mixed.force);
+                return mixed;
+            }
+        auto plain = element.evaluate(e);
+        predict(plain.force);
+        return plain;
     }();
     if (target.increment != nullptr) {
         const Coordinates change = gathered(target.increment);

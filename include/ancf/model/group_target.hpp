@@ -50,6 +50,7 @@ struct GroupTarget {
     const double* change;       ///< the last correction, or null
     bool tangent;               ///< wanted beside the force
     double* internal_force;     ///< to add to
+    double* predicted_force;    ///< that of the tangent's stresses, to add to, or null
     double* values;             ///< of the tangent, to add to
     const detail::AttachedElement* attached;  ///< those of the group's elements, or null
 

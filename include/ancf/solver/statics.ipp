@@ -116,6 +116,7 @@ public:
 
 private:
     static constexpr double smallest_turn = 0.05;  // rad: a shorter part is not tried
+    static constexpr double small_turn = 0.05;     // rad: below, the linear sum is better
 
     /// Returns the load factor wanted, or an earlier one up to which driven joints turn by what a
     /// step, or the part of one that converges, may take.
@@ -235,8 +236,8 @@ private:
         const VectorX increment = difference(driven, state.q);
         const bool moved = any(!vanishes(increment));
 
-        if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
         last_.before = state.q;
+        if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
         state.q = driven;
         double correction = std::numeric_limits<double>::infinity();
         while (true) {
@@ -255,11 +256,14 @@ private:
             if (step.iterations >= most_iterations(step.newton) || hopeless(step))
                 return Status::max_iterations;
 
+            assembly_.residual(residual_);
+            if (step.newton == NewtonKind::automatic &&
+                (step.corrections.empty() || correction > small_turn))
+                add_curvature(!step.corrections.empty() || follows());
             report_.factorisation = solver_.factorize(assembly_.tangent());
             failure_ = solver_.failure();
             if (report_.factorisation.status != Status::converged)
                 return report_.factorisation.status;
-            assembly_.residual(residual_);
             solver_.solve(residual_, correction_);
             failure_ = solver_.failure();
             for (double& entry : correction_) entry = -entry;
@@ -272,6 +276,21 @@ private:
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
         }
+    }
+
+    /// Whether a step goes on from one that converged, none of late having failed: its first
+    /// tangent may have what the new load makes of chords. From elsewhere a load beyond a buckling
+    /// load would turn the first correction round.
+    [[nodiscard]] bool follows() const {
+        return report_.factor != options_.first_factor && successes_ >= none_failed;
+    }
+
+    /// Adds to the tangent what turning makes of it.
+    void add_curvature(bool chords) {
+        VectorX& residual = correction_;  // is free until the next solution
+        assembly_.predicted_residual(residual);
+        turning_.add_curvature(last_.before, residual, assembly_.tangent(),
+                               assembly_.tangent_values(), chords);
     }
 
     /// Applies the correction, shortened on request, and evaluates there.
@@ -298,10 +317,9 @@ private:
 
     /// Lets what the correction turns keep its length.
     void bend(NewtonKind newton, VectorX& q) {
-        constexpr double small = 0.05;  // rad: below, the linear sum is better
         last_.change = difference(q, last_.before);
         if (newton == NewtonKind::mixed ||
-            !(turning_.largest_angle(last_.before, last_.change) > small))
+            !(turning_.largest_angle(last_.before, last_.change) > small_turn))
             turning_.twist(last_.before, last_.change, q);
         else
             turning_.turn(
@@ -433,7 +451,7 @@ private:
     Assembly assembly_;
     ConvergenceMonitor monitor_;
     Turning turning_;
-    const detail::Exchange* exchange_;                       // of a part of a scene
+    const detail::Exchange* exchange_;               // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
     NewtonKind newton_;
     bool potential_;  // of all loads

@@ -43,6 +43,17 @@ public:
     /// chords as well as they can, in least squares.
     void turn(const VectorX& before, const VectorX& change, VectorX& q, TurnBy by = TurnBy::angle);
 
+    /// Adds what turning instead of adding makes of the tangent: residual . d2q/dx2, where q
+    /// depends on the correction x as turn() has it; docs/theory-statics.md, "The tangent of a
+    /// turn". In space alone, and without r_xx.
+    /// @param q         coordinates where the tangent was taken
+    /// @param residual  there, of the unknowns, of the stresses that the tangent has
+    /// @param pattern   of the tangent, all of it or its lower half
+    /// @param values    its values
+    /// @param chords    of positions too, not of slopes alone
+    void add_curvature(const VectorX& q, const VectorX& residual, const SparseMatrix& pattern,
+                       double* values, bool chords = true);
+
     /// Returns the largest angle by which a correction turns a slope, to first order.
     [[nodiscard]] double largest_angle(const VectorX& before, const VectorX& change) const;
 
@@ -62,6 +73,13 @@ private:
     };
 
     [[nodiscard]] Slopes slopes(int node) const;
+    [[nodiscard]] double twist(const std::array<int, 2>& chord, const VectorX& before,
+                               const VectorX& change) const;
+    void add_curvature_of_chord(const std::array<int, 2>& chord, const double* force,
+                                const VectorX& q, const SparseMatrix& pattern,
+                                double* values) const;
+    [[nodiscard]] std::vector<double> chord_forces(const VectorX& residual) const;
+    void factorize();
     void factorize(int component);
     void shift(int component, const std::vector<double>& wanted, VectorX& q);
 

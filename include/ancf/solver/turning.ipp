@@ -41,8 +41,9 @@ struct SlopeFrame {
 }
 
 /// Writes v + change with the part of the change across v as a turn.
-ANCF_INLINE void turned(const double* v, const double* change, int dimension, TurnBy by,
-                        double* out) {
+/// @param twist  angle by which v turns about itself meanwhile: both are one rotation
+ANCF_INLINE void turned(const double* v, const double* change, double twist, int dimension,
+                        TurnBy by, double* out) {
     const double length = std::sqrt(inner(v, v, dimension));
     double unit[3] = {}, across[3] = {};
     for (int k = 0; k < dimension; ++k) {
@@ -52,12 +53,19 @@ ANCF_INLINE void turned(const double* v, const double* change, int dimension, Tu
     if (length == 0.0) return;
     const double along = inner(unit, change, dimension);
     for (int k = 0; k < dimension; ++k) across[k] = change[k] - along * unit[k];
-    const double size = std::sqrt(inner(across, across, dimension));
-    if (size < 1e-12 * length) return;
-    const double angle = by == TurnBy::angle ? size / length : std::atan(size / length);
-    const double cosine = std::cos(angle), sine = std::sin(angle) / size;
+    for (double& entry : across) entry /= length;
+    const double bend = std::sqrt(inner(across, across, dimension));
+    if (bend < 1e-12) return;
+    // exp of the spin w = unit x across + twist unit, on the unit vector
+    const double size = std::hypot(bend, twist);
+    const double angle = by == TurnBy::angle ? size : std::atan(size);
+    const double first = std::sin(angle) / size, second = (1.0 - std::cos(angle)) / (size * size);
+    const double normal[3] = {unit[1] * across[2] - unit[2] * across[1],
+                              unit[2] * across[0] - unit[0] * across[2],
+                              unit[0] * across[1] - unit[1] * across[0]};
     for (int k = 0; k < dimension; ++k)
-        out[k] = (length + along) * (cosine * unit[k] + sine * across[k]);
+        out[k] = (length + along) * ((1.0 - second * bend * bend) * unit[k] + first * across[k] +
+                                     second * twist * normal[k]);
 }
 
 [[nodiscard]] ANCF_NOINLINE ANCF_INLINE SlopeFrame product(const SlopeFrame& a,
@@ -122,6 +130,24 @@ ANCF_INLINE void keep_tangent_part(const SlopeFrame& frame, SlopeFrame& skew) {
     }
 }
 
+/// Writes the spin of a node's frame G in space, the axial vector of the skew part of dG G^-1:
+/// half the sum of g_k x dG_k, g_k the columns of G^-T.
+/// @return false where the frame has no inverse
+[[nodiscard]] ANCF_INLINE bool frame_spin(const double* before, const double* change,
+                                          double* spin) {
+    SlopeFrame G{3}, inverse{3};
+    std::copy_n(before, 9, G.entry);
+    if (!invert(G, inverse)) return false;
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        spin[k] = 0.0;
+        for (int m = 0; m < 3; ++m)
+            spin[k] +=
+                0.5 * (inverse(m, i) * change[3 * m + j] - inverse(m, j) * change[3 * m + i]);
+    }
+    return true;
+}
+
 /// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
 /// @param tangent_only  W keeps the part about r_x
 /// @param by            tangent: exp takes atan of the angle of W instead of the angle
@@ -142,6 +168,51 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int dime
         for (double& entry : skew.entry) entry *= std::atan(angle) / angle;
     const SlopeFrame result = product(rotation(skew), product(rate, G));
     std::copy_n(result.entry, dimension * dimension, after);
+}
+
+/// Writes the second derivative of rho . exp(W) (I + D) G by dG, 9 x 9. With the columns g_k of
+/// G^-T and M = rho G^T, the entry of dG_ik and dG_jl is an eighth of
+///
+///     3 g_k[j] rho_l[i] + (g_k . g_l) M_ij - 3 [i = j] g_k . rho_l - g_l[i] (M^T g_k)[j],
+///
+/// plus the same with (i, k) and (j, l) exchanged.
+/// @return false where the frame has no inverse
+[[nodiscard]] ANCF_INLINE bool frame_curvature(const SlopeFrame& G, const SlopeFrame& rho,
+                                               double* curvature) {
+    SlopeFrame inverse{3}, M{3}, Mg{3}, gg{3}, gr{3};
+    if (!invert(G, inverse)) return false;
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) {
+                M(i, j) += rho(i, k) * G(j, k);
+                gg(i, j) += inverse(i, k) * inverse(j, k);
+                gr(i, j) += inverse(i, k) * rho(k, j);
+            }
+    for (int k = 0; k < 3; ++k)
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i) Mg(j, k) += M(i, j) * inverse(k, i);
+    const auto half = [&](int a, int b) {
+        const int i = a % 3, k = a / 3, j = b % 3, l = b / 3;
+        return 0.125 * (3.0 * inverse(k, j) * rho(i, l) + gg(k, l) * M(i, j) -
+                        (i == j ? 3.0 * gr(k, l) : 0.0) - inverse(l, i) * Mg(j, k));
+    };
+    for (int a = 0; a < 9; ++a)
+        for (int b = 0; b < 9; ++b) curvature[9 * a + b] = half(a, b) + half(b, a);
+    return true;
+}
+
+/// Adds a symmetric block to the values of a matrix, where its pattern has entries.
+ANCF_INLINE void add_symmetric(const double* block, const int* equations, int size,
+                               const SparseMatrix& pattern, double* values) {
+    const int* const rows = pattern.innerIndexPtr();
+    for (int j = 0; j < size; ++j) {
+        const int* const first = rows + pattern.outerIndexPtr()[equations[j]];
+        const int* const last = rows + pattern.outerIndexPtr()[equations[j] + 1];
+        for (int i = 0; i < size; ++i) {
+            const int* const at = std::lower_bound(first, last, equations[i]);
+            if (at != last && *at == equations[i]) values[at - rows] += block[size * j + i];
+        }
+    }
 }
 
 }  // namespace detail
@@ -201,6 +272,111 @@ ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& 
     return largest;
 }
 
+ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residual,
+                                        const SparseMatrix& pattern, double* values, bool chords) {
+    if (dimension_ < 3) return;
+    for (int node = 0; node < layout_.nodes(); ++node) {
+        const Slopes at = slopes(node);
+        if (!at.whole) continue;
+        detail::SlopeFrame G{3}, rho{3};
+        int equations[9];
+        double curvature[81];
+        for (int k = 0; k < 9; ++k) {
+            equations[k] = numbering_.equation(at.first + k);
+            G.entry[k] = q[at.first + k];
+            rho.entry[k] = residual[equations[k]];
+        }
+        if (detail::frame_curvature(G, rho, curvature))
+            detail::add_symmetric(curvature, equations, 9, pattern, values);
+    }
+    if (!chords) return;
+    factorize();
+    const std::vector<double> forces = chord_forces(residual);
+    for (std::size_t c = 0; c < chords_.size(); ++c)
+        add_curvature_of_chord(chords_[c], &forces[3 * c], q, pattern, values);
+}
+
+/// Adds the second derivative of force . chord by the positions and slopes of its two nodes. With
+/// the unit vector u along the chord of length L, its change a along and b across it, and the
+/// nodes' mean twist t, the chord changes by (a b - b.b u/2)/L + t u x b/2 to second order.
+ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord,
+                                                 const double* force, const VectorX& q,
+                                                 const SparseMatrix& pattern,
+                                                 double* values) const {
+    double unit[3], turn[3];
+    for (int k = 0; k < 3; ++k)
+        unit[k] = q[layout_.first(chord[1]) + k] - q[layout_.first(chord[0]) + k];
+    const double length = std::sqrt(detail::inner(unit, unit, 3));
+    if (!(length > 0.0)) return;
+    for (double& entry : unit) entry /= length;
+    for (int k = 0; k < 3; ++k) {  // force . (u x b) = turn . b
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        turn[k] = force[i] * unit[j] - force[j] * unit[i];
+    }
+    const double tension = detail::inner(force, unit, 3);
+
+    // rows of a, b and t, one entry per unknown
+    int equations[24], count = 0;
+    double along[24] = {}, across[24][3] = {}, twist[24] = {};
+    for (const int node : chord) {
+        const double sign = node == chord[0] ? -1.0 : 1.0;
+        for (int k = 0; k < 3; ++k) {
+            equations[count] = numbering_.equation(layout_.first(node) + k);
+            if (equations[count] < 0) continue;
+            along[count] = sign * unit[k];
+            for (int m = 0; m < 3; ++m) across[count][m] = -along[count] * unit[m];
+            across[count++][k] += sign;
+        }
+        const Slopes at = slopes(node);
+        detail::SlopeFrame G{3}, inverse{3};
+        if (!at.whole) continue;
+        std::copy_n(q.data() + at.first, 9, G.entry);
+        if (!detail::invert(G, inverse)) continue;
+        for (int k = 0; k < 9; ++k) {  // u . spin
+            const int i = (k + 1) % 3, j = (k + 2) % 3;
+            equations[count] = numbering_.equation(at.first + k);
+            twist[count++] = 0.25 * (unit[i] * inverse(k / 3, j) - unit[j] * inverse(k / 3, i));
+        }
+    }
+    double block[24 * 24];
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j)
+            block[i * count + j] = (along[i] * detail::inner(force, across[j], 3) +
+                                    along[j] * detail::inner(force, across[i], 3) -
+                                    tension * detail::inner(across[i], across[j], 3)) /
+                                       length +
+                                   0.5 * (twist[i] * detail::inner(turn, across[j], 3) +
+                                          twist[j] * detail::inner(turn, across[i], 3));
+    detail::add_symmetric(block, equations, count, pattern, values);
+}
+
+/// Returns the forces of the chords whose resultants at the nodes are the residual of positions, in
+/// the least squares that turn() has.
+ANCF_INLINE std::vector<double> Turning::chord_forces(const VectorX& residual) const {
+    std::vector<double> forces(3 * chords_.size());
+    for (int component = 0; component < dimension_; ++component) {
+        const Component& of = components_[static_cast<std::size_t>(component)];
+        VectorX pull = VectorX::Zero(of.count);
+        const auto at = [&](int node) {
+            const int i = of.unknown[static_cast<std::size_t>(node)];
+            return i >= 0 ? pull[i] : 0.0;
+        };
+        for (int node = 0; node < layout_.nodes(); ++node)
+            if (const int i = of.unknown[static_cast<std::size_t>(node)]; i >= 0)
+                pull[i] = residual[numbering_.equation(layout_.first(node) + component)];
+        if (of.count > 0) of.factors.solve(pull);
+        for (std::size_t c = 0; c < chords_.size(); ++c)
+            forces[3 * c + static_cast<std::size_t>(component)] =
+                at(chords_[c][1]) - at(chords_[c][0]);
+    }
+    return forces;
+}
+
+ANCF_INLINE void Turning::factorize() {
+    for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
+    factorised_ = true;
+}
+
 /// Factorises the graph of chords: sum over chords of (x_j - x_i - wanted)^2, and a little of the
 /// distance from the linear sum, for parts that nothing holds.
 ANCF_INLINE void Turning::factorize(int component) {
@@ -237,10 +413,9 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
             continue;
         }
         for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
-            detail::turned(before.data() + k, change.data() + k, dimension_, by, q.data() + k);
+            detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by, q.data() + k);
     }
-    for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
-    factorised_ = true;
+    factorize();
     // wanted: how far each chord ends from where the linear sum ends it
     std::vector<double> wanted;
     wanted.reserve(chords_.size() * static_cast<std::size_t>(dimension_));
@@ -251,11 +426,30 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
             old[k] = before[j + k] - before[i + k];
             step[k] = change[j + k] - change[i + k];
         }
-        detail::turned(old, step, dimension_, by, moved);
+        detail::turned(old, step, twist(chord, before, change), dimension_, by, moved);
         for (int k = 0; k < dimension_; ++k) wanted.push_back(moved[k] - q[j + k] + q[i + k]);
     }
     for (int k = 0; k < dimension_; ++k) shift(k, wanted, q);
     numbering_.dependence().complete(q);
+}
+
+/// Returns the mean angle by which the nodes of a chord turn about it, to first order.
+ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX& before,
+                                  const VectorX& change) const {
+    if (dimension_ < 3) return 0.0;
+    double mean[3] = {}, along[3];
+    for (const int node : chord) {
+        const Slopes at = slopes(node);
+        double spin[3];
+        if (at.count < 3 ||
+            !detail::frame_spin(before.data() + at.first, change.data() + at.first, spin))
+            continue;
+        for (int k = 0; k < 3; ++k) mean[k] += 0.5 * spin[k];
+    }
+    for (int k = 0; k < 3; ++k)
+        along[k] = before[layout_.first(chord[1]) + k] - before[layout_.first(chord[0]) + k];
+    const double length = std::sqrt(detail::inner(along, along, 3));
+    return length > 0.0 ? detail::inner(mean, along, 3) / length : 0.0;
 }
 
 /// Moves a component of the positions towards what the chords want.

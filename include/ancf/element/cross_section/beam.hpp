@@ -140,9 +140,9 @@ public:
     /// @param before  where the last tangent was taken, dofs x 1
     /// @param change  the correction that it gave, dofs x 1
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept {
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
         return kernel_.evaluate(e, before, change);
     }
 

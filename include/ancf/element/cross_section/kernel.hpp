@@ -51,9 +51,9 @@ struct CrossSectionKernel {
     /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
     /// state before.
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept {
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
         return pass<S, true>(e, &before, &change);
     }
 
@@ -120,8 +120,8 @@ private:
     static void predict(const Station& station, const Linearised<S, P>& before, P& stress) noexcept;
 
     template <class S, bool Mixed>
-    [[nodiscard]] Evaluation<S, dofs> pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
-                                           const Vector<S, dofs>* change) const noexcept;
+    [[nodiscard]] auto pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
+                            const Vector<S, dofs>* change) const noexcept;
 };
 
 template <class T, class Formulation>
@@ -242,8 +242,7 @@ void CrossSectionKernel<T, Formulation>::predict(const Station& station,
 template <class T, class Formulation>
 template <class S, bool Mixed>
 auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
-                                              const Vector<S, dofs>* change) const noexcept
-    -> Evaluation<S, dofs> {
+                                              const Vector<S, dofs>* change) const noexcept {
     using P = Lane<S>;
     Nodes<S> nodes;
     Lanes<P> lanes;
@@ -268,20 +267,28 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
         AxialState<P> at;
         sum += axial_state(station, lanes.vectors, at);
         axial_gradient(station, at, sums);
-        if constexpr (Mixed) predict(station, before, at.stress);
+        if constexpr (Mixed) {
+            predict(station, before, at.stress);
+            axial_gradient(station, at, predicted);
+        }
         axial_hessian(station, at, blocks);
     }
     typename Formulation::template Gradient<S> gradient;
     [[maybe_unused]] typename Formulation::template Gradient<S> weights;
     sum_lanes(sums, gradient);
     if constexpr (Mixed) sum_lanes(predicted, weights);
-    Evaluation<S, dofs> result;
+    std::conditional_t<Mixed, MixedEvaluation<S, dofs>, Evaluation<S, dofs>> result;
     result.energy = nodes.transverse.energy + collapsed<S>(sum);
     const HalfTangent<S, dofs> half(result.tangent);
     Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
     Formulation::finish(nodes.scalars, gradient);
     add_transverse(nodes.transverse, nodes.vectors, gradient);
-    if constexpr (Mixed) detail::predict(before.nodes.transverse, nodes.transverse);
+    if constexpr (Mixed) {
+        detail::predict(before.nodes.transverse, nodes.transverse);
+        Formulation::finish(nodes.scalars, weights);
+        add_transverse(nodes.transverse, nodes.vectors, weights);
+        expand(weights, result.predicted);
+    }
     add_transverse(transverse, transverse_measure, nodes.transverse, nodes.vectors, half);
     half.finish(blocks);
     expand(gradient, result.force);
