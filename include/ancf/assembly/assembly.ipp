@@ -321,7 +321,8 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
         }
         std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
-    predicted_.setZero(last != nullptr || increment != nullptr ? numbering_.coordinates() : 0);
+    const bool predicts = last != nullptr || increment != nullptr;
+    detail::set_zero(predicted_, predicts ? numbering_.coordinates() : 0);
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
     if (predicted_.size() > 0) numbering_.dependence().carry(predicted_);
