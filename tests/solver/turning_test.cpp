@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What turning makes of the tangent, against differences of turned coordinates.
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/turning.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace turning_test {
+
+using namespace ancf;
+
+/// A clamped beam of three elements, bent, twisted and strained at random.
+struct Bent {
+    Model model;
+    VectorX q;
+
+    explicit Bent(test::Random& random) {
+        const auto beam =
+            straight_beam<CrossSectionBeam<3>>(model, Material::isotropic(2e7, 0.3, 1000.0),
+                                               rectangle(0.2, 0.1), {0, 0, 0}, {1.5, 0.6, -0.3}, 3);
+        model.clamp(beam.first());
+        q = model.state().q + 0.1 * random.vector(static_cast<int>(model.state().q.size()));
+    }
+};
+
+TEST_CASE("Turning: its curvature is the second derivative of the turned coordinates",
+          "[solver][turning]") {
+    const bool chords = GENERATE(true, false);
+    const Storage storage = GENERATE(Storage::full, Storage::lower);
+    double worst = 0.0, largest = 0.0;
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        test::Random random(seed);
+        const Bent scene(random);
+        const Assembly assembly(scene.model, storage);
+        const Numbering& numbering = assembly.numbering();
+        Turning turning(scene.model, numbering);
+        const int size = numbering.free_coordinates();
+        VectorX residual = random.vector(size), x = random.vector(size);
+        if (!chords)  // positions follow chords: without these slopes alone are curved
+            for (int node = 0; node < scene.model.nodes(); ++node)
+                for (int k = 0; k < 3; ++k)
+                    if (const int equation =
+                            numbering.equation(scene.model.coordinate({node}, Field::r) + k);
+                        equation >= 0)
+                        residual[equation] = 0.0;
+        SparseMatrix curvature = assembly.tangent();
+        std::fill_n(curvature.valuePtr(), curvature.nonZeros(), 0.0);
+        turning.add_curvature(scene.q, residual, curvature, curvature.valuePtr(), chords);
+        const MatrixX dense = curvature;
+        const MatrixX lower = dense.triangularView<Eigen::StrictlyLower>();
+        const MatrixX whole = storage == Storage::full ? dense : MatrixX(dense + lower.transpose());
+
+        VectorX change = VectorX::Zero(scene.q.size());
+        numbering.add_free(x, 1.0, change);
+        const auto work = [&](double h) {  // residual . q(h x)
+            const VectorX step = h * change;
+            VectorX turned = scene.q + step, free;
+            turning.turn(scene.q, step, turned);
+            numbering.gather_free(turned, free);
+            return residual.dot(free);
+        };
+        constexpr double h = 1e-3;
+        const double found = x.dot(whole * x);
+        const double expected = (work(h) - 2.0 * work(0.0) + work(-h)) / (h * h);
+        worst = std::max(worst, std::abs(found - expected));
+        largest = std::max(largest, std::abs(expected));
+    }
+    CAPTURE(chords, worst, largest);
+    CHECK(largest > 0.5);
+    CHECK(worst <= 1e-4 * largest);  // 1.4e-6: differences err by second order in h
+}
+
+}  // namespace turning_test
