@@ -21,7 +21,7 @@ namespace ancf::detail {
 /// Returns zeros.
 [[nodiscard]] VectorX zeros(Eigen::Index size);
 
-/// Makes zeros of another size.
+/// Gives it a size and sets all of its entries to zero.
 void set_zero(VectorX& x, Eigen::Index size);
 void set_zero(MatrixX& A, Eigen::Index rows, Eigen::Index columns);
 
@@ -130,7 +130,7 @@ void symmetrise(SparseMatrix& A);
 /// column count as large.
 [[nodiscard]] VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns);
 
-/// Returns a compressed matrix again.
+/// Returns a copy of a compressed matrix.
 [[nodiscard]] SparseMatrix copied(const SparseMatrix& A);
 
 /// Returns the lower half of a compressed matrix, with its zeros.

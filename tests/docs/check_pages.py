@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks the pages: every block of C++ or CMake is a piece of a program or project that the tests build and run, no link
-leads nowhere, and no code in backticks ends at an apostrophe, where Doxygen takes `it' for a quotation.
+leads nowhere, no code in backticks ends at an apostrophe, where Doxygen takes `it' for a quotation, and below the head
+of every table stands a row of dashes, without which it is no table.
 
     check_pages.py ROOT         exits 1 with one line per finding
     check_pages.py --self-test  exits 1 unless every rule refuses a page that breaks it
@@ -17,6 +18,7 @@ PROGRAMS = ["examples/tutorial/*.cpp", "examples/downstream/*.cpp",
 BLOCK = re.compile(r"^```(?:cpp|cmake)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"(?<!`)(`+)(?!`)((?:(?!\n\n).)+?)(?<!`)\1(?!`)", re.DOTALL)
+TABLE = re.compile(r"^\|.*\n(?:\|.*\n?)+", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)#\s]+)[^)]*\)")
 
 
@@ -58,20 +60,29 @@ def link_findings(text, exists):
             yield text[:match.start()].count("\n") + 1, f"the link leads nowhere: {target}"
 
 
+def table_findings(text):
+    text = without_blocks(text)
+    for match in TABLE.finditer(text):
+        head, rule = match.group().splitlines()[:2]
+        if not re.fullmatch(r"\|(?: *:?-{3,}:? *\|)+", rule) or rule.count("|") != len(re.findall(r"(?<!\\)\|", head)):
+            yield text[:match.start()].count("\n") + 2, f"the row below the head is not one dash row of its columns: {rule}"
+
+
 def findings(root):
     programs = [lines(path.read_text(encoding="utf-8")) for glob in PROGRAMS for path in sorted(root.glob(glob))]
-    blocks = links = spans = 0
+    blocks = links = spans = tables = 0
     for page in (page for glob in PAGES for page in sorted(root.glob(glob))):
         text = page.read_text(encoding="utf-8")
         blocks += len(BLOCK.findall(text))
         links += len(LINK.findall(text))
         spans += len(SPAN.findall(without_blocks(text)))
-        found = [*block_findings(text, programs), *span_findings(text),
+        tables += len(TABLE.findall(without_blocks(text)))
+        found = [*block_findings(text, programs), *span_findings(text), *table_findings(text),
                  *link_findings(text, lambda name: (page.parent / name).exists())]
         for number, finding in found:
             yield f"{page.relative_to(root)}:{number}: {finding}"
-    if blocks < 8 or links < 30 or spans < 500:
-        yield f"only {blocks} blocks, {links} links and {spans} pieces of code were looked at"
+    if blocks < 8 or links < 30 or spans < 500 or tables < 80:
+        yield f"only {blocks} blocks, {links} links, {spans} pieces of code and {tables} tables were looked at"
 
 
 def self_test():
@@ -92,6 +103,11 @@ def self_test():
         failures.append("refused: a good link")
     if list(link_findings("```cpp\n[a](b);\n```\n", lambda name: False)):
         failures.append("refused: code that looks like a link")
+    if list(table_findings("| a | b |\n|---|:---:|\n| 1 | |\n\n```\n| no |\n| table |\n```\n")):
+        failures.append("refused: a good table")
+    for wrong in ("| a | b |\n| --- | fails |\n", "| a | b |\n|---|\n", "| a |\n| 1 |\n"):
+        if not list(table_findings(wrong)):
+            failures.append(f"accepted: {wrong}")
     if not list(link_findings("[a](b.md)", lambda name: False)):
         failures.append("accepted: a link to nowhere")
     return failures

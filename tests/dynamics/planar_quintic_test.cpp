@@ -69,13 +69,14 @@ TEST_CASE("planar quintic: a swinging pendulum keeps its energy, and few element
     CHECK(two <= 0.6 * cubic);
 }
 
-TEST_CASE("planar quintic: internal damping takes energy and leaves rigid motions alone",
+TEST_CASE("planar quintic: internal damping takes energy, and a short swing changes little",
           "[dynamics][quintic][damping]") {
     Pendulum<Quintic> pendulum(2);
     add_kelvin_voigt(pendulum.scene, pendulum.beam, 1e-2);
     DynamicsReport report;
     Pendulum<Quintic> free(2);
     const Point damped = pendulum.swing(&report), undamped = free.swing();
+    CHECK(report.energy_drift > 5e-3 * report.kinetic_largest);  // 1.1e-2; the free one: 1e-11
     CHECK((damped - undamped).norm() > 1e-4);
     CHECK((damped - undamped).norm() < 0.2);
 }

@@ -325,6 +325,9 @@ TEST_CASE("write_vtk: files that cannot be written are refused by name", "[outpu
     CHECK_THROWS_WITH(ancf::write_vtk("beam", surface), ContainsSubstring(".vtp, .vtu or .vtk"));
     CHECK_THROWS_WITH(ancf::write_vtk("/no/such/folder/beam.vtp", surface),
                       ContainsSubstring("/no/such/folder/beam.vtp"));
+    CHECK_THROWS_WITH(ancf::write_vtk_pieces("beam.vtu", surface, {}), ContainsSubstring(".pvtu"));
+    CHECK_THROWS_WITH(ancf::write_vtk_pieces("beam.pvtu", surface, {"a&b_0.vtu"}),
+                      ContainsSubstring("a&b_0.vtu"));
 }
 
 TEST_CASE("VtkSeries: the index lists every frame with its time and is complete at once",

@@ -46,8 +46,8 @@ struct ProblemOptions {
                                 ///< scene's size and to its largest rate
     double redundancy_tolerance = 1e-10;  ///< a row of G whose part independent of the rows before
                                           ///< it is shorter than this, relative, is redundant
-    /// Of a part of a scene (Scene::part), which needs one, and no other scene: solves with M by
-    /// all parts together, in full storage. It outlives the problem.
+    /// Solves with M, by all parts of a scene together, in full storage. A part (Scene::part) needs
+    /// one, a whole scene takes none. It outlives the problem.
     LinearSolver* mass_solver = nullptr;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace ancf {
 
@@ -25,7 +24,7 @@ struct ElementRun {
 struct ElementSlots {
     std::array<int, 2> node;                 ///< its nodes
     std::array<std::array<int, 2>, 2> base;  ///< [row node][column node], -1 if not stored
-    bool plain;  ///< both nodes carry just the element's vectors and all of them are free
+    bool plain;    ///< both nodes carry just the element's vectors and all of them are free
     int attached;  ///< place in GroupTarget::attached of one with attached vectors, else -1
 };
 

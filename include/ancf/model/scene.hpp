@@ -22,6 +22,7 @@
 #include <ancf/model/node.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/model/support.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>

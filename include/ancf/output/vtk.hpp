@@ -40,7 +40,8 @@ void write_vtk(const std::filesystem::path& file, const Surface& surface, double
 /// @param file    ends in .pvtu
 /// @param like    any of the pieces: all have its arrays.
 /// @param pieces  names of files in the same folder.
-/// @throws InvalidArgument for a file that cannot be written.
+/// @throws InvalidArgument for another extension, a name that XML cannot hold as it is, or a file
+///         that cannot be written.
 void write_vtk_pieces(const std::filesystem::path& file, const Surface& like,
                       const std::vector<std::string>& pieces);
 

@@ -169,6 +169,13 @@ ANCF_INLINE void write_vtk(const std::filesystem::path& file, const Surface& sur
 
 ANCF_INLINE void write_vtk_pieces(const std::filesystem::path& file, const Surface& like,
                                   const std::vector<std::string>& pieces) {
+    detail::require(file.extension() == ".pvtu",
+                    "the file that lists the pieces of a surface ends in .pvtu, got ",
+                    file.string());
+    for (const std::string& piece : pieces)
+        detail::require(piece.find_first_of("\"<>&") == std::string::npos,
+                        "write_vtk_pieces: the name of a piece must have none of \"<>&, got ",
+                        piece);
     std::ofstream out = detail::opened(file);
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" "
         << "byte_order=\"LittleEndian\">\n<PUnstructuredGrid GhostLevel=\"0\">\n<PPointData>\n";

@@ -12,9 +12,8 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
-
-#include <vector>
 
 namespace ancf {
 

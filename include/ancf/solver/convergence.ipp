@@ -49,8 +49,7 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
     for (int node = 0; node < layout.nodes(); ++node)
         for (const Field field : {Field::r, Field::r_xy, Field::r_xx})
             if (const int first = layout.index({{node}, field}); first >= 0)
-                std::fill_n(power_.begin() + first, model.dimension(),
-                            static_cast<signed char>(length_power(field)));
+                std::fill_n(power_.begin() + first, model.dimension(), length_power(field));
     double length = 0.0, count = 0.0;
     for (const auto& group : model.groups()) {
         if (group->one_node()) continue;

@@ -21,7 +21,6 @@
 #include <ancf/types.hpp>
 
 #include <type_traits>
-#include <vector>
 
 namespace ancf::detail {
 

@@ -17,6 +17,7 @@
 #include <ancf/element/planar/station.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
+#include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
@@ -42,7 +43,7 @@ struct PlanarKernel {
     using Nodes = PlanarNodes<S, Layout>;
 
     std::vector<PlanarStation<T, Layout>> stations;
-    detail::Records<AxialStationData<T, Layout::line>> axial;
+    Records<AxialStationData<T, Layout::line>> axial;
     T transverse_stiffness;        ///< of e_yy times the length, N m
     T transverse_length = T(0.0);  ///< l, m, that the parameter of nodal rates runs through
     T transverse_reference[Layout::shears];  ///< nodal e_yy, and rates, of the stress-free state
