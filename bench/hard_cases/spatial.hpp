@@ -197,10 +197,7 @@ private:
     static void solve(Scene& scene, Row& row, ancf::NewtonKind newton, int steps = 1,
                       bool symmetric = true) {
         ancf::StaticsOptions how;
-        // mixed iterations by themselves where off the axes nothing else hinders them
-        how.newton = keeps_order<Element> && newton == ancf::NewtonKind::mixed
-                         ? ancf::NewtonKind::automatic
-                         : newton;
+        how.newton = newton;
         how.steps = steps;
         how.adaptive = true;
         ancf::EigenLdlt lower;
@@ -268,7 +265,7 @@ private:
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const Point across(0.0, std::cos(angle), std::sin(angle));
             scene.add(ancf::Force<3>(beam.last(), force * across));
-            solve(scene, row, ancf::NewtonKind::mixed);
+            solve(scene, row, ancf::NewtonKind::automatic);
             const Point tip = scene.position(beam.last());
             row.error = std::hypot(tip[0] - tip_[0], tip.dot(across) - tip_[1]) / length;
             finish(rows, row, start);
@@ -283,7 +280,7 @@ private:
                                                        {length, 0, 0}, row.elements, options());
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
         scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
-        solve(scene, row, ancf::NewtonKind::mixed);
+        solve(scene, row, ancf::NewtonKind::automatic);
         return scene.position(beam.last());
     }
 
@@ -354,7 +351,7 @@ private:
                                              {0, 0, 0}, {1, 0, 0}, row.elements, options());
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             scene.add(ancf::Force<3>(beam.last(), {0, 10.0 * bending(material, height), 0}));
-            solve(scene, row, ancf::NewtonKind::mixed);
+            solve(scene, row, ancf::NewtonKind::automatic);
             row.error =
                 (scene.position(beam.last()) - Point(0.445004402246, 0.810609024880, 0)).norm();
             finish(rows, row, start);
@@ -376,7 +373,7 @@ private:
             scene.clamp(beam.first(), ancf::Clamp::free_slope);
             const double force = 1.5 * bending(material, height) / (length * length);
             scene.add(ancf::Force<3>(beam.last(), {0, force, 0}));
-            solve(scene, row, ancf::NewtonKind::mixed);
+            solve(scene, row, ancf::NewtonKind::automatic);
             // its softer shear moves the tip by 1e-5 of the length
             row.error = (scene.position(beam.last()) - Point(tip_[0], tip_[1], 0)).norm() / length;
             finish(rows, row, start);
@@ -419,7 +416,7 @@ private:
             scene.clamp(root, ancf::Clamp::free_slope);
             const double force = 1.5 * bending(material, height) / (length * length);
             scene.add(ancf::Force<3>(last, {0, force, 0}));
-            solve(scene, row, ancf::NewtonKind::mixed);
+            solve(scene, row, ancf::NewtonKind::automatic);
             row.error = (scene.position(last) - Point(tip_[0], tip_[1], 0)).norm() / length;
             finish(rows, row, start);
         }
@@ -471,7 +468,7 @@ private:
         const double polar = width * height * (width * width + height * height) / 12.0;
         const double torque = 5.0 / 6.0 * shear * polar * 2.0 * pi * revolutions / length;
         scene.add(ancf::Moment(beam.last(), {torque, 0, 0}));
-        solve(scene, row, ancf::NewtonKind::mixed, revolutions < 1.0 ? 1 : 8, false);
+        solve(scene, row, ancf::NewtonKind::automatic, revolutions < 1.0 ? 1 : 8, false);
         row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / revolutions - 1.0);
         finish(rows, row, start);
     }
@@ -509,7 +506,7 @@ private:
             if (torque.held) scene.fix(beam.last(), ancf::Field::r, 0);
             scene.add(ancf::RigidSection(beam.last()));
             scene.add(ancf::Moment(beam.last(), {torque.value, 0, 0}));
-            solve(scene, row, ancf::NewtonKind::mixed, 1, false);
+            solve(scene, row, ancf::NewtonKind::automatic, 1, false);
             row.error = std::abs(turns(scene, beam, ancf::Field::r_y) / 0.5 - 1.0);
             finish(rows, row, start);
         }
@@ -552,7 +549,7 @@ private:
                     {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options(torsion.model));
                 scene.clamp(beam.first(), ancf::Clamp::free_slope);
                 scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
-                solve(scene, row, ancf::NewtonKind::mixed);
+                solve(scene, row, ancf::NewtonKind::automatic);
                 row.error = (scene.position(beam.last()) - torsion.tip).norm() / 100.0;
                 finish(rows, row, start);
             }
@@ -584,7 +581,7 @@ private:
             const double angle = load.degrees * pi / 180.0;
             scene.add(ancf::Force<3>(beam.last(),
                                      load.force * Point(0.0, std::cos(angle), std::sin(angle))));
-            solve(scene, row, ancf::NewtonKind::mixed);
+            solve(scene, row, ancf::NewtonKind::automatic);
             const Point tip = scene.position(beam.last());
             row.error = std::hypot(tip[1] - load.chordwise, tip[2] - load.flapwise) /
                         std::hypot(load.chordwise, load.flapwise);

@@ -64,4 +64,50 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of line
     }
 }
 
+TEMPLATE_TEST_CASE("CrossSectionBeam: the predicted force has the stresses of linearised strains",
+                   "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
+    using Complex = std::complex<double>;
+    using ComplexVector = Vector<Complex, 24>;
+    const Complex i_step(0.0, test::complex_step);
+    const auto variant = test::any_variant<TestType>();
+    INFO(variant.name);
+    const auto element = test::element_of<TestType>(variant);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        test::Random random(seed);
+        const auto e = test::random_state(element, random);
+        const auto before = test::random_state(element, random);
+        const Vector<double, 24> change = 0.1 * (test::random_state(element, random) - before);
+        const Vector<double, 24> none = Vector<double, 24>::Zero();
+        // no step: the stresses are those of e
+        const auto still = element.evaluate(e, e, none);
+        CHECK(test::relative_error(still.predicted, still.force) <= 1e-13);
+
+        // a step's stresses are those before it, and their derivative along it
+        const auto step = element.evaluate(e, before, change);
+        const auto start = element.evaluate(e, before, none);
+        const ComplexVector probe = before.template cast<Complex>() + i_step * change;
+        const ComplexVector zero = none.template cast<Complex>();
+        const ComplexVector moved =
+            element.evaluate(ComplexVector(e.template cast<Complex>()), probe, zero).predicted;
+        const Vector<double, 24> expected = start.predicted + moved.imag() / test::complex_step;
+        CHECK((expected - start.predicted).norm() >= 1e-4 * start.predicted.norm());
+        CHECK(test::relative_error(step.predicted, expected) <= 1e-13);
+
+        // at fixed stresses its derivative by e is what the stresses add to the tangent
+        Matrix<double, 24> difference;
+        for (int k = 0; k < 24; ++k) {
+            ComplexVector along = e.template cast<Complex>();
+            along[k] += i_step;
+            const auto predicted = [&](const Vector<double, 24>& by) {
+                return element
+                    .evaluate(along, ComplexVector(before.template cast<Complex>()),
+                              ComplexVector(by.template cast<Complex>()))
+                    .predicted;
+            };
+            difference.col(k) = (predicted(change) - predicted(none)).imag() / test::complex_step;
+        }
+        CHECK((step.tangent - start.tangent - difference).norm() <= 1e-13 * start.tangent.norm());
+    }
+}
+
 }  // namespace cross_section_tangent_test

@@ -354,6 +354,46 @@ TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][new
     }
 }
 
+TEST_CASE("statics: Green's measure bears no bending moment above (2/3) E I/sqrt(6 I/A)",
+          "[statics][newton]") {
+    // bending by k a unit length compresses the axis by k^2 I/A, so that M = E I k (1 - 2 k^2 I/A)
+    using Quintic = ancf::QuinticBeam<>;
+    const double inertia = 0.01;  // A = 1, E = 1e4
+    const double largest = 2.0 / 3.0 * 1e4 * inertia / std::sqrt(6.0 * inertia);
+    const auto solve = [&](double part) {
+        ancf::Moments moments;
+        moments.area = 1.0;
+        moments.yy = moments.zz = inertia;
+        const auto section = ancf::Section::from_moments(moments)
+                                 .with_shear_correction(1.0, 1.0)
+                                 .with_torsion_constant(inertia);
+        ancf::Model scene;
+        const auto beam =
+            ancf::straight_beam<Quintic>(scene, ancf::Material::from_moduli(1e4, 1e4, 1.0), section,
+                                         {0, 0, 0}, {10, 0, 0}, 50, Quintic::Options::best());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::Moment(beam.last(), {0, 0, part * largest}));
+        ancf::StaticsOptions options;
+        options.steps = 20;
+        options.adaptive = true;
+        ancf::EigenLu solver;
+        auto report = ancf::solve_statics(scene, solver, options);
+        const auto e = scene.element_coordinates<Quintic>(25);
+        const double axial = scene.group<Quintic>().element(25).strains(e, 0.5)[0];
+        return std::make_pair(report, axial);
+    };
+    const auto [below, strain] = solve(0.99);
+    REQUIRE(below.status == Status::converged);
+    // k^2 I/A of the smaller root; 1/6 at the largest moment
+    double bent = 0.0;
+    for (int k = 0; k < 200; ++k)
+        bent = std::sqrt(inertia) * 0.99 * largest / (1e4 * inertia) / (1.0 - 2.0 * bent * bent);
+    CHECK(strain == Approx(-bent * bent).epsilon(1e-3));
+    const auto above = solve(1.01).first;
+    CHECK(above.status != Status::converged);
+    CHECK(1.01 * above.factor == Approx(1.0).margin(0.01));
+}
+
 TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
           "[statics][newton]") {
     const auto solve = [](int elements, int steps, double& tip) {

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What turning makes of the tangent, and the iterations that the default takes with it.
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/constants.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/statics.hpp>
+#include <ancf/solver/turning.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace turning_scenes_test {
+
+using namespace ancf;
+using test::Random;
+
+using Green = CrossSectionBeam<3, Geodesic>;
+using Engineering = CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
+using Point = Vector<double, 3>;
+
+/// Nodes whose frames and positions are drawn, in a chain or a loop; the first may be clamped.
+void connect(Model& scene, Random& random, int nodes, bool loop, bool clamped) {
+    const int prototype = scene.add_prototype(Green(
+        Material::isotropic(1e3, 0.3, 1.0), rectangle(0.1, 0.2), 1.0, Green::Options::best()));
+    std::vector<NodeId> all;
+    for (int k = 0; k < nodes; ++k) {
+        const double angle = 2.0 * pi * k / nodes;
+        const Point at = Point(std::cos(angle), std::sin(angle), 0.0) + 0.3 * random.vector<3>();
+        Matrix<double, 3> slopes = test::rotation(Point(2.0 * random.vector<3>()));
+        for (int j = 0; j < 3; ++j) slopes.col(j) += 0.2 * random.vector<3>();
+        all.push_back(scene.add_node(at, slopes));
+    }
+    for (int k = 0; k + 1 < nodes; ++k) scene.connect<Green>(prototype, all[k], all[k + 1]);
+    if (loop) scene.connect<Green>(prototype, all.back(), all.front());
+    if (clamped) scene.clamp(all.front());
+}
+
+/// Second differences of residual . q(x), where q(x) is a correction that turns.
+class Work {
+public:
+    Work(const Model& scene, const Numbering& numbering, const VectorX& residual, TurnBy by)
+        : before_(scene.state().q),
+          numbering_(numbering),
+          residual_(residual),
+          turning_(scene, numbering),
+          by_(by) {}
+
+    /// Returns x . d2/dx2 . y by central differences of fourth order.
+    double second(const VectorX& x, const VectorX& y, double h) {
+        return (4.0 * coarse(x, y, h) - coarse(x, y, 2.0 * h)) / 3.0;
+    }
+
+private:
+    double coarse(const VectorX& x, const VectorX& y, double h) {
+        const VectorX p = h * (x + y), m = h * (x - y);
+        return (along(p) - along(m) - along(-m) + along(-p)) / (4.0 * h * h);
+    }
+
+    double along(const VectorX& x) {
+        VectorX q = before_;
+        numbering_.add_free(x, 1.0, q);
+        const VectorX change = q - before_;
+        turning_.turn(before_, change, q, by_);
+        double sum = 0.0;
+        for (int k = 0; k < q.size(); ++k)
+            if (const int equation = numbering_.equation(k); equation >= 0)
+                sum += residual_[equation] * (q[k] - before_[k]);
+        return sum;
+    }
+
+    VectorX before_;
+    const Numbering& numbering_;
+    VectorX residual_;
+    Turning turning_;
+    TurnBy by_;
+};
+
+TEST_CASE("Turning: the curvature of chains and loops equals differences", "[statics][turning]") {
+    int compared = 0;
+    for (const bool loop : {false, true})
+        for (const bool clamped : {false, true})
+            for (std::uint64_t seed = 0; seed < 4; ++seed) {
+                INFO("loop " << loop << ", clamped " << clamped << ", seed " << seed);
+                Random random(seed);
+                Model scene;
+                connect(scene, random, 5, loop, clamped);
+                Assembly assembly(scene, Storage::full);
+                const Numbering& numbering = assembly.numbering();
+                const int size = numbering.unknowns();
+                const VectorX residual = random.vector(size), x = random.vector(size),
+                              y = random.vector(size);
+                SparseMatrix curvature = assembly.tangent();
+                std::fill_n(curvature.valuePtr(), curvature.nonZeros(), 0.0);
+                Turning turning(scene, numbering);
+                turning.add_curvature(scene.state().q, residual, assembly.tangent(),
+                                      curvature.valuePtr());
+                const double scale = curvature.norm() * x.norm() * y.norm();
+                REQUIRE(scale > 1.0);
+                CHECK((curvature * x - curvature.transpose() * x).norm() <=
+                      1e-14 * curvature.norm() * x.norm());
+                // both ways of turning agree to second order
+                for (const TurnBy by : {TurnBy::angle, TurnBy::tangent}) {
+                    Work work(scene, numbering, residual, by);
+                    CHECK(x.dot(curvature * y) ==
+                          Approx(work.second(x, y, 2e-3)).margin(1e-7 * scale));
+                    CHECK(x.dot(curvature * x) ==
+                          Approx(work.second(x, x, 2e-3)).margin(1e-7 * scale));
+                    ++compared;
+                }
+            }
+    CHECK(compared == 32);
+}
+
+TEST_CASE("Turning: half a pattern gets the lower half; without chords, slopes alone",
+          "[statics][turning]") {
+    Random random(7);
+    Model scene;
+    connect(scene, random, 5, true, true);
+    Assembly whole(scene, Storage::full), half(scene, Storage::lower);
+    const VectorX residual = random.vector(whole.numbering().unknowns());
+    const auto added = [&](const Assembly& to, bool chords) {
+        SparseMatrix sum = to.tangent();
+        std::fill_n(sum.valuePtr(), sum.nonZeros(), 0.0);
+        Turning turning(scene, to.numbering());
+        turning.add_curvature(scene.state().q, residual, to.tangent(), sum.valuePtr(), chords);
+        return MatrixX(sum);
+    };
+    const MatrixX all = added(whole, true), slopes = added(whole, false);
+    CHECK(added(half, true) == MatrixX(all.triangularView<Eigen::Lower>()));
+    CHECK((all - slopes).norm() > 1e-2 * all.norm());
+    const Numbering& numbering = whole.numbering();
+    int positions = 0;
+    for (int k = 0; k < numbering.coordinates(); ++k) {
+        const int equation = numbering.equation(k);
+        if (equation < 0 || k % 12 >= 3) continue;  // 12 coordinates a node, its position first
+        ++positions;
+        CHECK(slopes.row(equation).norm() == 0.0);
+        CHECK(all.row(equation).norm() > 0.0);
+    }
+    CHECK(positions == 12);  // of four nodes that move
+}
+
+TEST_CASE("Assembly: without a correction the predicted residual is the residual",
+          "[statics][turning]") {
+    Random random(3);
+    Model scene;
+    connect(scene, random, 4, false, true);
+    Assembly assembly(scene, Storage::full);
+    const VectorX q = scene.state().q, rest = VectorX::Zero(q.size());
+    const auto predicted = [&](const Correction& last) {
+        VectorX own, foreseen;
+        REQUIRE_FALSE(
+            assembly.evaluate({q, rest, VectorX(), {1.0, 1.0}}, Request::tangent, nullptr, &last));
+        assembly.residual(own);
+        assembly.predicted_residual(foreseen);
+        return (foreseen - own).norm() / own.norm();
+    };
+    Correction none;
+    none.before = q;
+    none.change = rest;
+    CHECK(predicted(none) <= 1e-13);
+    Correction some = none;
+    some.before = q + 0.1 * random.vector(static_cast<int>(q.size()));
+    some.change = q - some.before;
+    CHECK(predicted(some) >= 1e-4);
+}
+
+/// Returns a cantilever of 32 elements, length 1, E I = 1.
+template <class Element>
+NodeId cantilever(Model& scene, double height) {
+    const auto beam = straight_beam<Element>(
+        scene, Material::isotropic(12.0 / std::pow(height, 4), 0.3, 1.0), rectangle(height, height),
+        {0, 0, 0}, {1, 0, 0}, 32, Element::Options::best());
+    scene.clamp(beam.first(), Clamp::free_slope);
+    return beam.last();
+}
+
+TEMPLATE_TEST_CASE("statics: one default step off the axes closes a thick circle in few iterations",
+                   "[statics][turning]", Green, Engineering) {
+    Model scene;
+    const NodeId end = cantilever<TestType>(scene, 1.0 / 28.0);
+    scene.add(Moment(end, 2.0 * pi * Point(0.0, -std::sin(0.7), std::cos(0.7))));
+    EigenLu solver;
+    const auto report = solve_statics(scene, solver);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps.size() == 1);
+    CHECK(report.iterations() <= 8);  // measured 5 and 4; without the turn's tangent it is cut
+}
+
+TEST_CASE("statics: one default step bends a beam off its axes by a hundred E I/L^2",
+          "[statics][turning]") {
+    for (const double height : {1e-2, 1e-3}) {
+        INFO(height);
+        Model scene;
+        const NodeId end = cantilever<Engineering>(scene, height);
+        scene.add(Force<3>(end, 100.0 * Point(0.0, std::cos(0.6), std::sin(0.6))));
+        EigenLu solver;
+        const auto report = solve_statics(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.steps.size() == 1);
+        CHECK(report.iterations() <= 10);  // measured 6 for both
+        CHECK(report.stability == Stability::stable);
+    }
+}
+
+/// Solves a random cantilever, straight or an arc, E I = 1, and returns the report.
+template <class Element>
+StaticsReport solve_random(Random& random) {
+    Model scene;
+    const double height = std::pow(10.0, random.uniform(-3.0, -1.0)),
+                 width = height * random.uniform(1.0, 3.0);
+    const auto material = Material::isotropic(12.0 / (width * std::pow(height, 3)), 0.3, 1.0);
+    const auto section = rectangle(width, height);
+    const int elements = 8 + 4 * static_cast<int>(random.uniform(0.0, 3.0));
+    const auto best = Element::Options::best();
+    const double angle = random.uniform(0.2, 1.5);
+    const auto beam = random.uniform(0.0, 1.0) < 0.4
+                          ? arc<Element>(scene, material, section, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                         1.0 / angle, angle, elements, best)
+                          : straight_beam<Element>(scene, material, section, {0, 0, 0}, {1, 0, 0},
+                                                   elements, best);
+    scene.clamp(beam.first(), Clamp::free_slope);
+    const double force = std::pow(10.0, random.uniform(-0.3, 1.5)),
+                 moment = random.uniform(0.3, 4.0), loads = random.uniform(0.0, 4.0);
+    if (loads < 3.0) scene.add(Force<3>(beam.last(), force * Point(random.direction<3>())));
+    if (loads >= 2.0) scene.add(Moment(beam.last(), moment * Point(random.direction<3>())));
+    EigenLu solver;
+    return solve_statics(scene, solver);
+}
+
+TEST_CASE("statics: one call solves forty random cantilevers, most of them in few iterations",
+          "[statics][turning]") {
+    std::vector<int> iterations;
+    int one_step = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        INFO("seed " << seed);
+        Random random(seed);
+        const auto report =
+            seed % 2 == 0 ? solve_random<Green>(random) : solve_random<Engineering>(random);
+        CHECK(report.status == Status::converged);
+        iterations.push_back(report.iterations());
+        if (report.steps.size() == 1) ++one_step;
+    }
+    std::sort(iterations.begin(), iterations.end());
+    CAPTURE(iterations);
+    CHECK(iterations[20] <= 8);      // measured 6
+    CHECK(iterations[36] <= 30);     // measured 18
+    CHECK(iterations.back() <= 60);  // measured 23
+    CHECK(one_step >= 24);           // measured 32
+}
+
+}  // namespace turning_scenes_test
