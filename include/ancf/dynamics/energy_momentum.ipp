@@ -10,6 +10,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
 #include <ancf/dynamics/recorder.hpp>
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
@@ -51,10 +52,12 @@ private:
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status evaluate(double h, bool matrix);
     void set_rates(double h);
+    [[nodiscard]] bool turns_inside_out() const;
 
     static constexpr double floor = 1e-16;         // of corrections, relative
     static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
     static constexpr double smallest_part = 1e-3;  // of a step that fails
+    static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
 
     DynamicProblem& problem_;
     LinearSolver& solver_;
@@ -175,7 +178,8 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         // corrections that no longer shrink are the round-off of the residual
         if (change <= floor || (ratio > 0.3 && change <= 1e-11)) {
             set_rates(h);
-            return Status::converged;
+            const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
+            return distrusted ? Status::diverged : Status::converged;
         }
         if (!fresh && ratio > 1.0) return Status::diverged;
         // so slow that a new matrix is cheaper
@@ -206,6 +210,25 @@ ANCF_INLINE Status EnergyMomentumRun::evaluate(double h, bool matrix) {
 }
 
 ANCF_INLINE void EnergyMomentumRun::set_rates(double h) { next_.v = 2.0 / h * increment_ - now_.v; }
+
+/// Tells whether r_x and r_y of a node in the plane change sides between now_ and next_.
+///
+/// The equations of a step so long that it crosses the energy between have a solution there, which
+/// those of shorter steps do not.
+ANCF_INLINE bool EnergyMomentumRun::turns_inside_out() const {
+    const Scene& model = problem_.model();
+    if (model.dimension() != 2) return false;
+    const VectorX end = problem_.raw_state(next_.time, next_.q, next_.v).q;
+    for (int node = 0; node < model.layout().nodes(); ++node) {
+        const Fields fields = model.layout().fields(node);
+        if (!fields.contains(Field::r_x) || !fields.contains(Field::r_y)) continue;
+        const int x = model.layout().first(node) + 2 * fields.rank(Field::r_x);
+        const int y = model.layout().first(node) + 2 * fields.rank(Field::r_y);
+        const auto side = [x, y](const VectorX& q) { return q[x] * q[y + 1] - q[x + 1] * q[y]; };
+        if (side(full_now_.q) * side(end) < 0.0) return true;
+    }
+    return false;
+}
 
 ANCF_INLINE void EnergyMomentumRun::remember() {
     Memory& memory = report_.memory;
