@@ -213,8 +213,8 @@ ANCF_INLINE void EnergyMomentumRun::set_rates(double h) { next_.v = 2.0 / h * in
 
 /// Tells whether r_x and r_y of a node in the plane change sides between now_ and next_.
 ///
-/// The equations of a step so long that it crosses the energy between have a solution there, which
-/// those of shorter steps do not.
+/// The equations of a long step may have a solution there, beyond the energy of a crushed section,
+/// that those of shorter steps from the same state were not seen to have.
 ANCF_INLINE bool EnergyMomentumRun::turns_inside_out() const {
     const Scene& model = problem_.model();
     if (model.dimension() != 2) return false;
