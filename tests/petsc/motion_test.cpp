@@ -348,15 +348,8 @@ TEST_CASE("DistributedMotion: a KSP that diverges is a status with PETSc's reaso
 }
 
 TEST_CASE("DistributedMotion: processes without elements wait and learn the result", "[petsc]") {
-    const auto short_beam = [] {
-        Model model;
-        const auto frame = ancf::frame<petsc_test::Beam>(
-            model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 1}});
-        model.clamp(frame.joints.front());
-        model.add(Force<3>(frame.joints.back(), Point(0, 0, -100)));
-        return model;
-    };
-    same_as_in_series(short_beam, petsc::SolverOptions::direct(), 1e-10, of_step(1e-3), 0.02);
+    same_as_in_series(petsc_test::short_beam, petsc::SolverOptions::direct(), 1e-10, of_step(1e-3),
+                      0.02);
 }
 
 }  // namespace motion_test

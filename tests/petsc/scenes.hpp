@@ -71,6 +71,16 @@ inline ancf::Model chain(int members = 6, int elements = 8) {
     return model;
 }
 
+/// One element between two joints: less than one for each of several processes.
+inline ancf::Model short_beam() {
+    ancf::Model model;
+    const auto frame = ancf::frame<Beam>(model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)},
+                                         {{0, 1, 0, 1}});
+    model.clamp(frame.joints.front());
+    model.add(ancf::Force<3>(frame.joints.back(), Point(0, 0, -100)));
+    return model;
+}
+
 /// An arc on a mast, joined by a joint; its end carries a load that does not move.
 inline ancf::Model curved_beam(int elements = 24) {
     ancf::Model model;

@@ -137,16 +137,8 @@ TEST_CASE("DistributedStatics: a load with an unsymmetric stiffness is refused b
 }
 
 TEST_CASE("DistributedStatics: processes without elements wait and learn the result", "[petsc]") {
-    const auto short_beam = [] {
-        Model model;
-        const auto frame = ancf::frame<petsc_test::Beam>(
-            model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 1}});
-        model.clamp(frame.joints.front());
-        model.add(Force<3>(frame.joints.back(), Point(0, 0, -100)));
-        return model;
-    };
-    same_as_in_series(short_beam, petsc::SolverOptions::direct(), 1e-10);
-    const Model model = short_beam();
+    same_as_in_series(petsc_test::short_beam, petsc::SolverOptions::direct(), 1e-10);
+    const Model model = petsc_test::short_beam();
     const petsc::detail::Partition partition(model, PETSC_COMM_WORLD);
     double counts[2] = {static_cast<double>(partition.held().elements[0].size()),
                         partition.held().elements[0].empty() ? 1.0 : 0.0};
