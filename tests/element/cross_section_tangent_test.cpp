@@ -30,6 +30,20 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: force and tangent equal the complex-step d
     test::check_derivatives(test::element_of<TestType>(variant));
 }
 
+/// A state of an element, another one before it, and a correction that leads from there.
+struct Correction {
+    template <class Element>
+    Correction(const Element& element, std::uint64_t seed) {
+        test::Random random(seed);
+        e = test::random_state(element, random);
+        before = test::random_state(element, random);
+        change = 0.1 * (test::random_state(element, random) - before);
+    }
+
+    Vector<double, 24> e, before, change;
+    Vector<double, 24> none = Vector<double, 24>::Zero();
+};
+
 TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of linearised strains",
                    "[element][cross-section][tangent]", Paper, Pointwise, Carried, Transporting) {
     using Complex = std::complex<double>;
@@ -37,11 +51,9 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: the mixed tangent has the stresses of line
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        test::Random random(seed);
-        const auto e = test::random_state(element, random);
-        const auto before = test::random_state(element, random);
-        const Vector<double, 24> change = 0.1 * (test::random_state(element, random) - before);
-        const Vector<double, 24> none = Vector<double, 24>::Zero();
+        const Correction given(element, seed);
+        const auto &e = given.e, &before = given.before, &change = given.change;
+        const auto& none = given.none;
         const auto plain = element.evaluate(e);
         // no step: the stresses are those of e; measured 1e-15
         CHECK(test::relative_error(element.evaluate(e, e, none).tangent, plain.tangent) <= 1e-13);
@@ -73,11 +85,9 @@ TEMPLATE_TEST_CASE("CrossSectionBeam: the predicted force has the stresses of li
     INFO(variant.name);
     const auto element = test::element_of<TestType>(variant);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        test::Random random(seed);
-        const auto e = test::random_state(element, random);
-        const auto before = test::random_state(element, random);
-        const Vector<double, 24> change = 0.1 * (test::random_state(element, random) - before);
-        const Vector<double, 24> none = Vector<double, 24>::Zero();
+        const Correction given(element, seed);
+        const auto &e = given.e, &before = given.before, &change = given.change;
+        const auto& none = given.none;
         // no step: the stresses are those of e
         const auto still = element.evaluate(e, e, none);
         CHECK(test::relative_error(still.predicted, still.force) <= 1e-13);
