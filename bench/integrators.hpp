@@ -51,25 +51,14 @@ inline Integrator ida(std::string name, sundials::Form form) {
 }
 
 /// An explicit method by one of its tables; for scenes without multipliers.
-inline Integrator explicit_method(std::string name, sundials::Table table) {
-    return {std::move(name), "tolerance",
-            [table](Scene& model, const Schedule& schedule, double tolerance) {
+/// @param fixed  fixed steps, which fail above the stable one
+inline Integrator explicit_method(std::string name, sundials::Table table, bool fixed = false) {
+    return {std::move(name), fixed ? "step" : "tolerance",
+            [table, fixed](Scene& model, const Schedule& schedule, double setting) {
                 DynamicProblem problem(model);
                 sundials::ExplicitOptions options;
                 options.table = table;
-                options.tolerance = tolerance;
-                options.follow_energy = false;
-                return sundials::Explicit(options).integrate(problem, schedule);
-            }};
-}
-
-/// The same with fixed steps, which fail above the stable one.
-inline Integrator fixed_explicit_method(std::string name, sundials::Table table) {
-    return {std::move(name), "step", [table](Scene& model, const Schedule& schedule, double step) {
-                DynamicProblem problem(model);
-                sundials::ExplicitOptions options;
-                options.table = table;
-                options.step = step;
+                (fixed ? options.step : options.tolerance) = setting;
                 options.follow_energy = false;
                 return sundials::Explicit(options).integrate(problem, schedule);
             }};

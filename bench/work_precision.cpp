@@ -287,7 +287,7 @@ std::vector<Series> all_series([[maybe_unused]] bool constrained, [[maybe_unused
     all.push_back({ancf::bench::ida("IDA index 3", Form::index3), tolerances(3, 10)});
     all.push_back({ancf::bench::ida("IDA GGL", Form::gear_gupta_leimkuhler), tolerances(3, 10)});
     if (constrained) return all;
-    all.push_back({ancf::bench::fixed_explicit_method("explicit fixed ARK436", Table::ark436),
+    all.push_back({ancf::bench::explicit_method("explicit fixed ARK436", Table::ark436, true),
                    steps(8e-3, 8e-6)});
     const std::pair<const char*, Table> known[] = {
         {"explicit ARK436", Table::ark436},
