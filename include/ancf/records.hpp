@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Arrays of plain records for what the library keeps to itself.
+/// Arrays of plain records, cheap to compile; a user reads them as a std::vector or copies them.
 ///
 /// A std::vector of one more type costs a unit some seventy functions; a Records of one more type a
 /// handful, as its storage is the same for all of them.
