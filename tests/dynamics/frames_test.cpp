@@ -65,8 +65,8 @@ TEST_CASE("dynamic frames: a free one keeps momenta and energy by energy-momentu
     REQUIRE(report.status == Status::converged);
     CHECK(seen >= 10);
     CHECK(first > 0.1);
-    CHECK(drift <= 1e-9 * first);
-    CHECK(slide <= 1e-9);
+    CHECK(drift <= 1e-13 * first);  // 4e-15 and 4e-16, round-off
+    CHECK(slide <= 1e-13);
 }
 
 TEST_CASE("dynamic frames: integrators agree, attached ends follow", "[dynamics]") {
