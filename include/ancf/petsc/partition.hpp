@@ -46,8 +46,6 @@ public:
     [[nodiscard]] const Scene& whole() const noexcept { return whole_; }
     /// Returns what this process holds.
     [[nodiscard]] const ScenePart& held() const noexcept { return held_; }
-    /// Returns the process of each node; -1 of one without elements.
-    [[nodiscard]] const std::vector<int>& owners() const noexcept { return owner_; }
 
     ANCF_INLINE_VIRTUAL void add(VectorX& forces) const override;
     [[nodiscard]] bool owns(int coordinate) const noexcept override {
