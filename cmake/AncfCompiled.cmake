@@ -91,6 +91,8 @@ const char header_only_and_compiled_units_do_not_mix = 0;
     add_library(${name} STATIC ${sources} ${layers} ${elements})
     target_link_libraries(${name} PUBLIC ancf::ancf)
     target_compile_definitions(${name} PUBLIC ANCF_COMPILED)
+    # Reading Eigen is most of the work of a small unit.
+    target_precompile_headers(${name} PRIVATE <Eigen/Dense> <Eigen/Sparse> <functional> <memory> <string> <vector>)
     _ancf_compiled_properties(${name})
 endfunction()
 
@@ -98,6 +100,7 @@ function(ancf_add_compiled_component library component)
     _ancf_compiled_layers(units ${component})
     add_library(${library}_${component} STATIC ${units})
     target_link_libraries(${library}_${component} PUBLIC ${library} ancf::${component})
+    target_precompile_headers(${library}_${component} REUSE_FROM ${library})
     _ancf_compiled_properties(${library}_${component})
 endfunction()
 
