@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Headers, CMake package, pkg-config file, Debian package: nothing of them depends on the architecture. With
-# ANCF_INSTALL_COMPILED the compiled library as well, with a package and a pkg-config file of its own.
+# ANCF_INSTALL_COMPILED the compiled library as well, with a CMake package, a pkg-config file and a Debian package of its own.
 
 include(CMakePackageConfigHelpers)
 
@@ -82,12 +82,19 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
     set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
     set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-    set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
     set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
     set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-    set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
-    set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libsuitesparse-dev, libsundials-dev")
-    # the headers alone: the same package for every machine
-    set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};${PROJECT_NAME};Unspecified;/")
+    # the headers: one package for every machine; CMake calls what has no component Unspecified
+    set(CPACK_DEB_COMPONENT_INSTALL ON)
+    set(CPACK_COMPONENTS_ALL Unspecified)
+    set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME libancf-dev)
+    set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_ARCHITECTURE all)
+    set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
+    set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "libsuitesparse-dev, libsundials-dev")
+    if(ANCF_INSTALL_COMPILED)
+        list(APPEND CPACK_COMPONENTS_ALL compiled)
+        set(CPACK_DEBIAN_COMPILED_PACKAGE_NAME libancf-compiled-dev)
+        set(CPACK_DEBIAN_COMPILED_PACKAGE_DEPENDS "libancf-dev (= ${PROJECT_VERSION})")
+    endif()
     include(CPack)
 endif()

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The ancf authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the Debian package and looks into it: right dependencies, headers and package files, nothing compiled.
+# Makes the Debian packages and looks into them. The headers: right dependencies, headers and package files, nothing
+# compiled. With COMPILED the other one: the libraries, for this architecture, beside these headers.
 
 file(REMOVE_RECURSE "${WORK}")
 execute_process(COMMAND ${CPACK} -G DEB --config "${BUILD}/CPackConfig.cmake" -B "${WORK}"
@@ -24,4 +25,26 @@ foreach(expected usr/include/ancf/ancf.hpp usr/share/cmake/ancf/ancfConfig.cmake
 endforeach()
 if(contents MATCHES "usr/lib|usr/bin")
     message(FATAL_ERROR "the package holds more than headers:\n${contents}")
+endif()
+
+if(NOT COMPILED)
+    return()
+endif()
+execute_process(COMMAND ${DPKG_DEB} --print-architecture OUTPUT_VARIABLE architecture
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB package "${WORK}/libancf-compiled-dev_*_${architecture}.deb")
+execute_process(COMMAND ${DPKG_DEB} --info ${package} OUTPUT_VARIABLE information
+    COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${DPKG_DEB} --contents ${package} OUTPUT_VARIABLE contents
+    COMMAND_ERROR_IS_FATAL ANY)
+if(NOT information MATCHES "Depends: libancf-dev \\(= [0-9.]+\\)")
+    message(FATAL_ERROR "the compiled package does not depend on its headers:\n${information}")
+endif()
+foreach(expected libancf_compiled.a cmake/ancf_compiled/ancf_compiledConfig.cmake pkgconfig/ancf-compiled.pc)
+    if(NOT contents MATCHES "usr/lib/.*${expected}")
+        message(FATAL_ERROR "the compiled package lacks ${expected}:\n${contents}")
+    endif()
+endforeach()
+if(contents MATCHES "usr/include|usr/share/cmake")
+    message(FATAL_ERROR "the compiled package repeats the headers' files:\n${contents}")
 endif()
