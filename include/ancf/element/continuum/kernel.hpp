@@ -149,9 +149,14 @@ template <class Scalar, int Dimension>
 [[nodiscard]] inline Matrix<Scalar, 2 * Dimension - 1> resultant_matrix(
     const Strain<Scalar, Dimension>& stress) noexcept {
     Matrix<Scalar, 2 * Dimension - 1> s;
-    for (int i = 0, p = 0; i < Dimension; ++i)
+    ANCF_UNROLL
+    for (int i = 0, p = 0; i < Dimension; ++i) {
+        ANCF_UNROLL
         for (int j = i; j < Dimension; ++j, ++p) s(i, j) = s(j, i) = stress.axial(p);
+    }
+    ANCF_UNROLL
     for (int c = 0; c < Dimension - 1; ++c) {
+        ANCF_UNROLL
         for (int i = 0; i < Dimension; ++i)
             s(i, Dimension + c) = s(Dimension + c, i) = stress.shear(i, c);
         s(Dimension + c, Dimension + c) = stress.normal(c);
@@ -166,6 +171,7 @@ template <class Scalar, int Dimension>
     const Strain<Scalar, Dimension>& stress, const Vectors<Scalar, Dimension>& v) noexcept {
     const Matrix<Scalar, 2 * Dimension - 1> s = resultant_matrix(stress);
     Vectors<Scalar, Dimension> force;
+    ANCF_UNROLL
     for (int i = 0; i < 2 * Dimension - 1; ++i)
         force.columns.col(i) = v.columns.lazyProduct(s.col(i));
     return force;
@@ -220,7 +226,9 @@ ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& stat
     const Vectors<Scalar, Dimension> force = local_force(stress, v);
     const Scalar xi(station.xi);
     sum.energy += half_product(stress, strain);
+    ANCF_UNROLL
     for (int m = 0; m < 3; ++m) sum.tangent.col(m) += Scalar(station.tangent(m)) * force.col(0);
+    ANCF_UNROLL
     for (int c = 0; c < Dimension - 1; ++c) {
         sum.slope.col(c) += force.col(Dimension + c);
         sum.difference.col(c) += xi * force.col(Dimension + c) + force.col(1 + c);

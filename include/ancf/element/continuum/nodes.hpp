@@ -77,9 +77,12 @@ template <class Scalar, int Dimension>
 /// Writes a block of a symmetric matrix at (row, column), and its transpose at (column, row).
 template <class Block, class Square>
 inline void write_twice(const Block& block, int row, int column, Square& k) noexcept {
-    for (int j = 0; j < Block::ColsAtCompileTime; ++j)
+    ANCF_UNROLL
+    for (int j = 0; j < Block::ColsAtCompileTime; ++j) {
+        ANCF_UNROLL
         for (int i = 0; i < Block::RowsAtCompileTime; ++i)
             k(row + i, column + j) = k(column + j, row + i) = block(i, j);
+    }
 }
 
 /// Writes a nodal tangent's rows and columns of r and r_x.

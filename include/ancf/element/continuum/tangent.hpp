@@ -192,22 +192,29 @@ mixed_hessian(const ContinuumLaw<Dimension>& law, const Vectors<Scalar, Dimensio
         for (int c = 0; c < slopes; ++c)
             for (int s = 0; s < Dimension; ++s)
                 repeated(Dimension * c + s, r) = v.columns(r, Dimension + c);
-    for (int i = 0; i < Dimension; ++i)
+    ANCF_UNROLL
+    for (int i = 0; i < Dimension; ++i) {
+        ANCF_UNROLL
         for (int k = 0; k < Dimension; ++k) {
             const int p =
                 i < k ? ContinuumLaw<Dimension>::pair(i, k) : ContinuumLaw<Dimension>::pair(k, i);
             coupled.col(i) += Scalar(law.coupling(p)) * v.col(k);
+            ANCF_UNROLL
             for (int c = 0; c < slopes; ++c)
                 sheared.col(i).template segment<Dimension>(Dimension * c) +=
                     Scalar(law.shear(p, c)) * v.col(k);
         }
+    }
     Matrix<Scalar, all, Dimension * Dimension> hessian;
-    for (int i = 0; i < Dimension; ++i)
+    ANCF_UNROLL
+    for (int i = 0; i < Dimension; ++i) {
+        ANCF_UNROLL
         for (int r = 0; r < Dimension; ++r) {
             auto column = hessian.col(Dimension * i + r);
             column = repeated.col(r).cwiseProduct(sheared.col(i)) + coupled(r, i) * slope;
             for (int c = 0; c < slopes; ++c) column(Dimension * c + r) += stress.shear(i, c);
         }
+    }
     return hessian;
 }
 
@@ -227,10 +234,13 @@ ANCF_NOINLINE void add_tangent(const Station<Dimension>& station,
     const Matrix<Scalar, all> across = slope_hessian(station.law, v, stress, products);
     const Matrix<Scalar, all, square> mixed = mixed_hessian(station.law, v, stress);
 
-    for (int m = 0, p = 0; m < 3; ++m)
+    ANCF_UNROLL
+    for (int m = 0, p = 0; m < 3; ++m) {
+        ANCF_UNROLL
         for (int n = m; n < 3; ++n, ++p)
             sum.tangent_tangent.col(p) +=
                 Scalar(station.tangent(m) * station.tangent(n)) * along.col(0);
+    }
 
     const Matrix<Scalar, all, Dimension> slope = mixed.template leftCols<Dimension>();
     Matrix<Scalar, all, Dimension> difference = xi * slope;
