@@ -145,7 +145,7 @@ struct CarriedFormulation {
     static void hessian(const StationData<T, Line>& data, const State<P>& at,
                         Hessian<P>& blocks) noexcept {
         P D[invariant_count][invariant_count];
-        invariant_hessian<Measure>(data, at.w, at.J, at.stress, D);
+        invariant_hessian<Measure, true>(data, at.w, at.J, at.stress, D);
         CarriedHessian<P> local;
         carried_hessian(at.frame, at.U, D, local);
         add_blocks(data.shape, local, blocks);
@@ -213,21 +213,15 @@ private:
         }
     }
 
-    /// Writes the row of derivatives by (sines, spins) from that by (spins y, angles, s, s', q,
-    /// q').
-    template <class T, class P>
-    static void nodal_row(const StationShape<T, Line>& shape, P (&row)[scalars]) noexcept {
-        P s = row[4], s1 = row[5], q = row[6], q1 = row[7];
-        shears_to_nodes(shape, s, s1, q, q1);
+    /// Writes the row of derivatives by (sines, spins) from that by (spins y, angles, sines).
+    template <class P>
+    static void nodal_row(P (&row)[scalars]) noexcept {
         for (int node = 0; node < 2; ++node) {
             const P spin = row[spin_y1 + node], angle = row[angle_1 + node];
+            row[spin_y1 + node] = row[4 + node], row[angle_1 + node] = row[6 + node];
             row[4 + node] = spin - angle;
             row[6 + node] = angle;
         }
-        row[0] = s;
-        row[1] = s1;
-        row[2] = q;
-        row[3] = q1;
     }
 
     template <class T, class P>
@@ -237,7 +231,7 @@ private:
         for (int k = 0; k < 3; ++k) {
             for (int x = 0; x < carried_count; ++x) {
                 for (int m = 0; m < scalars; ++m) row[m] = local.coupling[x][m][k];
-                nodal_row(shape, row);
+                nodal_row(row);
                 for (int m = 0; m < scalars; ++m) {
                     if (x >= v_g1) {
                         n.coupling[n_g1 + x - v_g1][m][k] += row[m];
@@ -251,11 +245,11 @@ private:
         P square[scalars][scalars];
         for (int m = 0; m < scalars; ++m) {
             for (int k = 0; k < scalars; ++k) row[k] = local.scalar[m][k];
-            nodal_row(shape, row);
+            nodal_row(row);
             for (int k = 0; k < scalars; ++k) square[k][m] = row[k];
         }
         for (int k = 0; k < scalars; ++k) {
-            nodal_row(shape, square[k]);
+            nodal_row(square[k]);
             for (int m = 0; m < scalars; ++m) n.scalar[k][m] += square[k][m];
         }
     }

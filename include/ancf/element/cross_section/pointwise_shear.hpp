@@ -159,9 +159,9 @@ struct PointwiseShear {
     }
 
     /// Carries the second derivatives by the shears likewise.
-    template <class T, class S>
-    static void hessian(const StationShape<T>&, const Station<S>& f,
-                        const S (&U)[detail::invariant_count], detail::LocalHessian<S>& h) noexcept;
+    template <class S>
+    static void hessian(const Station<S>& f, const S (&U)[detail::invariant_count],
+                        detail::LocalHessian<S>& h) noexcept;
 
 private:
     /// Returns the place of (p, p1, a, a1) of a director among the local vectors.
@@ -170,9 +170,8 @@ private:
     }
 };
 
-template <class T, class S>
-void PointwiseShear::hessian(const StationShape<T>&, const Station<S>& f,
-                             const S (&U)[detail::invariant_count],
+template <class S>
+void PointwiseShear::hessian(const Station<S>& f, const S (&U)[detail::invariant_count],
                              detail::LocalHessian<S>& h) noexcept {
     using namespace detail;
     // L: gradients of (s, s', q, q'); Z = coupling + L^T D/2, so that the sum of Z (x) L + L (x) Z

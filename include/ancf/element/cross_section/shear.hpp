@@ -169,21 +169,6 @@ struct LinearShear {
         for (int m = 0; m < detail::shear_count; ++m) g.shear[m] = U[detail::w_s + m];
         detail::shears_to_nodes(shape, g.shear[0], g.shear[1], g.shear[2], g.shear[3]);
     }
-
-    /// Carries the second derivatives by the shears likewise.
-    template <class T, class S>
-    static void hessian(const StationShape<T>& shape, const Station<S>&,
-                        const S (&)[detail::invariant_count], detail::LocalHessian<S>& h) noexcept {
-        for (auto& row : h.coupling) {
-            for (int k = 0; k < 3; ++k)
-                detail::shears_to_nodes(shape, row[0][k], row[1][k], row[2][k], row[3][k]);
-        }
-        auto& S2 = h.shear;
-        for (auto& row : S2) detail::shears_to_nodes(shape, row[0], row[1], row[2], row[3]);
-        for (int j = 0; j < detail::shear_count; ++j) {
-            detail::shears_to_nodes(shape, S2[0][j], S2[1][j], S2[2][j], S2[3][j]);
-        }
-    }
 };
 
 }  // namespace ancf

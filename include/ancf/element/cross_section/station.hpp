@@ -72,16 +72,27 @@ ANCF_NOINLINE void station_gradient(const StationData<T>& data,
     add_to_nodes(data.shape, local, nodal);
 }
 
-/// Writes the Hessian with respect to the invariants: symmetric, filled.
-template <class Measure, class Data, class S>
+/// Writes the Hessian with respect to the invariants: symmetric, filled. Nodal shears take the
+/// places of the station's.
+template <class Measure, bool NodalShear, class Data, class S>
 ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
                                      const StrainJacobian<S>& J, const S (&stresses)[strain_count],
                                      S (&D)[invariant_count][invariant_count]) noexcept {
     material_hessian<Measure>(J, data.stiffness, D);
     Measure::add_curvature(w, typename Measure::template Rates<S>(w), stresses, D);
-    for (int i = 1; i < invariant_count; ++i) {
-        for (int j = 0; j < i; ++j) D[i][j] = D[j][i];
+    const auto mirror = [&D](int first) noexcept {
+        for (int i = first + 1; i < invariant_count; ++i) {
+            for (int j = first; j < i; ++j) D[i][j] = D[j][i];
+        }
+    };
+    if constexpr (NodalShear) {
+        mirror(w_s);
+        ANCF_UNROLL
+        for (int i = w_s; i < invariant_count; ++i)
+            shears_to_nodes(data.shape, D[w_s][i], D[w_s1][i], D[w_q][i], D[w_q1][i]);
+        for (auto& row : D) shears_to_nodes(data.shape, row[w_s], row[w_s1], row[w_q], row[w_q1]);
     }
+    mirror(0);
 }
 
 /// Adds the Hessian of the energy to the nodes, after station_gradient.
@@ -90,10 +101,10 @@ void station_hessian(const StationData<T>& data,
                      const StationState<S, Directors, Shear, Measure>& at,
                      NodalHessian<S>& nodal) noexcept {
     S D[invariant_count][invariant_count];
-    invariant_hessian<Measure>(data, at.w, at.J, at.stress, D);
+    invariant_hessian<Measure, Shear::nodal>(data, at.w, at.J, at.stress, D);
     LocalHessian<S> local;
     Directors::hessian(at.frames, at.w, at.U, D, local);
-    Shear::hessian(data.shape, at.shear, at.U, local);
+    if constexpr (!Shear::nodal) Shear::hessian(at.shear, at.U, local);
     add_to_nodes<Shear::nodal>(data.shape, local, nodal);
 }
 
