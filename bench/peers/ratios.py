@@ -35,7 +35,7 @@ def cells(run):
 
 
 def ratio(peer, own):
-    return f"{peer['cpu_ms'] / own['cpu_ms']:.2g}" if peer and own else ""
+    return f"{float(format(peer['cpu_ms'] / own['cpu_ms'], '.2g')):g}" if peer and own else ""
 
 
 def below_bounds(folder):
