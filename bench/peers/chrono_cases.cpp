@@ -221,13 +221,13 @@ void statics(const std::string& scene, const Beam& beam) {
 }
 
 void motion(const std::string& scene, const Beam& beam) {
-    const Tips limit = swing(beam, chrono_3333(beam), 32, 2e-4).tips;
-    const double doubt = distance(swing(beam, chrono_3333(beam), 16, 4e-4).tips, limit);
+    const Tips limit = swing(beam, chrono_3333(beam), 64, 2e-4).tips;
+    const double doubt = distance(swing(beam, chrono_3333(beam), 32, 4e-4).tips, limit);
     std::fprintf(stderr, "%s: limit known to %.1e m\n", scene.c_str(), doubt);
     for (const Kind& kind :
          {chrono_3243(beam), chrono_3243(beam, false), chrono_3333(beam), chrono_3333(beam, false)})
         for (const double step : {1e-2, 4e-3, 2e-3, 1e-3, 5e-4})
-            for (const int count : {2, 4, 8, 16}) {
+            for (const int count : {2, 4, 8, 16, 32}) {
                 const Run run = least([&] { return swing(beam, kind, count, step); }, 60.0, 3);
                 print(scene, kind, "hht", count, step, std::max(distance(run.tips, limit), doubt),
                       run);
