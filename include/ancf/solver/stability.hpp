@@ -42,6 +42,15 @@ enum class Stability {
 ///                 where it is well conditioned; without it, one more factorisation
 [[nodiscard]] Stability stability(const Assembly& assembly, const FactorReport& counted = {});
 
+namespace detail {
+
+/// Tells whether the softest motions of D x' = -K x decay, D the diagonal of the tangent K: what
+/// pivots of the symmetric part do not say under loads without a potential.
+/// @param solver  has the tangent factorised, or one near it
+[[nodiscard]] bool softest_decay(const Assembly& assembly, const LinearSolver& solver);
+
+}  // namespace detail
+
 }  // namespace ancf
 
 #if !defined(ANCF_COMPILED)

@@ -125,6 +125,62 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     return symmetric ? Stability::unstable : Stability::unknown;
 }
 
+/// Whether all eigenvalues of a 4 x 4 matrix have positive real parts: Hurwitz's conditions on its
+/// characteristic polynomial, which is from Leverrier's recursion.
+[[nodiscard]] ANCF_INLINE bool all_to_the_right(const double (&matrix)[4][4]) {
+    double power[4][4] = {}, c[5] = {1.0};
+    for (int order = 1; order <= 4; ++order) {
+        for (int i = 0; i < 4; ++i) power[i][i] += c[order - 1];
+        double next[4][4] = {};
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                for (int k = 0; k < 4; ++k) next[i][j] -= matrix[i][k] * power[k][j];
+        for (int i = 0; i < 4; ++i) {
+            c[order] -= next[i][i] / order;
+            std::copy_n(next[i], 4, power[i]);
+        }
+    }
+    return c[1] > 0.0 && c[3] > 0.0 && c[4] > 0.0 &&
+           c[1] * c[2] * c[3] > c[3] * c[3] + c[1] * c[1] * c[4];
+}
+
+/// Inverse iteration with four vectors, and the projection of K^-1 D on what they span.
+ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& solver) {
+    constexpr int count = 4, sweeps = 6;
+    const int free = assembly.numbering().free_coordinates();
+    VectorX metric = zeros(free), load = zeros(assembly.numbering().unknowns());
+    for (int k = 0; k < free; ++k) metric[k] = std::abs(assembly.tangent().coeff(k, k));
+    const auto product = [&](const VectorX& a, const VectorX& b) {
+        double sum = 0.0;
+        for (int k = 0; k < free; ++k) sum += a[k] * metric[k] * b[k];
+        return sum;
+    };
+    VectorX x[count], y[count];
+    for (int i = 0; i < count; ++i) {
+        y[i] = zeros(free);
+        for (int k = 0; k < free; ++k)
+            y[i][k] = (probe_weight(count * k + i) - 1.0) / std::sqrt(metric[k]);
+    }
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (int i = 0; i < count; ++i) {
+            x[i].swap(y[i]);
+            for (int j = 0; j < i; ++j) {
+                const double part = product(x[j], x[i]);
+                for (int k = 0; k < free; ++k) x[i][k] -= part * x[j][k];
+            }
+            const double length = std::sqrt(product(x[i], x[i]));
+            for (int k = 0; k < free; ++k) {
+                x[i][k] /= length;
+                load[k] = metric[k] * x[i][k];
+            }
+            solver.solve(load, y[i]);
+        }
+    double projected[count][count];
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) projected[i][j] = product(x[i], y[j]);
+    return all_to_the_right(projected);
+}
+
 }  // namespace detail
 
 ANCF_INLINE Stability stability(const Assembly& assembly, const FactorReport& counted) {

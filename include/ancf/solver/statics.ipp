@@ -337,7 +337,7 @@ private:
                 (k < layout.first(node) + slopes ? of_positions : of_slopes) +=
                     assembly_.external_force()[k] * last_.change[k];
         }
-        return moments_led_ = std::abs(of_slopes) > std::abs(of_positions);
+        return std::abs(of_slopes) > std::abs(of_positions);
     }
 
     bool evaluate(const State& state, const VectorX* increment, const Correction* last = nullptr) {
@@ -374,23 +374,22 @@ private:
     }
 
     /// Whether a step ended where the load leads from the state before: in a stable state, or by
-    /// corrections so small that no other branch was near. States under moments fixed in space are
-    /// unstable as a rule, and tell nothing.
+    /// corrections so small that no other branch was near.
     [[nodiscard]] bool followed(const LoadStep& step) {
-        constexpr double to_unstable = 0.1, to_unknown = 0.5;
-        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
-            moments_led_)
+        constexpr double small_correction = 0.1;
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_)
             return true;
-        const double largest = *std::max_element(step.corrections.begin(), step.corrections.end());
-        const bool small = !(largest > to_unstable);
+        const bool small = !(*std::max_element(step.corrections.begin(), step.corrections.end()) >
+                             small_correction);
         if (small && !doubted_) return true;
         const Stability reached = stability(assembly_, report_.factorisation);
-        // small corrections from a stable state to an unstable one: the path itself gets there
-        if (small) stable_ = reached != Stability::unstable;
         // of loads with a potential `unknown` is a matter of round-off
-        doubted_ =
-            !small && (reached == Stability::unstable ||
-                       (reached == Stability::unknown && !potential_ && largest > to_unknown));
+        const bool lost =
+            reached == Stability::unstable ||
+            (reached == Stability::unknown && !potential_ && !softest_decay(assembly_, solver_));
+        // small corrections from a stable state to an unstable one: the path itself gets there
+        if (small) stable_ = !lost;
+        doubted_ = lost && !small;
         return !doubted_;
     }
 
@@ -460,7 +459,6 @@ private:
     int spent_ = 0;                // iterations before the step that the options ask for
     bool stable_ = true;           // as far as is known, the last state that was accepted
     bool doubted_ = false;         // the last step ended elsewhere
-    bool moments_led_ = false;     // in the last large correction
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
