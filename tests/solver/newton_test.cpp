@@ -396,7 +396,8 @@ TEST_CASE("statics: Green's measure bears no bending moment above (2/3) E I/sqrt
 
 TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
           "[statics][newton]") {
-    const auto solve = [](int elements, int steps, double& tip) {
+    const auto solve = [](int elements, int steps, double& tip,
+                          NewtonKind newton = NewtonKind::plain) {
         ancf::PlanarModel scene;
         const double height = 0.003055, bending = 2.07e11 * std::pow(height, 4) / 12.0;
         const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
@@ -408,6 +409,7 @@ TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
         ancf::EigenLu solver;
         ancf::StaticsOptions options;
         options.steps = steps;
+        options.newton = newton;
         const auto report = ancf::solve_statics(scene, solver, options);
         REQUIRE(report.status == Status::converged);
         CHECK(report.stability == ancf::Stability::stable);
@@ -415,10 +417,12 @@ TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
         tip = scene.position(beam.last())[0];
         return report.largest_turn;
     };
-    double once = 0.0, slowly = 0.0, fine = 0.0;
+    double once = 0.0, slowly = 0.0, by_default = 0.0, fine = 0.0;
     CHECK(solve(2, 1, once) > 1.0);         // measured 1.86
     CHECK(solve(2, 3, slowly) > 1.0);       // 1.56
     CHECK(std::abs(slowly - once) > 0.02);  // 0.270 after three steps, 0.239 after one
+    CHECK(solve(2, 1, by_default, NewtonKind::automatic) > 1.0);
+    CHECK(by_default == Approx(slowly).margin(1e-6));
     CHECK(solve(16, 1, fine) < 1.0);
     CHECK(fine == Approx(0.1484).margin(1e-4));
 }

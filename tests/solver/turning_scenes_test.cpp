@@ -262,4 +262,61 @@ TEST_CASE("statics: one call solves forty random cantilevers, most of them in fe
     CHECK(one_step >= 24);           // measured 32
 }
 
+TEST_CASE("statics: a step under force and moment that ends on another branch is taken again",
+          "[statics][turning]") {
+    // a force that pushes the beam back, and a moment, which has no potential: the pivots of the
+    // symmetric part tell nothing, the softest motions do
+    const double across = 14.0 * std::sin(2.8), along = 14.0 * std::cos(2.8);
+    int rejected = 0;
+    for (const Point& moment : {Point(0, 2, 0), Point(0, 0, -2)}) {
+        Model once, slowly;
+        for (Model* scene : {&once, &slowly}) {
+            const auto beam = straight_beam<Green>(
+                *scene, Material::isotropic(12.0 / std::pow(0.02, 4), 0.3, 1.0),
+                rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 16, Green::Options::best());
+            scene->clamp(beam.first(), Clamp::free_slope);
+            scene->add(Force<3>(beam.last(), {along, 0.8 * across, 0.6 * across}));
+            scene->add(Moment(beam.last(), moment));
+        }
+        EigenLu solver;
+        const auto report = solve_statics(once, solver);
+        StaticsOptions steps;
+        steps.newton = NewtonKind::plain;
+        steps.steps = 60;
+        steps.adaptive = true;
+        REQUIRE(solve_statics(slowly, solver, steps).status == Status::converged);
+        REQUIRE(report.status == Status::converged);
+        for (const auto& step : report.steps) rejected += step.status == Status::diverged ? 1 : 0;
+        // what the tolerances of both leave
+        CHECK((once.state().q - slowly.state().q).lpNorm<Eigen::Infinity>() <= 1e-5);
+    }
+    CHECK(rejected > 0);
+}
+
+TEST_CASE("statics: a shallow arch snaps through in one call", "[statics][turning]") {
+    // clamped at both ends, of span 1; the path ends at a quarter to nine tenths of the load
+    for (const double load : {20.0, 50.0}) {
+        INFO("load " << load);
+        Model scene;
+        const double half = 0.25, radius = 0.5 / std::sin(half);
+        const auto beam = arc<Engineering>(
+            scene, Material::isotropic(12.0 / std::pow(0.01, 4), 0.3, 1.0), rectangle(0.01, 0.01),
+            {0, 0, 0}, {std::cos(half), std::sin(half), 0}, {std::sin(half), -std::cos(half), 0},
+            radius, 2.0 * half, 16, Engineering::Options::best());
+        scene.clamp(beam.first(), Clamp::free_slope);
+        scene.clamp(beam.last(), Clamp::free_slope);
+        const NodeId crown = beam.nodes[8];
+        scene.add(Force<3>(crown, {0, -load, 0}));
+        CHECK(scene.position(crown)[1] > 0.06);
+        EigenLu solver;
+        const auto report = solve_statics(scene, solver);
+        CHECK(report.status == Status::converged);
+        CHECK(report.stability == Stability::stable);
+        CHECK(scene.position(crown)[1] < -0.04);  // measured -0.042 and -0.054
+        REQUIRE_FALSE(report.steps.empty());
+        CHECK(report.steps.back().damped);
+        CHECK(report.iterations() <= 60);  // measured 30 and 40
+    }
+}
+
 }  // namespace turning_scenes_test

@@ -44,7 +44,7 @@ enum class Stability {
 
 namespace detail {
 
-/// Tells whether the softest motions of D x' = -K x decay, D the diagonal of the tangent K: what
+/// Tells whether the softest motions of D dx/dt = -K x decay, D the diagonal of the tangent K: what
 /// pivots of the symmetric part do not say under loads without a potential.
 /// @param solver  has the tangent factorised, or one near it
 [[nodiscard]] bool softest_decay(const Assembly& assembly, const LinearSolver& solver);

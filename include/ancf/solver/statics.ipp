@@ -26,6 +26,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -65,14 +66,15 @@ public:
         const double equal = whole / options_.steps;
         double step = equal;
         double done = options_.first_factor;
-        bool last_resort = false;
+        Way way = Way::usual;
+        bool jumped = false;  // in the step that the options ask for
         report_.factor = done;
         for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
-            double wanted = options_.adaptive ? done + step
+            double wanted = options_.adaptive ? done + (way == Way::usual ? step : equal)
                                               : options_.first_factor + whole * k / options_.steps;
             if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
                 wanted = options_.last_factor;
-            const bool in_parts = newton_ == NewtonKind::automatic &&
+            const bool in_parts = newton_ == NewtonKind::automatic && way == Way::usual &&
                                   std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
             const double next = within_turn(done, in_parts ? done + step : wanted);
             const DrivenTurn turn = driven_turn(constraints_, done, next);
@@ -81,16 +83,20 @@ public:
                 report_.message = driven_turn_text(constraints_, turn, done, next);
                 break;
             }
-            const LoadStep& result = last_resort ? attempt(next, NewtonKind::plain) : advance(next);
+            const LoadStep& result =
+                way == Way::usual
+                    ? advance(next)
+                    : attempt(next, way == Way::plain ? NewtonKind::plain : newton_, way);
             report_.status = result.status;
             if (result.status == Status::converged) {
                 done = report_.factor = next;
-                last_resort = false;
+                way = Way::usual;
                 if (grows(result))
                     step = std::min(2.0 * std::abs(step), std::abs(equal)) *
                            (whole < 0.0 ? -1.0 : 1.0);
                 if (next != wanted) continue;  // a part of a step
                 part_ = 1.0;
+                jumped = false;
                 spent_ = report_.iterations();
                 ++k;
                 if (options_.progress && !options_.progress(done, model_.state())) {
@@ -98,15 +104,22 @@ public:
                     report_.message = "the progress callback asked to stop";
                     break;
                 }
-            } else if (last_resort) {
-                break;
+            } else if (way != Way::usual) {
+                if (way == Way::plain) break;
+                way = Way::usual;  // and the part that the attempt before has left
             } else if (turn.angle > smallest_turn) {
                 part_ = 0.5 * turn.angle / largest_driven_turn;
             } else {
                 step = share_after(result) * (next - done);
+                if (!jumped && done != options_.first_factor && newton_ == NewtonKind::automatic &&
+                    wanders(result)) {
+                    jumped = true;
+                    way = Way::damped;
+                    continue;
+                }
                 if (cuts(result) && std::abs(step) >= options_.min_step * std::abs(whole)) continue;
                 if (!may_retry(result)) break;
-                last_resort = true;  // what a run without cuts would have tried
+                way = Way::plain;  // what a run without cuts would have tried
                 step = equal;
             }
         }
@@ -115,6 +128,9 @@ public:
     }
 
 private:
+    /// How an attempt is made: damped where the path seems to end, plain as the last resort.
+    enum class Way { usual, damped, plain };
+
     static constexpr double smallest_turn = 0.05;  // rad: a shorter part is not tried
     static constexpr double small_turn = 0.05;     // rad: below, the linear sum is better
 
@@ -188,7 +204,7 @@ private:
         return exchange_ == nullptr ? own : exchange_->largest(own ? 1.0 : 0.0) > 0.0;
     }
 
-    const LoadStep& attempt(double factor, NewtonKind newton) {
+    const LoadStep& attempt(double factor, NewtonKind newton, Way way = Way::usual) {
         // whatever ends the iteration, an exception of a user's function too
         struct Keep {
             State& state;
@@ -204,6 +220,7 @@ private:
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
+        step.damped = way == Way::damped;
         instant_ = {factor, factor};
         step.status = iterate(step);
         if (step.status == Status::converged && !followed(step)) step.status = Status::diverged;
@@ -253,29 +270,72 @@ private:
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
-            if (step.iterations >= most_iterations(step.newton) || hopeless(step))
+            if (step.iterations >= most_iterations(step) || hopeless(step))
                 return Status::max_iterations;
 
             assembly_.residual(residual_);
             if (step.newton == NewtonKind::automatic &&
                 (step.corrections.empty() || correction > small_turn))
                 add_curvature(!step.corrections.empty() || follows());
-            report_.factorisation = solver_.factorize(assembly_.tangent());
-            failure_ = solver_.failure();
-            if (report_.factorisation.status != Status::converged)
-                return report_.factorisation.status;
-            solver_.solve(residual_, correction_);
-            failure_ = solver_.failure();
-            for (double& entry : correction_) entry = -entry;
-            ++step.iterations;
-            if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
-                ++step.indefinite;
+            const Status solved = step.damped ? correct_damped(step) : correct(step);
+            if (solved != Status::converged) return solved;
             if (any(!all_finite(correction_)))
                 return failure_.empty() ? Status::not_finite : Status::diverged;
             if (!move(state, residual, step.newton)) return report_.fault->status;
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
         }
+    }
+
+    /// Solves for the correction.
+    Status correct(LoadStep& step) {
+        report_.factorisation = solver_.factorize(assembly_.tangent());
+        failure_ = solver_.failure();
+        if (report_.factorisation.status != Status::converged) return report_.factorisation.status;
+        solver_.solve(residual_, correction_);
+        failure_ = solver_.failure();
+        for (double& entry : correction_) entry = -entry;
+        ++step.iterations;
+        if (report_.factorisation.negative_pivots > assembly_.numbering().multipliers())
+            ++step.indefinite;
+        return Status::converged;
+    }
+
+    /// The correction of a motion D dx/dt = -R(x), D the diagonal of the tangent, over a time: one
+    /// step of Euler's backward method. The time is such that the correction is neither large nor
+    /// against the force.
+    Status correct_damped(LoadStep& step) {
+        constexpr double wanted = 0.5, growth = 4.0, first_time = 1e6, shortest = 1e-3;
+        const int free = assembly_.numbering().free_coordinates();
+        const int* const first = assembly_.tangent().outerIndexPtr();
+        const int* const rows = assembly_.tangent().innerIndexPtr();
+        double* const values = assembly_.tangent_values();
+        std::vector<int> at(static_cast<std::size_t>(free));  // of the diagonal
+        VectorX diagonal = zeros(free);
+        for (int k = 0; k < free; ++k) {
+            const int place =
+                static_cast<int>(std::lower_bound(rows + first[k], rows + first[k + 1], k) - rows);
+            at[static_cast<std::size_t>(k)] = place;
+            diagonal[k] = values[place];
+        }
+        time_ = step.corrections.empty()
+                    ? first_time
+                    : time_ * std::min(growth, wanted / step.corrections.back());
+        while (time_ > shortest && step.iterations < most_iterations(step)) {
+            for (int k = 0; k < free; ++k)
+                values[at[static_cast<std::size_t>(k)]] =
+                    diagonal[k] + std::abs(diagonal[k]) / time_;
+            if (correct(step) != Status::converged) {
+                time_ /= growth;
+                continue;
+            }
+            double work = 0.0;
+            for (int k = 0; k < free; ++k) work -= residual_[k] * correction_[k];
+            const double size = monitor_.correction(correction_);
+            if (work > 0.0 && size <= 2.0 * wanted) return Status::converged;
+            time_ *= std::min(1.0 / growth, std::max(wanted / size, 1e-2));
+        }
+        return Status::max_iterations;
     }
 
     /// Whether a step goes on from one that converged, none of late having failed: its first
@@ -331,11 +391,15 @@ private:
     [[nodiscard]] bool moments_lead() {
         const Layout& layout = model_.layout();
         double of_positions = 0.0, of_slopes = 0.0;
+        moments_alone_ = true;
         for (int node = 0; node < layout.nodes(); ++node) {
             const int slopes = layout.fields({node}).contains(Field::r) ? model_.dimension() : 0;
-            for (int k = layout.first(node); k < layout.first(node + 1); ++k)
-                (k < layout.first(node) + slopes ? of_positions : of_slopes) +=
-                    assembly_.external_force()[k] * last_.change[k];
+            for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
+                const double force = assembly_.external_force()[k];
+                const bool position = k < layout.first(node) + slopes;
+                (position ? of_positions : of_slopes) += force * last_.change[k];
+                moments_alone_ = moments_alone_ && !(position && force != 0.0);
+            }
         }
         return std::abs(of_slopes) > std::abs(of_positions);
     }
@@ -359,10 +423,10 @@ private:
         return report_.fault ? report_.fault->status : Status::converged;
     }
 
-    [[nodiscard]] int most_iterations(NewtonKind newton) const {
-        return newton == NewtonKind::plain
-                   ? options_.max_iterations
-                   : std::min(options_.mixed_iterations, options_.max_iterations);
+    [[nodiscard]] int most_iterations(const LoadStep& step) const {
+        const int shared = step.damped ? 2 * options_.mixed_iterations : options_.mixed_iterations;
+        return step.newton == NewtonKind::plain ? options_.max_iterations
+                                                : std::min(shared, options_.max_iterations);
     }
 
     /// Whether the last correction is far below its tolerance and beside what the step has moved.
@@ -374,14 +438,18 @@ private:
     }
 
     /// Whether a step ended where the load leads from the state before: in a stable state, or by
-    /// corrections so small that no other branch was near.
+    /// corrections so small that no other branch was near. A beam that moments alone roll up turns
+    /// unstable on its way.
     [[nodiscard]] bool followed(const LoadStep& step) {
         constexpr double small_correction = 0.1;
-        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_)
+        if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
+            moments_alone_)
             return true;
         const bool small = !(*std::max_element(step.corrections.begin(), step.corrections.end()) >
                              small_correction);
         if (small && !doubted_) return true;
+        if (step.damped) report_.factorisation = solver_.factorize(assembly_.tangent());
+        if (report_.factorisation.status != Status::converged) return false;
         const Stability reached = stability(assembly_, report_.factorisation);
         // of loads with a potential `unknown` is a matter of round-off
         const bool lost =
@@ -393,11 +461,24 @@ private:
         return !doubted_;
     }
 
-    /// Whether corrections are too large for an iteration that would converge.
+    /// Whether corrections are too large for an iteration that would converge, or wander.
     [[nodiscard]] static bool hopeless(const LoadStep& step) {
         const std::size_t count = step.corrections.size();
-        return step.newton == NewtonKind::automatic && count >= 2 &&
-               step.corrections.back() > (count == 2 ? 2.0 : 1.2);
+        return step.newton == NewtonKind::automatic && !step.damped && count >= 2 &&
+               (step.corrections.back() > (count == 2 ? 2.0 : 1.2) || wanders(step));
+    }
+
+    /// Whether five corrections in a row have not halved the smallest before them.
+    [[nodiscard]] static bool wanders(const LoadStep& step) {
+        int since = 0;
+        double smallest = std::numeric_limits<double>::infinity();
+        for (const double correction : step.corrections) {
+            ++since;
+            if (!(correction < 0.5 * smallest)) continue;
+            smallest = correction;
+            since = 0;
+        }
+        return since >= 5;
     }
 
     static bool stagnates(const LoadStep& step) {
@@ -459,6 +540,8 @@ private:
     int spent_ = 0;                // iterations before the step that the options ask for
     bool stable_ = true;           // as far as is known, the last state that was accepted
     bool doubted_ = false;         // the last step ended elsewhere
+    bool moments_alone_ = false;   // no force acts on a position
+    double time_ = 0.0;            // of a damped correction
     double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
