@@ -451,6 +451,9 @@ extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBea
 extern template class CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>;
 extern template std::unique_ptr<ElementGroup>
 detail::make_group<CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>>();
+extern template class CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>;
+extern template std::unique_ptr<ElementGroup>
+detail::make_group<CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>>();
 extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
 extern template std::unique_ptr<ElementGroup>
 detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
