@@ -64,7 +64,9 @@ struct FixedColumn {
     }
     void store(Scalar* first) const noexcept {
         ANCF_UNROLL_COLUMN
-        for (int k = 0; k < parts; ++k) std::memcpy(first + k * lanes, &part[k], sizeof(Part));
+        for (int k = 0; k < parts; ++k) {
+            std::memcpy(static_cast<void*>(first + k * lanes), &part[k], sizeof(Part));
+        }
     }
 
     Scalar operator[](int k) const noexcept {
