@@ -56,7 +56,13 @@ template <int Dimension>
 
 /// Refuses values that the element does not take, before any work is done.
 /// @throws InvalidArgument naming the value.
+template <int Dimension>
 void check(const BeamOptions& options);
+
+/// The same in the dimension of the element.
+inline void check(const BeamOptions& options) {
+    options.is_planar() ? check<2>(options) : check<3>(options);
+}
 
 /// Returns a point of the plane or of space in space.
 template <int Dimension>

@@ -1,21 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+/// @file
+/// The element that a program's options name, as a type: included by what is compiled for each.
+
+#pragma once
+
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/builders/curve.hpp>
 
 #include <support/named_beam.hpp>
 
 #include <type_traits>
 
 namespace examples {
-
-namespace {
 
 /// Names an element type as a value.
 template <class T>
@@ -91,8 +93,6 @@ NamedBeam named(const ancf::Beam<Element>& beam) {
             }};
 }
 
-}  // namespace
-
 template <int Dimension>
 NamedBeam straight_beam(ancf::BasicModel<Dimension>& model, const BeamOptions& options,
                         const ancf::Material& material, const ancf::Section& section,
@@ -115,36 +115,13 @@ NamedBeam straight_beam(ancf::BasicModel<Dimension>& model, const BeamOptions& o
                                     elements);
 }
 
-template NamedBeam straight_beam(ancf::PlanarModel&, const BeamOptions&, int);
-template NamedBeam straight_beam(ancf::Model&, const BeamOptions&, int);
-template NamedBeam straight_beam(ancf::PlanarModel&, const BeamOptions&, const ancf::Material&,
-                                 const ancf::Section&, const ancf::Vector<double, 2>&,
-                                 const ancf::Vector<double, 2>&, int);
-template NamedBeam straight_beam(ancf::Model&, const BeamOptions&, const ancf::Material&,
-                                 const ancf::Section&, const ancf::Vector<double, 3>&,
-                                 const ancf::Vector<double, 3>&, int);
-
-NamedBeam arc(ancf::Model& model, const BeamOptions& options, double radius, double angle,
-              int elements) {
-    return with_element<3>(options, [&](auto type) {
-        using Element = typename decltype(type)::Element;
-        return named(ancf::arc<Element>(model, options.material(), options.section(), {0, 0, 0},
-                                        {1, 0, 0}, {0, 1, 0}, radius, angle, elements,
-                                        element_options<typename Element::Options>(options)));
-    });
-}
-
+template <int Dimension>
 void check(const BeamOptions& options) {
-    const auto check_in = [&options](auto dimension) {
-        with_element<dimension>(options, [&options](auto type) {
-            using Element = typename decltype(type)::Element;
-            static_cast<void>(Element(options.material(), options.section(),
-                                      options.geometry.length,
-                                      element_options<typename Element::Options>(options)));
-        });
-    };
-    options.is_planar() ? check_in(std::integral_constant<int, 2>{})
-                        : check_in(std::integral_constant<int, 3>{});
+    with_element<Dimension>(options, [&options](auto type) {
+        using Element = typename decltype(type)::Element;
+        static_cast<void>(Element(options.material(), options.section(), options.geometry.length,
+                                  element_options<typename Element::Options>(options)));
+    });
 }
 
 }  // namespace examples
