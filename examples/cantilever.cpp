@@ -25,6 +25,7 @@
 #include <support/named_beam.hpp>
 #include <support/report.hpp>
 #include <support/solver.hpp>
+#include <support/table_1.hpp>
 
 #include <cmath>
 #include <iostream>
@@ -37,23 +38,6 @@ namespace {
 
 using examples::Published;
 using Point = ancf::Vector<double, 3>;
-
-/// Tip (x, y) of Table 1; the printed x of its last cell, 1.852, is a misprint.
-constexpr Published table_1[] = {{"cross-section", 1, 1.8548, 0.6444},
-                                 {"cross-section", 2, 1.8008, 0.7815},
-                                 {"cross-section", 4, 1.7872, 0.8139},
-                                 {"cross-section", 8, 1.7844, 0.8212},
-                                 {"cross-section", 16, 1.7841, 0.8220},
-                                 {"cross-section-pointwise", 1, 1.9520, 0.3758},
-                                 {"cross-section-pointwise", 2, 1.8683, 0.6383},
-                                 {"cross-section-pointwise", 4, 1.7944, 0.8002},
-                                 {"cross-section-pointwise", 8, 1.7853, 0.8191},
-                                 {"cross-section-pointwise", 16, 1.7844, 0.8213},
-                                 {"continuum", 1, 1.9988, 0.0612},
-                                 {"continuum", 2, 1.9915, 0.1596},
-                                 {"continuum", 4, 1.9516, 0.3847},
-                                 {"continuum", 8, 1.8515, 0.6777},
-                                 {"continuum", 16, 1.7924, 0.8052}};
 
 /// Tip (x, y) of Table 3.
 constexpr Published table_3[] = {{"cross-section", 1, 1.9996858, 0.0324155},
@@ -70,7 +54,8 @@ struct Preset {
 };
 
 constexpr Preset model_1 = {"Model I", {2.0, 0.1, 0.5, 2.07e11, 7.9615e10}, 0.0, 2.5e6, 2e-7, 7};
-constexpr Preset model_2 = {"Model II", {2.0, 0.01, 0.01, 2.07e11, 7.9615e10}, 1.5, 0.0, 1e-4, 4};
+constexpr Preset model_2 = {"Model II", {2.0, 0.01, 0.01, 2.07e11, 7.9615e10}, 1.5,
+                            0.0,        examples::table_1_tolerance,           4};
 
 struct Cantilever {
     int model = 2;
@@ -146,7 +131,7 @@ const Published* Cantilever::published(int mesh) const {
         force != Point(0.0, usual_force, 0.0))
         return nullptr;
     return model == 1 ? examples::find(table_3, beam.element, mesh)
-                      : examples::find(table_1, beam.element, mesh);
+                      : examples::find(examples::table_1, beam.element, mesh);
 }
 
 struct Result {
