@@ -11,127 +11,16 @@
 ///
 ///     kernels --csv > kernels.csv
 
-#include <ancf/element/cable/cable.hpp>
-#include <ancf/element/continuum/beam.hpp>
-#include <ancf/element/cross_section/beam.hpp>
-#include <ancf/element/planar/beam.hpp>
-#include <ancf/element/torsion/beam.hpp>
-#include <ancf/section/profiles.hpp>
-
-#include <benchmark/benchmark.h>
 #include <CLI/CLI.hpp>
 
-#include <counting.hpp>
+#include <kernels/measure.hpp>
 #include <peak.hpp>
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
-#include <vector>
-
-namespace {
-
-using namespace ancf;
-
-struct Settings {
-    bool csv = false;
-    int repeats = 400;
-    std::string only;
-    double peak = 0.0;
-};
-
-/// A bent, twisted and sheared state of an element of length 1.
-template <class Element>
-typename Element::Coordinates bent_state() {
-    constexpr double vectors[2][4][3] = {
-        {{0.1, -0.2, 0.3}, {0.9, 0.1, -0.1}, {-0.05, 1.02, 0.03}, {0.02, 0.01, 0.97}},
-        {{1.0, 0.1, 0.25}, {0.8, 0.5, -0.2}, {-0.5, 0.9, 0.1}, {0.1, -0.2, 1.05}}};
-    constexpr Field fields[4] = {Field::r, Field::r_x, Field::r_y, Field::r_z};
-    typename Element::Coordinates e;
-    int at = 0;
-    for (const auto& node : vectors)
-        for (int k = 0; k < 4; ++k)
-            if (Element::fields.contains(fields[k]))
-                for (int i = 0; i < Element::dimension; ++i) e[at++] = node[k][i];
-    return e;
-}
-
-/// Returns nanoseconds of one call: the least of many runs of a few microseconds to tens of them.
-template <class Call>
-double nanoseconds(const Call& call, int repeats) {
-    constexpr int calls = 20;
-    double best = 1e9;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const double start = bench::detail::now();
-        for (int k = 0; k < calls; ++k) call();
-        best = std::min(best, bench::detail::now() - start);
-    }
-    return best / calls * 1e9;
-}
-
-void report(const Settings& settings, const char* element, const std::string& rule, int lanes,
-            const char* what, double time, long flops) {
-    const double fraction = static_cast<double>(flops) / (time * 1e-9) / settings.peak;
-    std::printf(
-        settings.csv ? "%s,%s,%d,%s,%.1f,%ld,%.4f\n" : "%-22s %-9s %5d  %-5s %9.1f %8ld %8.3f\n",
-        element, rule.c_str(), lanes, what, time, flops, fraction);
-    std::fflush(stdout);
-}
-
-template <class S, class Element>
-void measure(const Settings& settings, const char* name, const std::string& rule,
-             const Element& element, int lanes, long force_flops, long all_flops) {
-    Vector<S, Element::dofs> e = bent_state<Element>().template cast<S>();
-    const auto touch = [&e] { e(0) += S(1e-13); };  // no call is like the one before
-    const double force = nanoseconds(
-        [&] {
-            touch();
-            auto result = element.force(e);
-            benchmark::DoNotOptimize(result.data());
-            benchmark::ClobberMemory();
-        },
-        settings.repeats);
-    report(settings, name, rule, lanes, "force", force / lanes, force_flops);
-    const double all = nanoseconds(
-        [&] {
-            touch();
-            auto evaluation = element.evaluate(e);
-            benchmark::DoNotOptimize(&evaluation);
-            benchmark::ClobberMemory();
-        },
-        settings.repeats);
-    report(settings, name, rule, lanes, "all", all / lanes, all_flops);
-}
-
-/// Measures single elements and, where asked for, packs of four and eight.
-template <class Element, bool Packs = true>
-void run(const Settings& settings, const char* name, const std::vector<Rule>& rules) {
-    if (!settings.only.empty() && settings.only != name) return;
-    const Material material = Material::isotropic(2.07e11, 0.3, 7850.0);
-    const bool cable = !Element::fields.contains(Field::r_y);  // bends equally in all directions
-    const Section section = cable ? circle(0.1) : rectangle(0.1, 0.2);
-    for (const Rule& rule : rules) {
-        const Element element(material, section, 1.0, {rule});
-        const Vector<bench::Counting, Element::dofs> e =
-            bent_state<Element>().template cast<bench::Counting>();
-        bench::Counting::reset();
-        benchmark::DoNotOptimize(element.force(e)(3).value());
-        const long force = bench::Counting::operations();
-        bench::Counting::reset();
-        benchmark::DoNotOptimize(element.evaluate(e).tangent(3, 4).value());
-        const long all = bench::Counting::operations();
-        measure<double>(settings, name, rule.name(), element, 1, force, all);
-        if constexpr (Packs) {
-            measure<Pack<4>>(settings, name, rule.name(), element, 4, force, all);
-            measure<Pack<8>>(settings, name, rule.name(), element, 8, force, all);
-        }
-    }
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
-    Settings settings;
+    using namespace ancf::bench;
+    kernels::Settings settings;
     CLI::App app("Time of one element: force, and energy, force and tangent");
     app.add_flag("--csv", settings.csv, "comma-separated values");
     app.add_option("--repeats", settings.repeats, "runs of which the fastest counts")
@@ -139,22 +28,19 @@ int main(int argc, char** argv) {
     app.add_option("--element", settings.only, "one element alone");
     CLI11_PARSE(app, argc, argv);
 
-    settings.peak = bench::peak_rate();
+    settings.peak = peak_rate();
     std::fprintf(stderr, "peak of one core: %.1f GFlop/s\n", settings.peak * 1e-9);
     std::printf(settings.csv ? "%s,%s,%s,%s,%s,%s,%s\n" : "%-22s %-9s %5s  %-5s %9s %8s %8s\n",
                 "element", "rule", "lanes", "what", "ns_per_element", "flops", "peak_fraction");
-    const std::vector<Rule> rules{Rule::paper(), Rule::gauss(3), Rule::mixed()};
-    run<CrossSectionBeam<3>>(settings, "cross-section", rules);
-    run<CrossSectionBeam<3, Transported>>(settings, "cross-section-transported", rules);
-    run<CrossSectionBeam<3, Geodesic>>(settings, "cross-section-geodesic", rules);
-    run<QuinticBeam<>>(settings, "cross-section-quintic", {Rule::quintic()});
-    run<CrossSectionBeam<3, Projected, PointwiseShear>, false>(settings, "cross-section-pointwise",
-                                                               {Rule::paper()});
-    run<ContinuumBeam<3>>(settings, "continuum", {Rule::paper(), Rule::gauss(3), Rule::lobatto3()});
-    run<TorsionBeam>(settings, "torsion", {Rule::paper(), Rule::mixed()});
-    run<Cable<3>, false>(settings, "cable", {cable_rule()});
-    run<CrossSectionBeam<2>>(settings, "planar", {Rule::paper(), Rule::mixed()});
-    run<ContinuumBeam<2>>(settings, "planar-continuum", {Rule::paper()});
-    run<Cable<2>, false>(settings, "planar-cable", {cable_rule()});
+    kernels::cross_section(settings);
+    kernels::transported(settings);
+    kernels::geodesic(settings);
+    kernels::quintic(settings);
+    kernels::continuum(settings);
+    kernels::torsion(settings);
+    kernels::cable(settings);
+    kernels::planar(settings);
+    kernels::planar_continuum(settings);
+    kernels::planar_cable(settings);
     return 0;
 }

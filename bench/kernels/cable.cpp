@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/element/cable/cable.hpp>
+
+#include <kernels/measure.hpp>
+
+namespace ancf::bench::kernels {
+
+void cable(const Settings& settings) { run<Cable<3>, false>(settings, "cable", {cable_rule()}); }
+
+}  // namespace ancf::bench::kernels
