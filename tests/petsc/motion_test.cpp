@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/model/loads/damping.hpp>
 #include <ancf/petsc/motion.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
@@ -333,6 +335,22 @@ TEST_CASE("DistributedMotion: what a user's function throws or says in one proce
         CHECK(report.status == Status::stopped);
         CHECK(report.time == Approx(0.0026));
     }
+}
+
+TEST_CASE("DistributedMotion: a part is refused by integrators that would move it alone",
+          "[petsc][refused]") {
+    Model model = chain(4, 4);
+    petsc::DistributedMotion motion(model);
+    petsc::Solver mass_solver(motion.part());
+    ProblemOptions how;
+    how.mass_solver = &mass_solver;
+    DynamicProblem problem(motion.part(), how);
+    Schedule schedule;
+    schedule.end = 0.01;
+    CHECK_THROWS_WITH(EnergyMomentum().integrate(problem, motion.solver(), schedule),
+                      ContainsSubstring("GeneralizedAlpha alone"));
+    CHECK_THROWS_WITH(RadauIIA().integrate(problem, motion.solver(), schedule),
+                      ContainsSubstring("GeneralizedAlpha alone"));
 }
 
 TEST_CASE("DistributedMotion: a KSP that diverges is a status with PETSc's reason", "[petsc]") {

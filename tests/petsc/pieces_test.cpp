@@ -118,6 +118,14 @@ TEST_CASE("DistributedStatics: the pieces of a surface together are the surface 
     MPI_Barrier(PETSC_COMM_WORLD);
 }
 
+TEST_CASE("DistributedStatics: a type of element that came after the division is refused",
+          "[petsc][refused]") {
+    Model model = chain(4, 4);
+    const petsc::DistributedStatics statics(model);
+    const auto later = straight_beam<Rope>(model, steel, bar(), {0, 0, 0}, {0, 1, 0}, 2);
+    CHECK_THROWS_WITH(statics.runs(later), ContainsSubstring("divided"));
+}
+
 TEST_CASE("DistributedStatics: a file that one process cannot write is an error in all",
           "[petsc]") {
     Model model = chain(2, 2);

@@ -448,7 +448,7 @@ ANCF_INLINE DynamicsReport GeneralizedAlpha::integrate(DynamicProblem& problem,
                                                        const Schedule& schedule,
                                                        const Memory& memory) const {
     detail::require_same_storage(solver, problem);
-    detail::require_motion(problem);
+    detail::require_motion(problem, true);
     schedule.check(problem.model().state().time);
     detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
     DynamicsReport report;

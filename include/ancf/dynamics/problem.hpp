@@ -76,7 +76,7 @@ struct Start {
 ///
 /// Of a part of a scene whose parts stand in several processes, start(), evaluations, energies,
 /// largest_ratio() and what solves are collective, and forces are sums over all parts: enough for
-/// GeneralizedAlpha. There are no multipliers then.
+/// GeneralizedAlpha; the other integrators refuse it. There are no multipliers then.
 class DynamicProblem {
 public:
     /// @throws InvalidArgument for a support that has a value but no rate or acceleration, a load

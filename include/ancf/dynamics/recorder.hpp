@@ -22,8 +22,8 @@
 
 namespace ancf::detail {
 
-/// Throws where nothing can move.
-void require_motion(const DynamicProblem& problem);
+/// Throws where nothing can move, and for a part of a scene unless `takes_parts`.
+void require_motion(const DynamicProblem& problem, bool takes_parts = false);
 
 /// Throws for steps that vanish in the round-off of time.
 void require_resolved(double step, double start, double end);

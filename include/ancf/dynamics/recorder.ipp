@@ -18,7 +18,9 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE void require_motion(const DynamicProblem& problem) {
+ANCF_INLINE void require_motion(const DynamicProblem& problem, bool takes_parts) {
+    require(takes_parts || problem.model().exchange() == nullptr,
+            "a part of a scene is moved by GeneralizedAlpha alone, in all processes at once");
     require(problem.can_move(),
             "the scene has no free coordinate: there is no motion to integrate");
 }

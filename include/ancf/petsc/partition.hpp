@@ -61,6 +61,7 @@ public:
     }
 
     /// Returns the number in this part of an element of a group of the whole scene; -1 of others'.
+    /// @throws InvalidArgument for a group that the scene gained after it was divided.
     [[nodiscard]] int number_in_part(const ElementGroup& group, int element) const;
 
     /// Returns the coordinates of the whole scene, in every process. Collective.

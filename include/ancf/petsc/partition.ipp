@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
 #include <ancf/petsc/errors.hpp>
 #include <ancf/petsc/partition.hpp>
 
@@ -296,7 +297,9 @@ ANCF_INLINE void Partition::connect() {
 
 ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
     std::size_t at = 0;
-    while (whole_.groups()[at].get() != &group) ++at;
+    while (at < held_.elements.size() && whole_.groups()[at].get() != &group) ++at;
+    ancf::detail::require(at < held_.elements.size(),
+                          "petsc: the scene had no element of this type when it was divided");
     const std::vector<int>& own = held_.elements[at];
     const auto found = std::lower_bound(own.begin(), own.end(), element);
     return found != own.end() && *found == element ? static_cast<int>(found - own.begin()) : -1;
