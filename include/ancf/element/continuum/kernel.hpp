@@ -238,8 +238,8 @@ ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& stat
     return stress;
 }
 
-/// Adds an axial station's energy and force; p is r0', `strained` as add_force() has it. Returns its
-/// normal force times the weight.
+/// Adds an axial station's energy and force; p is r0'. Returns its normal force times the weight.
+/// @param strained  p, or the vector that the strain is taken from in its place
 template <class Scalar, int Dimension>
 inline Scalar add_axial_force(const AxialStation& station, const Vector<Scalar, Dimension>& p,
                               const Vector<Scalar, Dimension>& strained,
