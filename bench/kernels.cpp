@@ -10,12 +10,16 @@
 /// kernels_baseline is the same source at plain -O2.
 ///
 ///     kernels --csv > kernels.csv
+///
+/// With --damping it is KelvinVoigt's force with both derivatives, of single elements alone, in
+/// place of energy, force and tangent; operations are not counted.
 
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <benchmark/benchmark.h>
@@ -26,6 +30,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +40,7 @@ using namespace ancf;
 
 struct Settings {
     bool csv = false;
+    bool damping = false;
     int repeats = 400;
     std::string only;
     double peak = 0.0;
@@ -103,6 +109,24 @@ void measure(const Settings& settings, const char* name, const std::string& rule
     report(settings, name, rule, lanes, "all", all / lanes, all_flops);
 }
 
+/// Measures a damper's force with both derivatives.
+template <class Element>
+void measure_damping(const Settings& settings, const char* name, const std::string& rule,
+                     const Element& element) {
+    constexpr int n = Element::dofs;
+    const KelvinVoigt<Element> damper(std::make_shared<const Element>(element), {}, 1e-3);
+    LoadState state{bent_state<Element>(), VectorX::LinSpaced(n, -1.0, 1.0), 0.0};
+    LoadResult out{VectorX::Zero(n), MatrixX::Zero(n, n), MatrixX::Zero(n, n), 0.0};
+    const double time = nanoseconds(
+        [&] {
+            state.q[0] += 1e-13;
+            damper.evaluate(state, out);
+            benchmark::ClobberMemory();
+        },
+        settings.repeats);
+    report(settings, name, rule, 1, "damp", time, 0);
+}
+
 /// Measures single elements and, where asked for, packs of four and eight.
 template <class Element, bool Packs = true>
 void run(const Settings& settings, const char* name, const std::vector<Rule>& rules) {
@@ -112,6 +136,10 @@ void run(const Settings& settings, const char* name, const std::vector<Rule>& ru
     const Section section = cable ? circle(0.1) : rectangle(0.1, 0.2);
     for (const Rule& rule : rules) {
         const Element element(material, section, 1.0, {rule});
+        if (settings.damping) {
+            measure_damping(settings, name, rule.name(), element);
+            continue;
+        }
         const Vector<bench::Counting, Element::dofs> e =
             bent_state<Element>().template cast<bench::Counting>();
         bench::Counting::reset();
@@ -134,6 +162,7 @@ int main(int argc, char** argv) {
     Settings settings;
     CLI::App app("Time of one element: force, and energy, force and tangent");
     app.add_flag("--csv", settings.csv, "comma-separated values");
+    app.add_flag("--damping", settings.damping, "KelvinVoigt with its derivatives instead");
     app.add_option("--repeats", settings.repeats, "runs of which the fastest counts")
         ->check(CLI::PositiveNumber);
     app.add_option("--element", settings.only, "one element alone");
