@@ -9,6 +9,7 @@
 
 #include <ancf/element/quadrature.hpp>
 #include <ancf/model/layout.hpp>
+#include <ancf/model/loads/damping.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/types.hpp>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,7 @@ namespace ancf::bench::kernels {
 
 struct Settings {
     bool csv = false;
+    bool damping = false;
     int repeats = 400;
     std::string only;
     double peak = 0.0;
@@ -95,6 +98,24 @@ void measure(const Settings& settings, const char* name, const std::string& rule
     report(settings, name, rule, lanes, "all", all / lanes, all_flops);
 }
 
+/// Measures a damper's force with both derivatives.
+template <class Element>
+void measure_damping(const Settings& settings, const char* name, const std::string& rule,
+                     const Element& element) {
+    constexpr int n = Element::dofs;
+    const KelvinVoigt<Element> damper(std::make_shared<const Element>(element), {}, 1e-3);
+    LoadState state{bent_state<Element>(), VectorX::LinSpaced(n, -1.0, 1.0), 0.0};
+    LoadResult out{VectorX::Zero(n), MatrixX::Zero(n, n), MatrixX::Zero(n, n), 0.0};
+    const double time = nanoseconds(
+        [&] {
+            state.q[0] += 1e-13;
+            damper.evaluate(state, out);
+            benchmark::ClobberMemory();
+        },
+        settings.repeats);
+    report(settings, name, rule, 1, "damp", time, 0);
+}
+
 /// Measures single elements and, where asked for, packs of four and eight.
 template <class Element, bool Packs = true>
 void run(const Settings& settings, const char* name, const std::vector<Rule>& rules) {
@@ -104,6 +125,10 @@ void run(const Settings& settings, const char* name, const std::vector<Rule>& ru
     const Section section = cable ? circle(0.1) : rectangle(0.1, 0.2);
     for (const Rule& rule : rules) {
         const Element element(material, section, 1.0, {rule});
+        if (settings.damping) {
+            measure_damping(settings, name, rule.name(), element);
+            continue;
+        }
         const Vector<Counting, Element::dofs> e = bent_state<Element>().template cast<Counting>();
         Counting::reset();
         benchmark::DoNotOptimize(element.force(e)(3).value());

@@ -15,8 +15,9 @@
 namespace ancf {
 
 /// A number a + eps b.
-/// @tparam Base  double or a Pack
-template <class Base>
+/// @tparam Base   any scalar, a Dual too
+/// @tparam Rates  whether kernels take strain rates of it in place of strains: element/rate.hpp
+template <class Base, bool Rates = false>
 struct Dual {
     Base value;  ///< a
     Base rate;   ///< b, the derivative along the direction
@@ -31,7 +32,7 @@ struct Dual {
 
     /// Makes the same number of every lane of a wider base.
     template <class T, class = std::enable_if_t<!std::is_same_v<T, Base>>>
-    explicit Dual(const Dual<T>& other) noexcept : value(other.value), rate(other.rate) {}
+    explicit Dual(const Dual<T, Rates>& other) noexcept : value(other.value), rate(other.rate) {}
 
     /// By the product rule and its like.
     friend Dual operator+(const Dual& a, const Dual& b) noexcept {
@@ -58,12 +59,14 @@ struct Dual {
     Dual& operator-=(const Dual& b) noexcept { return *this = *this - b; }
     /// By the product rule and its like.
     Dual& operator*=(const Dual& b) noexcept { return *this = *this * b; }
+    /// By the product rule and its like.
+    Dual& operator/=(const Dual& b) noexcept { return *this = *this / b; }
 
     /// Returns the square root and its rate.
     friend Dual sqrt(const Dual& a) noexcept {
         using std::sqrt;
         const Base root = sqrt(a.value);
-        return {root, 0.5 * a.rate / root};
+        return {root, Base(0.5) * a.rate / root};
     }
     /// Returns the cosine and its rate.
     friend Dual cos(const Dual& a) noexcept {
@@ -80,7 +83,7 @@ struct Dual {
     /// Returns the angle and its rate.
     friend Dual atan(const Dual& a) noexcept {
         using std::atan;
-        return {atan(a.value), a.rate / (1.0 + a.value * a.value)};
+        return {atan(a.value), a.rate / (Base(1.0) + a.value * a.value)};
     }
 };
 

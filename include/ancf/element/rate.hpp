@@ -11,11 +11,11 @@
 
 #pragma once
 
+#include <ancf/element/dual.hpp>
+#include <ancf/element/pack.hpp>
 #include <ancf/types.hpp>
 
 #include <Eigen/Core>
-
-#include <cmath>
 
 namespace ancf::detail {
 
@@ -25,59 +25,60 @@ template <class S, class T>
     return strain - reference;
 }
 
-/// A value and its derivative along one direction: a dual number. S may be a Rate itself.
+/// A number whose strains are strain rates. S may be a Rate itself.
 template <class S>
-struct Rate {
-    S value;
-    S rate;
+using Rate = Dual<S, true>;
 
-    Rate() = default;
-    Rate(double constant) noexcept : value(constant), rate(0.0) {}  // NOLINT: stands for a double
-    Rate(const S& value_, const S& rate_) noexcept : value(value_), rate(rate_) {}
+/// Returns the strain rate in place of the strain.
+template <class S, class T>
+[[nodiscard]] inline Rate<S> deformation(const Rate<S>& strain, const T& /*reference*/) noexcept {
+    return {S(0.0), strain.rate};
+}
 
-    friend Rate operator+(const Rate& a, const Rate& b) noexcept {
-        return {a.value + b.value, a.rate + b.rate};
-    }
-    friend Rate operator-(const Rate& a, const Rate& b) noexcept {
-        return {a.value - b.value, a.rate - b.rate};
-    }
-    friend Rate operator-(const Rate& a) noexcept { return {-a.value, -a.rate}; }
-    friend Rate operator*(const Rate& a, const Rate& b) noexcept {
-        return {a.value * b.value, a.value * b.rate + a.rate * b.value};
-    }
-    friend Rate operator/(const Rate& a, const Rate& b) noexcept {
-        const S quotient = a.value / b.value;
-        return {quotient, (a.rate - quotient * b.rate) / b.value};
-    }
-    Rate& operator+=(const Rate& b) noexcept { return *this = *this + b; }
-    Rate& operator-=(const Rate& b) noexcept { return *this = *this - b; }
-    Rate& operator*=(const Rate& b) noexcept { return *this = *this * b; }
-    Rate& operator/=(const Rate& b) noexcept { return *this = *this / b; }
+/// Returns e + t v as Rate<S>, of S or double.
+template <class S, class E, class V>
+[[nodiscard]] auto moving(const E& e, const V& v) noexcept {
+    Vector<Rate<S>, E::RowsAtCompileTime> result;
+    for (int k = 0; k < result.size(); ++k) result[k] = {S(e[k]), S(v[k])};
+    return result;
+}
 
-    friend Rate sqrt(const Rate& a) noexcept {
-        using std::sqrt;
-        const S root = sqrt(a.value);
-        return {root, S(0.5) * a.rate / root};
-    }
-    friend Rate sin(const Rate& a) noexcept {
-        using std::cos, std::sin;
-        return {sin(a.value), a.rate * cos(a.value)};
-    }
-    friend Rate cos(const Rate& a) noexcept {
-        using std::cos, std::sin;
-        return {cos(a.value), -(a.rate * sin(a.value))};
-    }
-    friend Rate atan(const Rate& a) noexcept {
-        using std::atan;
-        return {atan(a.value), a.rate / (S(1.0) + a.value * a.value)};
-    }
+/// Returns the rates of a matrix times a factor.
+template <class S, int Rows, int Columns>
+[[nodiscard]] auto rates(double factor, const Matrix<Rate<S>, Rows, Columns>& x) noexcept {
+    Matrix<S, Rows, Columns> result;
+    for (int k = 0; k < x.size(); ++k) result.data()[k] = factor * x.data()[k].rate;
+    return result;
+}
 
-    /// Returns the strain rate in place of the strain.
-    template <class T>
-    friend Rate deformation(const Rate& strain, const T& /*reference*/) noexcept {
-        return {S(0.0), strain.rate};
+/// Returns the matrix of a linear function of Vector<Pack<2>, Size>, two columns at a time. A
+/// common motion of both nodes, which start with Dimension coordinates of position, gives zero.
+template <int Dimension, int Size, class Function>
+[[nodiscard]] Matrix<double, Size> columns(const Function& function) {
+    Vector<Pack<2>, Size> unit = Vector<Pack<2>, Size>::Zero();
+    Matrix<double, Size> result;
+    for (int k = Dimension / 2 * 2; k < Size; k += 2) {
+        for (const int lane : {0, 1}) unit[k + lane].set(lane, 1.0);
+        const Vector<Pack<2>, Size> both = function(unit);
+        for (const int lane : {0, 1}) {
+            for (int i = 0; i < Size; ++i) result(i, k + lane) = both[i][lane];
+            unit[k + lane] = 0.0;
+        }
     }
-};
+    result.template leftCols<Dimension>() = -result.template middleCols<Dimension>(Size / 2);
+    return result;
+}
+
+/// Returns the evaluation of e + t v, the transpose of `coupling` = B^T C dB/dt taken off the rate
+/// of the tangent: what is left is the derivative of B^T C B v by e.
+template <class Element, int Size>
+[[nodiscard]] auto damped(const Element& element, const Vector<double, Size>& e,
+                          const Vector<double, Size>& v, const Matrix<double, Size>& coupling) {
+    auto at = element.evaluate(moving<double>(e, v));
+    for (int j = 0; j < Size; ++j)
+        for (int i = 0; i < Size; ++i) at.tangent(i, j).rate -= coupling(j, i);
+    return at;
+}
 
 /// Tells whether a scalar stands for strain rates.
 template <class S>

@@ -18,7 +18,9 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/mass.hpp>
+#include <ancf/element/pack.hpp>
 #include <ancf/element/quadrature.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/error.hpp>
@@ -106,6 +108,12 @@ public:
     template <class Scalar>
     [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
 
+    /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
+    /// derivative of B^T C B v by e. A template: only those who damp compile it.
+    template <int...>
+    [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
+        const Coordinates& e, const Coordinates& v) const noexcept;
+
     /// Returns the constant mass matrix, kg, kg m and kg m^2 by block.
     [[nodiscard]] Matrix<double, dofs> mass() const {
         return mass_matrix<Dimension, 2 * (2 + slopes)>(mass_weights_);
@@ -181,6 +189,11 @@ public:
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
 private:
+    /// Returns B(e)^T C s, s the strains of other coordinates.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,
+                                             const Vector<Scalar, dofs>& strained) const noexcept;
+
     using Law = detail::ContinuumLaw<Dimension>;
     using Station = detail::continuum::Station<Dimension>;
     using AxialStation = detail::continuum::AxialStation;
@@ -321,8 +334,10 @@ Scalar ContinuumBeam<Dimension>::energy(const Vector<Scalar, dofs>& e) const noe
     namespace kernel = detail::continuum;
     const kernel::Nodes<Scalar, Dimension> nodes(e);
     kernel::Force<Scalar, Dimension> sum;
-    for (const AxialStation& station : axial_stations_)
-        kernel::add_axial_force(station, nodes.tangent_at(station.tangent), sum);
+    for (const AxialStation& station : axial_stations_) {
+        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
+        kernel::add_axial_force(station, p, p, sum);
+    }
     for (const Station& station : stations_)
         sum.energy += kernel::station_energy(station, nodes.at(station.xi, station.tangent));
     return sum.energy;
@@ -332,14 +347,35 @@ template <int Dimension>
 template <class Scalar>
 Vector<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::force(
     const Vector<Scalar, dofs>& e) const noexcept {
+    return force(e, e);
+}
+
+template <int Dimension>
+template <class Scalar>
+Vector<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::force(
+    const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& strained) const noexcept {
     namespace kernel = detail::continuum;
-    const kernel::Nodes<Scalar, Dimension> nodes(e);
+    const kernel::Nodes<Scalar, Dimension> nodes(e), of(strained);
     kernel::Force<Scalar, Dimension> sum;
     for (const AxialStation& station : axial_stations_)
-        kernel::add_axial_force(station, nodes.tangent_at(station.tangent), sum);
+        kernel::add_axial_force(station, nodes.tangent_at(station.tangent),
+                                of.tangent_at(station.tangent), sum);
     for (const Station& station : stations_)
-        kernel::add_force(station, nodes.at(station.xi, station.tangent), sum);
+        kernel::add_force(station, nodes.at(station.xi, station.tangent),
+                          of.at(station.xi, station.tangent), sum);
     return kernel::nodal_force(sum);
+}
+
+template <int Dimension>
+template <int...>
+auto ContinuumBeam<Dimension>::viscous(const Coordinates& e, const Coordinates& v) const noexcept
+    -> Evaluation<detail::Rate<double>, dofs> {
+    using Both = Pack<2>;
+    const auto place = detail::moving<Both>(e, Coordinates(Coordinates::Zero()));
+    return detail::damped(*this, e, v, detail::columns<Dimension, dofs>([&](const auto& unit) {
+        // B is linear in e, so that dB/dt is B(v)
+        return detail::rates(1.0, force(place, detail::moving<Both>(v, unit)));
+    }));
 }
 
 template <int Dimension>
@@ -352,11 +388,11 @@ Evaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::eva
     kernel::Tangent<Scalar, Dimension> tangent;
     for (const AxialStation& station : axial_stations_) {
         const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
-        kernel::add_axial_tangent(station, p, kernel::add_axial_force(station, p, sum), tangent);
+        kernel::add_axial_tangent(station, p, kernel::add_axial_force(station, p, p, sum), tangent);
     }
     for (const Station& station : stations_) {
         const kernel::Vectors<Scalar, Dimension> v = nodes.at(station.xi, station.tangent);
-        kernel::add_tangent(station, v, kernel::add_force(station, v, sum), tangent);
+        kernel::add_tangent(station, v, kernel::add_force(station, v, v, sum), tangent);
     }
     Evaluation<Scalar, dofs> result;
     result.energy = sum.energy;

@@ -217,11 +217,13 @@ template <class Scalar, int Dimension>
 }
 
 /// Adds a station's energy and force; returns its resultants.
+/// @param strained  v, or the vectors that the strains are taken from in their place
 template <class Scalar, int Dimension>
 ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& station,
                                                   const Vectors<Scalar, Dimension>& v,
+                                                  const Vectors<Scalar, Dimension>& strained,
                                                   Force<Scalar, Dimension>& sum) noexcept {
-    const Strain<Scalar, Dimension> strain = station_strain(station, v);
+    const Strain<Scalar, Dimension> strain = station_strain(station, strained);
     const Strain<Scalar, Dimension> stress = resultants(station.law, strain);
     const Vectors<Scalar, Dimension> force = local_force(stress, v);
     const Scalar xi(station.xi);
@@ -237,11 +239,12 @@ ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& stat
 }
 
 /// Adds an axial station's energy and force; p is r0'. Returns its normal force times the weight.
+/// @param strained  p, or the vector that the strain is taken from in its place
 template <class Scalar, int Dimension>
 inline Scalar add_axial_force(const AxialStation& station, const Vector<Scalar, Dimension>& p,
+                              const Vector<Scalar, Dimension>& strained,
                               Force<Scalar, Dimension>& sum) noexcept {
-    Scalar square = p(0) * p(0) + p(1) * p(1);
-    if constexpr (Dimension == 3) square += p(2) * p(2);
+    const Scalar square = product(strained, strained);
     const Scalar strain = deformation(Scalar(Scalar(0.5) * square), station.reference);
     const Scalar normal = Scalar(station.stiffness) * strain;
     sum.energy += Scalar(0.5) * normal * strain;

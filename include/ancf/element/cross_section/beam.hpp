@@ -146,6 +146,12 @@ public:
         return kernel_.evaluate(e, before, change);
     }
 
+    /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
+    /// derivative of B^T C B v by e. A template: only those who damp compile it.
+    template <int...>
+    [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
+        const Coordinates& e, const Coordinates& v) const noexcept;
+
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
     /// Vector<Pack<Lanes>, dofs>.
     template <int Lanes>
@@ -399,6 +405,14 @@ template <class S>
 auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::evaluate(
     const Vector<S, dofs>& e) const noexcept -> Evaluation<S, dofs> {
     return kernel_.evaluate(e);
+}
+
+template <int Dimension, class Directors, class Shear, class Measure, class Line>
+template <int...>
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::viscous(
+    const Coordinates& e, const Coordinates& v) const noexcept
+    -> Evaluation<detail::Rate<double>, dofs> {
+    return detail::damped(*this, e, v, kernel_.rate_coupling(e, v));
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>

@@ -17,9 +17,11 @@
 #include <ancf/element/cross_section/transverse.hpp>
 #include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <type_traits>
 
 namespace ancf::detail {
@@ -55,6 +57,10 @@ struct CrossSectionKernel {
                                                     const Vector<S, dofs>& change) const noexcept {
         return pass<S, true>(e, &before, &change);
     }
+
+    /// Returns B^T C dB/dt of the coordinates e + t v.
+    [[nodiscard]] Matrix<double, dofs> rate_coupling(const Vector<double, dofs>& e,
+                                                     const Vector<double, dofs>& v) const noexcept;
 
 private:
     /// The scalar that stations are evaluated with.
@@ -292,6 +298,64 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
     half.finish(blocks);
     expand(gradient, result.force);
     return result;
+}
+
+template <class T, class Formulation>
+auto CrossSectionKernel<T, Formulation>::rate_coupling(const Vector<double, dofs>& e,
+                                                       const Vector<double, dofs>& v) const noexcept
+    -> Matrix<double, dofs> {
+    using P = Rate<Pack<2>>;
+    using Sums = typename Formulation::template Gradient<P>;
+    Nodes<P> nodes;
+    Lanes<P> lanes;
+    prepare(moving<Pack<2>>(e, v), nodes, lanes);
+    Matrix<double, strain_count, dofs> B, rate, weighted;  // of some strains; weighted: C B
+    const auto write = [&](Sums& gradient, int k) {
+        Formulation::finish(nodes.scalars, gradient);
+        Vector<P, dofs> row;
+        expand(gradient, row);
+        for (int i = 0; i < dofs; ++i)
+            for (const int lane : {0, 1}) {
+                B(k + lane, i) = row[i].value[lane];
+                rate(k + lane, i) = row[i].rate[lane];
+            }
+    };
+    Matrix<double, dofs> sum = Matrix<double, dofs>::Zero();
+    P units[2] = {P(0.0), P(0.0)};  // of a strain in one lane and of the next in the other
+    for (const int lane : {0, 1}) units[lane].value.set(lane, 1.0);
+    for (const StationData<T, line>& station : stations.full) {
+        At<P> at;
+        (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
+        for (int k = 0; k < strain_count; k += 2) {
+            std::fill_n(at.stress, strain_count, P(0.0));
+            std::copy_n(units, 2, at.stress + k);
+            Sums gradient{};
+            Formulation::gradient(station, at, gradient);
+            write(gradient, k);
+        }
+        for (int i = 0; i < dofs; ++i)
+            stress<(1U << strain_count) - 1U>(station.stiffness, B.col(i).data(),
+                                              weighted.col(i).data());
+        sum.noalias() += weighted.transpose() * rate;
+    }
+    for (const AxialStationData<T, line>& station : stations.axial) {
+        Sums gradient{};
+        axial_gradient(station, {line_derivative(station.p, lanes.vectors), P(station.stiffness)},
+                       gradient);
+        write(gradient, 0);
+        sum += B.row(0).transpose().lazyProduct(rate.row(0)) / station.stiffness;
+    }
+    for (int k = 0; k < 3; ++k) {
+        std::fill_n(&nodes.transverse.stress[0][0], 6, P(0.0));
+        std::copy_n(units, 2, nodes.transverse.stress[k]);
+        Sums gradient{};
+        add_transverse(nodes.transverse, nodes.vectors, gradient);
+        write(gradient, 0);
+        for (const int node : {0, 1})
+            sum += (transverse.stiffness[k] / 6.0 * (B.row(0) + B.row(1) + B.row(node)).transpose())
+                       .lazyProduct(rate.row(node));
+    }
+    return sum;
 }
 
 }  // namespace ancf::detail

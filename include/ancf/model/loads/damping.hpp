@@ -11,6 +11,8 @@
 
 #pragma once
 
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/pack.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -79,6 +82,17 @@ void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude
     detail::add_drag(model, model.group<Element>(), beam.elements, c, amplitude);
 }
 
+namespace detail {
+
+/// Tells whether an element has derivatives of its damping.
+template <class Element, class = void>
+inline constexpr bool has_viscous = false;
+template <class Element>
+inline constexpr bool has_viscous<Element, std::void_t<decltype(&Element::template viscous<>)>> =
+    true;
+
+}  // namespace detail
+
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
 ///
 /// A rigid motion of any size meets no force. A mode of the angular frequency w has the damping
@@ -122,33 +136,31 @@ template <class Element>
 template <class Scalar>
 auto KelvinVoigt<Element>::force(const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& v) const
     -> Vector<Scalar, dofs> {
-    using Moving = detail::Rate<Scalar>;
-    Vector<Moving, dofs> at;
-    for (int k = 0; k < dofs; ++k) at[k] = Moving(e[k], v[k]);
-    const Vector<Moving, dofs> elastic = element_->force(at);
-    Vector<Scalar, dofs> result;
-    for (int k = 0; k < dofs; ++k) result[k] = -eta_ * elastic[k].rate;
-    return result;
+    return detail::rates(-eta_, element_->force(detail::moving<Scalar>(e, v)));
 }
 
 template <class Element>
 void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) const {
-    using Varied = detail::Rate<double>;
     const Vector<double, dofs> e = state.q, v = state.v;
-    out.force = force<double>(e, v);
-    if (!state.derivatives) return;
-    Vector<Varied, dofs> varied_e, varied_v;
-    for (int k = 0; k < dofs; ++k) {
-        varied_e[k] = Varied(e[k]);
-        varied_v[k] = Varied(v[k]);
-    }
-    Vector<double, dofs> unit = Vector<double, dofs>::Zero();
-    for (int k = 0; k < dofs; ++k) {
-        varied_e[k].rate = unit[k] = 1.0;
-        const Vector<Varied, dofs> varied = force<Varied>(varied_e, varied_v);
-        for (int i = 0; i < dofs; ++i) out.stiffness(i, k) = varied[i].rate;
-        out.damping.col(k) = force<double>(e, unit);  // the force is linear in v
-        varied_e[k].rate = unit[k] = 0.0;
+    if (!state.derivatives) {
+        out.force = force<double>(e, v);
+    } else if constexpr (detail::has_viscous<Element>) {
+        const Evaluation<detail::Rate<double>, dofs> at = element_->viscous(e, v);
+        out.force = detail::rates(-eta_, at.force);
+        out.stiffness = detail::rates(-eta_, at.tangent);
+        for (int k = 0; k < dofs * dofs; ++k)
+            out.damping.data()[k] = -eta_ * at.tangent.data()[k].value;
+    } else {
+        using Both = Pack<2>;
+        const Vector<double, dofs> zero = Vector<double, dofs>::Zero();
+        const auto rate = detail::moving<Both>(v, zero);
+        const Vector<Both, dofs> place = detail::rates(1.0, detail::moving<Both>(zero, e));
+        out.force = force<double>(e, v);
+        out.stiffness = detail::columns<Element::dimension, dofs>([&](const auto& unit) {
+            return detail::rates(1.0, force(detail::moving<Both>(e, unit), rate));
+        });
+        out.damping = detail::columns<Element::dimension, dofs>(
+            [&](const auto& unit) { return force(place, unit); });  // it is linear in v
     }
 }
 

@@ -2,36 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Kelvin and Voigt's damping of the continuum and the torsion beam in space.
+/// Kelvin and Voigt's damping of the continuum beam in space.
 
 #include <ancf/element/continuum/beam.hpp>
-#include <ancf/element/torsion/beam.hpp>
 
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
-namespace kelvin_voigt_spatial_test {
+namespace kelvin_voigt_continuum_test {
 
 using namespace ancf;
 
 TEMPLATE_TEST_CASE("KelvinVoigt: derivatives equal the complex step of the force",
-                   "[model][damping]", ContinuumBeam<3>, TorsionBeam) {
+                   "[model][damping]", ContinuumBeam<3>) {
     test::kelvin_voigt::check_derivatives<TestType>();
 }
 
 TEMPLATE_TEST_CASE("KelvinVoigt: rigid motions of a deformed element meet no force",
-                   "[model][damping]", ContinuumBeam<3>, TorsionBeam) {
+                   "[model][damping]", ContinuumBeam<3>) {
     test::kelvin_voigt::check_rigid_motions<TestType>();
 }
 
 TEMPLATE_TEST_CASE("KelvinVoigt: free of stress the force is that of eta K v, however turned",
-                   "[model][damping]", ContinuumBeam<3>, TorsionBeam) {
+                   "[model][damping]", ContinuumBeam<3>) {
     test::kelvin_voigt::check_force_at_rest<TestType>();
 }
 
 TEMPLATE_TEST_CASE("KelvinVoigt: a bar being stretched dissipates eta E A l (strain rate)^2",
-                   "[model][damping]", ContinuumBeam<3>, TorsionBeam) {
+                   "[model][damping]", ContinuumBeam<3>) {
     test::kelvin_voigt::check_stretching<TestType>();
 }
 
-}  // namespace kelvin_voigt_spatial_test
+}  // namespace kelvin_voigt_continuum_test
