@@ -219,13 +219,18 @@ ANCF_INLINE void SparseLdlt::solve(VectorX& x) const {
     std::vector<double> permuted(order_.size());
     double* const y = permuted.data();
     for (int k = 0; k < rows; ++k) y[k] = x[order_.data()[k]];
-    for (int k = 0; k < rows; ++k)
+    const int* const row = row_.data();
+    const double* const value = value_.data();
+    for (int k = 0; k < rows; ++k) {
+        const double from = y[k];
         for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
-            y[row_[e]] -= value_[e] * y[k];
+            y[row[e]] -= value[e] * from;
+    }
     for (int k = rows - 1; k >= 0; --k) {
-        y[k] /= pivots_.data()[k];
+        double sum = y[k] / pivots_.data()[k];
         for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
-            y[k] -= value_[e] * y[row_[e]];
+            sum -= value[e] * y[row[e]];
+        y[k] = sum;
     }
     for (int k = 0; k < rows; ++k) x[order_.data()[k]] = y[k];
 }
