@@ -141,4 +141,32 @@ TEST_CASE("A run ends at its end, however close that is to a point of the grid",
     check_ends(ancf::RadauIIA(radau), ends);
 }
 
+TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
+    int checked = 0;
+    // of the short step the multipliers, g/h^2, are round-off
+    const auto check = [&](const auto& integrator) {
+        for (const double part : {3e-2, 3e-6, 3e-10}) {
+            CAPTURE(part);
+            const auto report = check_ends(integrator, {1.0, 1.0 + part, 2.0 + part});
+            CHECK(report.steps == 1);
+            CHECK(report.convergence_failures == 0);
+            ++checked;
+        }
+    };
+    for (const int stages : {3, 5}) {
+        CAPTURE(stages);
+        ancf::RadauOptions radau;
+        radau.step = 1e-3;
+        radau.tolerance = 0.0;
+        radau.stages = stages;
+        check(ancf::RadauIIA(radau));
+    }
+    ancf::GeneralizedAlphaOptions alpha;
+    ancf::EnergyMomentumOptions middle;
+    alpha.step = middle.step = 1e-3;
+    check(ancf::GeneralizedAlpha(alpha));
+    check(ancf::EnergyMomentum(middle));
+    CHECK(checked == 12);
+}
+
 }  // namespace short_runs_test

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,7 @@ private:
 
     static constexpr double smallest_part = 1e-3;     // of a fixed step that fails
     static constexpr double largest_growth = 8.0;     // of a step
+    static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
@@ -374,12 +376,21 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
 }
 
 /// Takes the first Y and multipliers from the polynomials of the step before, of its places
-/// offset + ratio c_i.
+/// offset + ratio c_i. Far beyond a short step they would tell of its round-off, as its multipliers
+/// do, of g/h^2: from there the step starts as a run does.
 ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
+    const bool far = ratio > farthest_start;
+    VectorX acceleration = now_.acceleration, lambda = now_.lambda;
+    if (far) {
+        ++report_.evaluations;
+        if (problem_.accelerations(now_.time, now_.q, now_.v, acceleration, lambda) !=
+            Status::converged)
+            std::tie(acceleration, lambda) = std::tie(now_.acceleration, now_.lambda);
+    }
     for (std::size_t i = 0; i < stages_; ++i) {
-        if (width_before_ == 0.0) {
-            acceleration_[i] = now_.acceleration;
-            lambda_[i] = now_.lambda;
+        if (width_before_ == 0.0 || far) {
+            acceleration_[i] = acceleration;
+            lambda_[i] = lambda;
             continue;
         }
         const std::vector<double> weights =
