@@ -42,7 +42,7 @@ void check_broken(const Run& run) {
         PlanarModel model = cantilever(Scale{});
         ending.change(model);
         const auto report = run(model);
-        check_ending(ending.name, report.status, report.message, ending.may);
+        check_ending(ending.name, report.status, report.message, ending.may, ending.says);
     }
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("endings: paths of coincident points in space say why they cannot star
     EigenLu solver;
     const PathReport report = follow_path(model, solver);
     check_ending("coincident", report.status, report.message,
-                 {Status::singular, Status::not_finite});
+                 {Status::singular, Status::not_finite}, "constraint 2 (distance between node 5");
 }
 
 template <class Analysis>

@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <dynamics/scenes.hpp>
@@ -96,6 +97,76 @@ TEST_CASE("Equal intervals longer than the run still have both ends", "[dynamics
         const ancf::Schedule schedule = ancf::equal_intervals(2.0, 1e-3, interval);
         CHECK(schedule.times == std::vector<double>{2.0, 2.0 + 1e-3});
     }
+}
+
+/// Moves the swing from end to end with the memory of the run before, in steps of 1e-3 s; returns
+/// the last report.
+template <class Integrator>
+ancf::DynamicsReport check_ends(const Integrator& integrator, const std::vector<double>& ends) {
+    Chain scene = swing();
+    ancf::DynamicProblem problem(scene.model);
+    ancf::EigenLu solver;
+    ancf::DynamicsReport report;
+    for (const double steps : ends) {
+        CAPTURE(steps);
+        const double end = 1e-3 * steps;
+        ancf::Schedule schedule = until(end);
+        schedule.times = {end};
+        double seen = -1.0;
+        schedule.observe = [&](const ancf::Snapshot& at) { seen = at.state.time; };
+        report = integrator.integrate(problem, solver, schedule, report.memory);
+        CAPTURE(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.time == end);
+        CHECK(seen == end);
+        CHECK(scene.model.state().time == end);
+    }
+    return report;
+}
+
+TEST_CASE("A run ends at its end, however close that is to a point of the grid", "[dynamics]") {
+    ancf::GeneralizedAlphaOptions alpha;
+    ancf::EnergyMomentumOptions middle;
+    ancf::RadauOptions radau;
+    alpha.step = middle.step = radau.step = 1e-3;
+    radau.tolerance = 0.0;
+    // ahead of points of the grid and behind them; the third from a time that an end beyond the
+    // grid would have passed
+    const std::vector<double> ends{1.0 - 5e-10, 2.0 - 5e-10, 2.0 - 3e-10, 3.0 + 5e-10, 4.0};
+    check_ends(ancf::GeneralizedAlpha(alpha), ends);
+    check_ends(ancf::EnergyMomentum(middle), ends);
+    check_ends(ancf::RadauIIA(radau), ends);
+    alpha.tolerance = radau.tolerance = 1e-6;
+    check_ends(ancf::GeneralizedAlpha(alpha), ends);
+    check_ends(ancf::RadauIIA(radau), ends);
+}
+
+TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
+    int checked = 0;
+    // of the short step the multipliers, g/h^2, are round-off
+    const auto check = [&](const auto& integrator) {
+        for (const double part : {3e-2, 3e-6, 3e-10}) {
+            CAPTURE(part);
+            const auto report = check_ends(integrator, {1.0, 1.0 + part, 2.0 + part});
+            CHECK(report.steps == 1);
+            CHECK(report.convergence_failures == 0);
+            ++checked;
+        }
+    };
+    for (const int stages : {3, 5}) {
+        CAPTURE(stages);
+        ancf::RadauOptions radau;
+        radau.step = 1e-3;
+        radau.tolerance = 0.0;
+        radau.stages = stages;
+        check(ancf::RadauIIA(radau));
+    }
+    ancf::GeneralizedAlphaOptions alpha;
+    ancf::EnergyMomentumOptions middle;
+    alpha.step = middle.step = 1e-3;
+    check(ancf::GeneralizedAlpha(alpha));
+    check(ancf::EnergyMomentum(middle));
+    CHECK(checked == 12);
 }
 
 }  // namespace short_runs_test

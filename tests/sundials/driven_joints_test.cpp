@@ -21,24 +21,30 @@ using ancf::sundials::IdaOptions;
 TEMPLATE_TEST_CASE("Ida: an arm turns by the angle driven, from any first step", "[ida][joints]",
                    test::DrivenArm, test::DrivenCrank) {
     int checked = 0;
-    for (const double angle : {0.1, 1.7, pi, 4.0, 10.0, 20.0})
+    for (const double angle : {0.1, 1.7, pi, 4.0, 10.0, 4.0 * pi, 20.0})
         for (const int steps : {1, 2, 4, 16})
             for (const Form form : {Form::index3, Form::gear_gupta_leimkuhler}) {
                 CAPTURE(angle, steps, form == Form::index3);
-                TestType arm(test::smooth_turn(angle));
+                const Motion motion = test::smooth_turn(angle);
+                TestType arm(motion);
                 DynamicProblem problem(arm.model);
                 IdaOptions options;
                 options.tolerance = 1e-3;
                 options.form = form;
                 options.first_step = 1.0 / steps;
-                const auto report = Ida(options).integrate(problem, equal_intervals(0.0, 1.0, 1.0));
+                Schedule schedule = equal_intervals(0.0, 1.0, 1.0 / 64);
+                test::TurnCounter counter(arm, motion);
+                schedule.observe = [&](const Snapshot& seen) { counter.see(seen.state); };
+                const auto report = Ida(options).integrate(problem, schedule);
                 ++checked;
                 INFO(report.message);
                 REQUIRE(report.status == Status::converged);
+                CHECK(std::abs(counter.turned() - angle) <= 1e-9);
+                CHECK(counter.farthest() <= pi / 12.0);
                 CHECK(arm.off(angle) <= 1e-9);
                 CHECK(arm.wound() <= 0.5);
             }
-    CHECK(checked == 48);
+    CHECK(checked == 56);
 }
 
 TEST_CASE("Ida: a driven angle that jumps ends the motion and names the joint", "[ida][joints]") {

@@ -92,9 +92,9 @@ void check_alike(const Make& make, double end, ancf::sundials::Form form, double
             CHECK(other.report.largest_step == one.report.largest_step * scale.time);
             CHECK(other.tip == one.tip);
         } else {
-            // one in a hundred steps at most: 14 of 1393 measured, mostly none
+            // none measured in runs of some hundred steps, 14 in those of thousands
             CHECK(std::abs(other.report.iterations - one.report.iterations) <=
-                  1 + one.report.steps / 90);
+                  (one.report.steps < 1000 ? 1 : 15));
             CHECK(std::abs(other.tip - one.tip) <= 1e-7);  // measured 2e-8 in 3857 steps
         }
         ++checked;

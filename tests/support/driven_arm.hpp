@@ -143,4 +143,31 @@ private:
 using DrivenElbow = Elbow<2>;
 using DrivenElbowInSpace = Elbow<3>;
 
+/// Follows the angle of an arm's joint through a run that is observed so often that the joint turns
+/// by less than half a turn in between: with its whole turns, which no single state tells.
+template <class Arm>
+class TurnCounter {
+public:
+    TurnCounter(const Arm& arm, Motion motion) : arm_(arm), motion_(std::move(motion)) {}
+
+    void see(const State& state) {
+        const double now = arm_.joint_angle(state.q);
+        if (seen_++ > 0) turned_ += std::remainder(now - before_, 2.0 * pi);
+        before_ = now;
+        farthest_ = std::max(farthest_, std::abs(turned_ - motion_.value(state.time)));
+    }
+
+    /// Returns the angle from the start, rad.
+    [[nodiscard]] double turned() const { return turned_; }
+
+    /// Returns the most that it was off the motion, rad.
+    [[nodiscard]] double farthest() const { return farthest_; }
+
+private:
+    const Arm& arm_;
+    Motion motion_;
+    double turned_ = 0.0, before_ = 0.0, farthest_ = 0.0;
+    long seen_ = 0;
+};
+
 }  // namespace ancf::test

@@ -85,17 +85,13 @@ void check_integrators(const Make& make, double step, double base, bool exactly)
     check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
         return run(make(s), Solver(), generalized_alpha(s, step, 1e-5), end * s.time);
     });
-    for (const int stages : {3, 5})
-        check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
-            return run(make(s), Solver(), radau(s, stages, step, 1e-5), end * s.time);
-        });
-    // steps of fixed length iterate down to the noise of round-off: one more or less in a step
-    for (const int stages : {3, 5})
-        check_scales(base, exactly ? 0 : 10, [&](const Scale& s) {
-            return run(make(s), Solver(), radau(s, stages, step, 0.0), end * s.time);
-        });
-    // so does energy-momentum
-    check_scales(base, exactly ? 0 : 10, [&](const Scale& s) {
+    for (const double tolerance : {1e-5, 0.0})
+        for (const int stages : {3, 5})
+            check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
+                return run(make(s), Solver(), radau(s, stages, step, tolerance), end * s.time);
+            });
+    // it iterates down to the noise of round-off: 5 of 74 measured
+    check_scales(base, exactly ? 0 : 6, [&](const Scale& s) {
         return run(make(s), Solver(), energy_momentum(s, step), end * s.time);
     });
 }

@@ -47,6 +47,11 @@ public:
 private:
     void recall(const Memory& memory);
     void remember();
+    /// Whether the end is further than the round-off of a step; a last point ahead of it or beyond
+    /// it by less belongs to the end.
+    [[nodiscard]] bool goes_on() const {
+        return schedule_.end - now_.time > 1e-9 * std::min(options_.step, whole_);
+    }
     [[nodiscard]] bool advance(double target, double whole);
     [[nodiscard]] Status step(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
@@ -70,6 +75,7 @@ private:
     MotionPoint now_, next_;
     VectorX acceleration_;         // mean of the last step: the prediction of the next
     double origin_, count_ = 0.0;  // of the grid of steps
+    double whole_ = 0.0;           // s, from the start to the schedule's end
     MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
     double linearised_width_ = 0.0;                // 0: there is no matrix
     State full_now_, full_next_;
@@ -82,12 +88,12 @@ ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
     next_ = now_;
     recorder_.start(now_);
     bool going = true;
-    const double least = 1e-9 * std::min(options_.step, schedule_.end - now_.time);
-    while (going && schedule_.end - now_.time > least) {
+    whole_ = schedule_.end - now_.time;
+    while (going && goes_on()) {
         const double grid = origin_ + (count_ + 1.0) * options_.step;
         if (schedule_.end >= grid - 1e-9 * options_.step) {
             going = advance(grid, options_.step);
-            if (now_.time == grid) count_ += 1.0;
+            if (now_.time >= std::min(grid, schedule_.end)) count_ += 1.0;
         } else {
             going = advance(schedule_.end, schedule_.end - now_.time);
             origin_ = now_.time;
@@ -104,7 +110,7 @@ ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
 ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
     whole /= parts_for_turns(problem_.model().constraints(), now_.time, target);
     double width = whole;
-    while (now_.time < target) {
+    while (now_.time < std::min(target, schedule_.end)) {
         const double rest = target - now_.time;
         const bool last = rest <= width * (1.0 + 1e-6);
         // a run that goes on within a step has less than the whole of it left
@@ -130,6 +136,7 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
         }
         acceleration_ = (next_.v - now_.v) / h;
         std::swap(now_, next_);
+        if (!goes_on()) now_.time = schedule_.end;
         if (recorder_.step(next_, now_)) continue;
         report_.status = Status::stopped;
         report_.message = "the progress callback asked to stop";

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,11 +55,17 @@ private:
 
     static constexpr double smallest_part = 1e-3;     // of a fixed step that fails
     static constexpr double largest_growth = 8.0;     // of a step
+    static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
     [[nodiscard]] bool adaptive() const { return options_.tolerance > 0.0; }
     [[nodiscard]] bool begin(const Memory& memory);
+    /// Whether the end is further than the round-off of a step; a last point ahead of it or beyond
+    /// it by less belongs to the end.
+    [[nodiscard]] bool goes_on() const {
+        return schedule_.end - now_.time > 1e-9 * std::min(step_, whole_);
+    }
     void recall(const Memory& memory);
     void remember();
     [[nodiscard]] Step propose() const;
@@ -159,7 +166,8 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
 ANCF_INLINE void RadauRun::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
-    while (schedule_.end - now_.time > 1e-9 * std::min(step_, whole_) && advance()) {
+    while (goes_on() && advance()) {
+        if (!goes_on()) now_.time = schedule_.end;
         if (recorder_.step(earlier_, now_, [this](double time) { return between(time); })) continue;
         fail(Status::stopped, "the progress callback asked to stop");
         break;
@@ -368,12 +376,21 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
 }
 
 /// Takes the first Y and multipliers from the polynomials of the step before, of its places
-/// offset + ratio c_i.
+/// offset + ratio c_i. Far beyond a short step they would tell of its round-off, as its multipliers
+/// do, of g/h^2: from there the step starts as a run does.
 ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
+    const bool far = ratio > farthest_start;
+    VectorX acceleration = now_.acceleration, lambda = now_.lambda;
+    if (far) {
+        ++report_.evaluations;
+        if (problem_.accelerations(now_.time, now_.q, now_.v, acceleration, lambda) !=
+            Status::converged)
+            std::tie(acceleration, lambda) = std::tie(now_.acceleration, now_.lambda);
+    }
     for (std::size_t i = 0; i < stages_; ++i) {
-        if (width_before_ == 0.0) {
-            acceleration_[i] = now_.acceleration;
-            lambda_[i] = now_.lambda;
+        if (width_before_ == 0.0 || far) {
+            acceleration_[i] = acceleration;
+            lambda_[i] = lambda;
             continue;
         }
         const std::vector<double> weights =

@@ -217,6 +217,7 @@ private:
         report_.fault.reset();
         report_.message.clear();
         failure_.clear();
+        far_joint_.clear();
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
@@ -225,7 +226,7 @@ private:
         step.status = iterate(step);
         if (step.status == Status::converged && !followed(step)) step.status = Status::diverged;
         keep.reached = step.status == Status::converged;
-        if (!keep.reached) report_.message = cause(step);
+        if (!keep.reached) report_.message = cause(step) + far_joint_;
         return step;
     }
 
@@ -245,6 +246,27 @@ private:
         return text;
     }
 
+    /// Notes a driven joint that stands more than pi/3 off where the step begins: its angle did not
+    /// change to what it is, so that no step was cut, and Newton's method may throw sections over.
+    void note_far_joint() {
+        if (exchange_ != nullptr || constraints_.empty()) return;
+        // angles are what does not grow with a length
+        const VectorX one = assembly_.violation_scale(monitor_.size());
+        const VectorX two = assembly_.violation_scale(2.0 * monitor_.size());
+        Eigen::Index row = 0;
+        for (std::size_t k = 0; k < constraints_.size(); ++k) {
+            double square = 0.0;  // of the sine, which passes pi/3 once (constraints/turn.hpp)
+            for (const Eigen::Index end = row + constraints_[k].equations(); row < end; ++row)
+                if (one[row] == two[row]) square += std::pow(assembly_.violation()[row], 2);
+            const double angle = constraints_[k].driven_angle(instant_.time);
+            if (square > 0.75 && angle != 0.0)
+                far_joint_ = joined({"; constraint ", k, " (", constraints_[k].name(),
+                                     ") began more than ", largest_driven_turn,
+                                     " rad off the angle that it is driven to, ", angle, " rad"},
+                                    6);
+        }
+    }
+
     Status iterate(LoadStep& step) {
         State& state = model_.state();
         state.time = instant_.time;
@@ -255,6 +277,7 @@ private:
 
         last_.before = state.q;
         if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
+        note_far_joint();
         state.q = driven;
         double correction = std::numeric_limits<double>::infinity();
         while (true) {
@@ -546,8 +569,9 @@ private:
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;
-    Correction last_;      // of the attempt that runs
-    std::string failure_;  // of the solver, in words
+    Correction last_;        // of the attempt that runs
+    std::string failure_;    // of the solver, in words
+    std::string far_joint_;  // what note_far_joint() says
 };
 
 }  // namespace detail
