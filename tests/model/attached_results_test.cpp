@@ -137,15 +137,23 @@ TEST_CASE("attachments: options, parts and numbers of vectors that cannot be mea
     part.nodes[static_cast<std::size_t>(built.joints[1].index)] = 0;
     CHECK_THROWS_WITH(model.part(part, nullptr), ContainsSubstring("which is no part"));
 
-    // each vector of an end attached to a joint of its own: 13 are followed by one end
+    // an end follows one node, but each node on the way may leave its slopes free: 13 are followed
     Model tied;
     const auto beam =
         straight_beam<Element>(tied, steel, rectangle(0.02, 0.02), {0, 0, 0}, {1, 0, 0}, 1);
     const Matrix<double, 3> askew =
         (Matrix<double, 3>() << 0.8, 0.1, 0.2, -0.3, 0.9, 0.1, 0.2, -0.2, 1.1).finished();
-    for (const NodeId end : {beam.first(), beam.last()})
-        for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z})
-            tied.attach(end, tied.add_node({0.3, 0.2, 0.1}, askew), Fields(field));
+    for (const NodeId end : {beam.first(), beam.last()}) {
+        NodeId from = tied.add_node({0.3, 0.2, 0.1}, askew);
+        tied.attach(end, from);
+        CHECK_THROWS_WITH(tied.attach(end, tied.add_node({0, 0, 1}, askew), Fields(Field::r_x)),
+                          ContainsSubstring("follows node"));
+        for (const P3& point : {P3(0.1, -0.2, 0.3), P3(0.5, 0.4, -0.1), P3(-0.3, 0.2, 0.6)}) {
+            const NodeId next = tied.add_node(point, askew);
+            tied.attach(from, next, Fields(Field::r));
+            from = next;
+        }
+    }
     CHECK_THROWS_WITH(Assembly(tied, Storage::full), ContainsSubstring("expected at most 16"));
 }
 

@@ -320,6 +320,10 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
                     "Model::attach: node ", end.index, " carries no ", name,
                     "; connect its elements first");
     check_unattached("attach", end, field);
+    for (int of = 0; of < field_count; ++of)
+        if (const AttachedVector* const other = attachment_of(end, static_cast<Field>(of)))
+            detail::require(other->to == joint, "Model::attach: node ", end.index, " follows node ",
+                            other->to.index, ", not node ", joint.index, " too");
     for (int component = 0; component < dimension_; ++component)
         detail::require(support_of(end, field, component) < 0, "Model::attach: ", name, " of node ",
                         end.index, " is held or driven; hold node ", joint.index, " instead");

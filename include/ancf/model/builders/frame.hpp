@@ -210,7 +210,8 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
 
 /// Adds a net of cables that are pinned to each other at points.
 ///
-/// A net without stress has no stiffness across its ropes: give it a strain or load it by steps.
+/// A flat net without stress has no stiffness across its ropes, and load steps do not help: give it
+/// a strain.
 /// @param profiles, points, members, element  as of frame().
 /// @return  the knots and the cables, in the order given.
 /// @throws InvalidArgument as frame().
