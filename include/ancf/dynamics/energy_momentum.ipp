@@ -47,11 +47,6 @@ public:
 private:
     void recall(const Memory& memory);
     void remember();
-    /// Whether the end is further than the round-off of a step; a last point ahead of it or beyond
-    /// it by less belongs to the end.
-    [[nodiscard]] bool goes_on() const {
-        return schedule_.end - now_.time > 1e-9 * std::min(options_.step, whole_);
-    }
     [[nodiscard]] bool advance(double target, double whole);
     [[nodiscard]] Status step(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
@@ -89,7 +84,7 @@ ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
     recorder_.start(now_);
     bool going = true;
     whole_ = schedule_.end - now_.time;
-    while (going && goes_on()) {
+    while (going && goes_on(now_, schedule_.end, std::min(options_.step, whole_))) {
         const double grid = origin_ + (count_ + 1.0) * options_.step;
         if (schedule_.end >= grid - 1e-9 * options_.step) {
             going = advance(grid, options_.step);
@@ -136,7 +131,8 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
         }
         acceleration_ = (next_.v - now_.v) / h;
         std::swap(now_, next_);
-        if (!goes_on()) now_.time = schedule_.end;
+        if (!goes_on(now_, schedule_.end, std::min(options_.step, whole_)))
+            now_.time = schedule_.end;
         if (recorder_.step(next_, now_)) continue;
         report_.status = Status::stopped;
         report_.message = "the progress callback asked to stop";

@@ -46,11 +46,6 @@ private:
     static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
 
     [[nodiscard]] bool begin(const Memory& memory);
-    /// Whether the end is further than the round-off of a step; a last point ahead of it or beyond
-    /// it by less belongs to the end.
-    [[nodiscard]] bool goes_on() const {
-        return schedule_.end - now_.time > 1e-9 * std::min(step_, whole_);
-    }
     void read(const Memory& memory);
     void recall(const Memory& memory);
     void remember();
@@ -134,9 +129,9 @@ ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, Li
 ANCF_INLINE void GeneralizedAlphaRun::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
-    while (goes_on() && advance()) {
+    while (goes_on(now_, schedule_.end, std::min(step_, whole_)) && advance()) {
         std::swap(now_, next_);
-        if (!goes_on()) now_.time = schedule_.end;
+        if (!goes_on(now_, schedule_.end, std::min(step_, whole_))) now_.time = schedule_.end;
         if (recorder_.step(next_, now_)) continue;
         fail(Status::stopped, "the progress callback asked to stop");
         break;

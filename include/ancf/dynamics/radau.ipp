@@ -61,11 +61,6 @@ private:
 
     [[nodiscard]] bool adaptive() const { return options_.tolerance > 0.0; }
     [[nodiscard]] bool begin(const Memory& memory);
-    /// Whether the end is further than the round-off of a step; a last point ahead of it or beyond
-    /// it by less belongs to the end.
-    [[nodiscard]] bool goes_on() const {
-        return schedule_.end - now_.time > 1e-9 * std::min(step_, whole_);
-    }
     void recall(const Memory& memory);
     void remember();
     [[nodiscard]] Step propose() const;
@@ -166,8 +161,8 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
 ANCF_INLINE void RadauRun::run(const Memory& memory) {
     if (!begin(memory)) return;
     recorder_.start(now_);
-    while (goes_on() && advance()) {
-        if (!goes_on()) now_.time = schedule_.end;
+    while (goes_on(now_, schedule_.end, std::min(step_, whole_)) && advance()) {
+        if (!goes_on(now_, schedule_.end, std::min(step_, whole_))) now_.time = schedule_.end;
         if (recorder_.step(earlier_, now_, [this](double time) { return between(time); })) continue;
         fail(Status::stopped, "the progress callback asked to stop");
         break;

@@ -37,6 +37,13 @@ struct MotionPoint {
     VectorX q, v, lambda;
 };
 
+/// Tells whether a run's end, s, is further than the round-off of a step; a last point ahead of it
+/// or beyond it by less belongs to the end.
+/// @param step  s; that of the integrator, or the whole run where that is shorter
+[[nodiscard]] inline bool goes_on(const MotionPoint& now, double end, double step) noexcept {
+    return end - now.time > 1e-9 * step;
+}
+
 /// Takes what a step left into the report, before any projection: constraints and, where it is
 /// followed, energy by an evaluation of its own. Of the start the report has counted no step.
 void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
