@@ -27,7 +27,7 @@ inline constexpr Published table_1[] = {{"cross-section", 1, 1.8548, 0.6444},
                                         {"continuum", 8, 1.8515, 0.6777},
                                         {"continuum", 16, 1.7924, 0.8052}};
 
-/// Half a digit of the printed values and what they were rounded from, m.
+/// One unit of the last printed digit, m.
 inline constexpr double table_1_tolerance = 1e-4;
 
 }  // namespace examples

@@ -148,6 +148,7 @@ public:
 
     /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
     /// derivative of B^T C B v by e. A template: only those who damp compile it.
+    /// @param e,v  nodal coordinates and their rates
     template <int...>
     [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
         const Coordinates& e, const Coordinates& v) const noexcept;
