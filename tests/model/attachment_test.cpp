@@ -523,31 +523,6 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
     says("one node", [&] { model.connect<AffineJoint<3>>(body, joint, bare); });
     says("volume", [] { AffineJoint<3>(steel(), 0.0, 0.02); });
     says("size", [] { AffineJoint<3>(steel(), 1e-4, -1.0); });
-    Model other;
-    const std::vector<Profile> profiles = {{steel(), square()}};
-    const std::vector<P3> points = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}};
-    says("point 3", [&] { frame<Spatial>(other, profiles, points, {{0, 3}}); });
-    says("point 1", [&] { frame<Spatial>(other, profiles, points, {{1, 1}}); });
-    says("profile 1", [&] { frame<Spatial>(other, profiles, points, {{0, 1, 1}}); });
-    says("element", [&] { frame<Spatial>(other, profiles, points, {{0, 1, 0, 0}}); });
-    says("apart", [&] { frame<Spatial>(other, profiles, points, {{1, 2}}); });
-    says("parallel", [&] {
-        FrameOptions<3> options;
-        options.y_axis = P3(1, 0, 0);
-        frame<Spatial>(other, profiles, points, {{0, 1}}, options);
-    });
-    says("point 1 must be finite", [&] {
-        frame<Spatial>(other, profiles, {{0, 0, 0}, {0, std::nan(""), 0}}, {});
-    });
-    says("apart", [&] { frame<Spatial>(other, profiles, points, {{0, 1}, {1, 2}}); });
-    // what is refused leaves nothing behind
-    CHECK(other.nodes() == 0);
-    CHECK(other.groups().empty());
-    says("joint_stiffness", [&] {
-        FrameOptions<3> options;
-        options.joint_stiffness = -1.0;
-        frame<Spatial>(other, profiles, points, {{0, 1}}, options);
-    });
 }
 
 }  // namespace attachment_test

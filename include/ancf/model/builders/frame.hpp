@@ -46,8 +46,9 @@ template <int Dimension = 3>
 struct FrameOptions {
     /// How much stiffer a joint is than a block of the members' material and size.
     double joint_stiffness = 100.0;
-    /// What the sections' y axes follow, where it is not parallel to the member; zero:
-    /// reference_slopes() of the direction. Of no effect in the plane.
+    /// What the sections' y axes follow. A member that is parallel to it, such as a column where
+    /// this points upwards, and all members where this is zero, take reference_slopes() of their
+    /// direction alone. Parallel is an angle below 1e-6. Of no effect in the plane.
     Vector<double, Dimension> y_axis = Vector<double, Dimension>::Zero();
 
     /// @throws InvalidArgument for a stiffness that is not positive or an axis that is not finite.
@@ -108,9 +109,16 @@ private:
 void check_points(const char* name, const double* components, std::size_t count, int dimension);
 
 /// @throws InvalidArgument unless both ends are there and differ, and so is the profile.
-void check_member(const char* name, const Member& member, std::size_t points, std::size_t profiles);
+/// @param place  of the member, for the message
+void check_member(const char* name, std::size_t place, const Member& member, std::size_t points,
+                  std::size_t profiles);
 
-/// Returns the slopes of a member.
+/// @throws InvalidArgument unless the ends of a member are apart.
+/// @return their distance, m
+[[nodiscard]] double member_length(const char* name, std::size_t place, const Member& member,
+                                   double distance);
+
+/// Returns the slopes of a member: along `y_axis` as FrameOptions says.
 [[nodiscard]] Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
                                               const Vector<double, 3>& y_axis);
 [[nodiscard]] Matrix<double, 2> member_slopes(const Vector<double, 2>& direction,
@@ -129,13 +137,13 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
     std::vector<int> prototype_of;
     // all that may be refused comes before the model changes
     check_points(name, points.empty() ? nullptr : points.front().data(), points.size(), Dimension);
-    for (const Member& member : members) {
-        check_member(name, member, points.size(), profiles.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const Member& member = members[k];
+        check_member(name, k, member, points.size(), profiles.size());
         const auto& from = points[static_cast<std::size_t>(member.first)];
         const auto& to = points[static_cast<std::size_t>(member.second)];
-        const double length =
-            distance_apart<Dimension>(from, to) / member.elements / (1.0 + strain);
-        static_cast<void>(member_slopes(Vector<double, Dimension>(to - from), y_axis));
+        const double apart = member_length(name, k, member, span(between<Dimension>(from, to)));
+        const double length = apart / member.elements / (1.0 + strain);
         int prototype = made.find(member.profile, length);
         if (prototype < 0) {
             const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
@@ -181,9 +189,9 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
 /// @param members   each between two points.
 /// @param element   handed to the element's constructor after material, section and length.
 /// @return          the joints and the members, in the order given.
-/// @throws InvalidArgument for a point that is not finite, a member whose points coincide or do not
-///         exist, one of no elements or of no profile, a y axis parallel to a member, and what the
-///         element's constructor refuses; the model is then as it was.
+/// @throws InvalidArgument for a point that is not finite, with its place; a member whose points
+///         coincide or do not exist, one of no elements or of no profile, with its place and
+///         points; and what the element's constructor refuses. The model is then as it was.
 template <class Element = void, int Dimension, class... Options>
 auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
            const std::vector<typename BasicModel<Dimension>::Point>& points,

@@ -65,23 +65,34 @@ ANCF_INLINE void check_points(const char* name, const double* components, std::s
                     i, " is ", *components);
 }
 
-ANCF_INLINE void check_member(const char* name, const Member& member, std::size_t points,
-                              std::size_t profiles) {
-    const int joints = static_cast<int>(points);
+ANCF_INLINE void check_member(const char* name, std::size_t place, const Member& member,
+                              std::size_t points, std::size_t profiles) {
+    const auto check = [&](bool good, const auto&... message) {
+        require(good, name, ": member ", place, ", points ", member.first, " and ", member.second,
+                ": ", message...);
+    };
     for (const int joint : {member.first, member.second})
-        require(joint >= 0 && joint < joints, name, ": there are ", joints,
-                " points, got a member at point ", joint);
-    require(member.first != member.second, name, ": a member joins two points, got point ",
-            member.first, " twice");
-    require(member.profile >= 0 && member.profile < static_cast<int>(profiles), name,
-            ": there are ", profiles, " profiles, got a member of profile ", member.profile);
-    require(member.elements >= 1, name, ": at least one element is needed, got ", member.elements);
+        check(joint >= 0 && joint < static_cast<int>(points), "there are ", points,
+              " points, got point ", joint);
+    check(member.first != member.second, "a member joins two points, got one twice");
+    check(member.profile >= 0 && member.profile < static_cast<int>(profiles), "there are ",
+          profiles, " profiles, got profile ", member.profile);
+    check(member.elements >= 1, "at least one element is needed, got ", member.elements);
+}
+
+ANCF_INLINE double member_length(const char* name, std::size_t place, const Member& member,
+                                 double distance) {
+    require(std::isfinite(distance) && distance > 0.0, name, ": member ", place, ", points ",
+            member.first, " and ", member.second, ": the points must be apart, got a distance of ",
+            distance);
+    return distance;
 }
 
 ANCF_INLINE Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
                                             const Vector<double, 3>& y_axis) {
-    if (y_axis[0] == 0.0 && y_axis[1] == 0.0 && y_axis[2] == 0.0)
-        return reference_slopes(direction);
+    constexpr double parallel = 1e-6;
+    const double sine = span(Vector<double, 3>(cross(direction, y_axis)));  // times both lengths
+    if (sine <= parallel * span(direction) * span(y_axis)) return reference_slopes(direction);
     return reference_slopes(direction, y_axis);
 }
 
