@@ -6,12 +6,17 @@
 
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
+#include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -25,7 +30,57 @@ using Spatial = CrossSectionBeam<3>;
 using P3 = Vector<double, 3>;
 
 const Material steel = Material::isotropic(2e11, 0.3, 7800.0);
+const Material aluminium = Material::isotropic(7e10, 0.33, 2700.0);
 constexpr double height = 0.04, width = 0.02;  // m
+
+void solve(Model& model) {
+    EigenLdlt solver;
+    const StaticsReport report = solve_statics(model, solver);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+}
+
+TEST_CASE("frame: y_axis turns an oblong section, and so its stiffness", "[model][frame]") {
+    constexpr double length = 2.0, force = 0.5;  // m, N
+    const Section section = rectangle(width, height);
+    const auto deflection = [&](const P3& direction, const P3& y_axis) {
+        FrameOptions<3> options;
+        options.y_axis = y_axis;
+        Model model;
+        const auto built =
+            frame<Spatial>(model, {{steel, section}}, {P3::Zero(), length * direction},
+                           {{0, 1, 0, 8}}, options, CrossSectionOptions::best());
+        model.clamp(built.joints[0]);
+        model.add(Force<3>(built.joints[1], {0, 0, force}));
+        solve(model);
+        return model.position(built.joints[1])[2] - length * direction[2];
+    };
+    // Timoshenko's cantilever, depth h along the force
+    const auto expected = [&](double h, double b, double kappa) {
+        const double area = h * b, inertia = b * h * h * h / 12.0;
+        return force * length *
+               (length * length / (3.0 * steel.young * inertia) +
+                1.0 / (kappa * steel.shear * area));
+    };
+    const double flat = expected(width, height, section.shear_correction_z());
+    const double upright = expected(height, width, section.shear_correction_y());
+    int checked = 0;
+    for (const P3& direction : {P3(1, 0, 0), P3(0, 1, 0), P3(0.6, -0.8, 0), P3(-0.8, 0.6, 0)}) {
+        INFO(direction.transpose());
+        const double across = deflection(direction, {-direction[1], direction[0], 0});
+        const double along = deflection(direction, {0, 0, 1});
+        CHECK(across == Approx(flat).epsilon(2e-4));  // the joints yield by 0.002 h/L = 4e-5
+        CHECK(along == Approx(upright).epsilon(2e-4));
+        // I_z/I_y = (h/b)^2 but for shear
+        CHECK(across / along == Approx(4.0).epsilon(1e-3));
+        // y_axis need not stand at a right angle to the member
+        CHECK(deflection(direction, {direction[0], direction[1], 0.5}) ==
+              Approx(along).epsilon(1e-12));
+        ++checked;
+    }
+    CHECK(checked == 4);
+    CHECK(deflection({1, 0, 0}, {0, 0, 0}) == Approx(flat).epsilon(2e-4));  // y along Y
+}
 
 TEST_CASE("frame: a member parallel to y_axis stands as without one", "[model][frame]") {
     const std::vector<P3> points = {{0, 0, 0}, {0.1, 0.2, 3.0}, {0.1 + 4.0, 0.2, 3.0}, {4, 0, 3}};
@@ -55,6 +110,77 @@ TEST_CASE("frame: a member parallel to y_axis stands as without one", "[model][f
     // an angle of 1e-5 is none of those
     const P3 off = points[1] - points[0] + 1e-5 * 3.0 * P3(1, 0, 0);
     CHECK((slopes(off)[0] - plain[0]).norm() > 0.1);
+}
+
+TEST_CASE("frame: a joint yields as its stiffness says", "[model][frame]") {
+    constexpr double edge = 0.03, force = 0.01;  // m, N
+    const auto sway = [&](double stiffness) {
+        FrameOptions<3> options;
+        options.joint_stiffness = stiffness;
+        Model model;
+        const auto built =
+            frame<Spatial>(model, {{steel, rectangle(edge, edge)}},
+                           {{0, 0, 0}, {1, 0, 0}, {1, 0.8, 0}}, {{0, 1}, {1, 2}}, options);
+        model.clamp(built.joints[0]);
+        model.add(Force<3>(built.joints[2], {force, 0, 0}));
+        solve(model);
+        return model.position(built.joints[2])[0] - 1.0;
+    };
+    // the moment force * arm shears the corner by M/(k mu A h), and the tip moves by arm times that
+    constexpr double arm = 0.8;
+    const double compliance = force * arm * arm / (steel.shear * edge * edge * edge);
+    const double soft = sway(1.0), firm = sway(100.0), firmer = sway(1e4);
+    CHECK(soft - firm == Approx(compliance * (1.0 - 1e-2)).epsilon(1e-3));
+    CHECK(firm - firmer == Approx(compliance * (1e-2 - 1e-4)).epsilon(1e-3));
+    FrameOptions<3> usual;
+    CHECK(usual.joint_stiffness == 100.0);
+}
+
+TEST_CASE("frame: a joint has the largest block and the stiffest material of its members",
+          "[model][frame]") {
+    const Profile slender{steel, rectangle(0.01, 0.01)};
+    const Profile stout{aluminium, rectangle(height, width)};  // higher along z than along y
+    const double volume = 100.0 * height * width * height;     // k A h, h the larger side
+    const double size = std::cbrt(height * width * height);
+    int checked = 0;
+    for (const bool swapped : {false, true}) {
+        Model model;
+        std::vector<Profile> profiles = {slender, stout};
+        if (swapped) std::swap(profiles[0], profiles[1]);
+        const auto built = frame<Spatial>(model, profiles, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                                          {{0, 1, 0}, {1, 2, 1}});
+        using Body = AffineJoint<3>;
+        const auto& bodies = model.group<Body>();
+        const auto body_of = [&](std::size_t joint) -> const Body& {
+            for (int k = 0; k < bodies.size(); ++k)
+                if (bodies.connection(k).first == built.joints[joint]) return bodies.element(k);
+            throw InvalidArgument("no body");
+        };
+        const auto check = [&](const Body& body, const Material& of, double V, double edge) {
+            Body::Coordinates rest;
+            rest << 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+            const auto result = body.evaluate(rest);
+            const double lame = 2.0 * of.shear * of.poisson() / (1.0 - 2.0 * of.poisson());
+            CHECK(result.tangent(3, 3) == Approx(V * of.shear).epsilon(1e-13));
+            CHECK(result.tangent(0, 0) == Approx(V * (lame + 2.0 * of.shear)).epsilon(1e-13));
+            CHECK(body.mass()(0, 0) ==
+                  Approx(of.density * std::pow(edge, 5) / 12.0).epsilon(1e-13));
+            // sheared by g: E_12 = g/2, E_22 = g^2/2
+            constexpr double g = 0.3;
+            Body::Coordinates sheared = rest;
+            sheared[3] = g;
+            CHECK(body.energy(sheared) ==
+                  Approx(V * (0.125 * lame * std::pow(g, 4) +
+                              of.shear * (0.5 * g * g + 0.25 * std::pow(g, 4))))
+                      .epsilon(1e-13));
+            ++checked;
+        };
+        check(body_of(1), steel, volume, size);
+        const std::size_t slim = swapped ? 2 : 0, other = 2 - slim;
+        check(body_of(slim), steel, 100.0 * 1e-6, 0.01);
+        check(body_of(other), aluminium, volume, size);
+    }
+    CHECK(checked == 6);
 }
 
 TEST_CASE("frame, net: a member that cannot be meant is refused with its place and points",
