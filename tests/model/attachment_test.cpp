@@ -499,6 +499,8 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
     says("got node -1", [&] { model.attach({}, joint); });
     says("no vectors yet", [&] { model.attach(bare, joint); });
     says("carries no r_y", [&] { model.attach(rope.first(), joint, Field::r | Field::r_y); });
+    says("name at least one vector of node 1 to attach to node 6, got none",
+         [&] { model.attach(a.last(), joint, Fields()); });
     says("circle", [&] { model.attach(a.last(), a.last()); });
     says("held or driven", [&] { model.attach(b.last(), joint); });
     says("not independent", [&] { model.attach(a.last(), singular); });

@@ -280,6 +280,8 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint) {
 ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
     check(end);
     check(joint);
+    detail::require(!(vectors == Fields()), "Model::attach: name at least one vector of node ",
+                    end.index, " to attach to node ", joint.index, ", got none");
     for (int k = 0; k < field_count; ++k)
         if (vectors.contains(static_cast<Field>(k)))
             check_attachment(end, joint, static_cast<Field>(k));
