@@ -333,13 +333,16 @@ TEST_CASE("attachments: hinges and pins leave free what they name",
         REQUIRE(report.status == Status::converged);
         CHECK(report.stability == Stability::stable);
         CHECK(model.layout().fields(web.joints[4].index) == Fields(Field::r));
-        double lift = 0.0;
-        for (int k = 0; k < 4; ++k)
-            lift +=
-                report
-                    .reactions[model.coordinate(web.joints[static_cast<std::size_t>(k)], Field::r) +
-                               2];
-        CHECK(lift > 100.0);
+        const double weight = 9.81 * 1000.0 * 0.005 * 0.005 * 4.0 * std::hypot(1.0, 0.2);  // N
+        for (int k = 0; k < 4; ++k) {
+            const NodeId border = web.joints[static_cast<std::size_t>(k)];
+            const P3 held = report.reactions.segment<3>(model.coordinate(border, Field::r));
+            CHECK(held[2] == Approx(0.25 * (100.0 + weight)).epsilon(1e-9));
+            // along X or Y, towards the outside
+            const P3 outside = model.position(border);
+            CHECK(held.dot(outside) > 100.0);
+            CHECK(cross(held, outside)[2] == Approx(0.0).margin(1e-9 * held.norm()));
+        }
     }
     SECTION("a pin of cables with round-off between their ends is a pin") {
         Model model;
@@ -501,12 +504,24 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
     says("carries no r_y", [&] { model.attach(rope.first(), joint, Field::r | Field::r_y); });
     says("name at least one vector of node 1 to attach to node 6, got none",
          [&] { model.attach(a.last(), joint, Fields()); });
-    says("circle", [&] { model.attach(a.last(), a.last()); });
-    says("held or driven", [&] { model.attach(b.last(), joint); });
-    says("not independent", [&] { model.attach(a.last(), singular); });
+    says("nodes 1 and 1 would follow each other in a circle",
+         [&] { model.attach(a.last(), a.last()); });
+    says("r of node 3 is held or driven; hold node 6 instead",
+         [&] { model.attach(b.last(), joint); });
+    says("the slopes of node 8 are not independent", [&] { model.attach(a.last(), singular); });
     model.attach(a.last(), joint);
     says("is attached to node 6", [&] { model.attach(a.last(), bare); });
-    says("circle", [&] { model.attach(joint, a.last(), Field::r); });
+    says("nodes 6 and 1 would follow each other in a circle",
+         [&] { model.attach(joint, a.last(), Field::r); });
+    {
+        Model three;  // each follows the next
+        const auto x = straight_beam<Spatial>(three, steel(), square(), {0, 0, 0}, {1, 0, 0}, 1);
+        const auto y = straight_beam<Spatial>(three, steel(), square(), {1, 0, 0}, {2, 0, 0}, 1);
+        three.attach(x.first(), x.last(), Field::r);
+        three.attach(x.last(), y.first(), Field::r);
+        says("nodes 2 and 0 would follow each other in a circle",
+             [&] { three.attach(y.first(), x.first(), Field::r); });
+    }
     says("is attached to node 6", [&] { model.fix(a.last(), Field::r_y); });
     says("is attached to node 6", [&] { model.prescribe(a.last(), Field::r, 0, {}); });
     says("is attached to node 6", [&] { model.set_value(a.last(), Field::r, {1, 0, 0}); });
