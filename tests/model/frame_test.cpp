@@ -183,6 +183,58 @@ TEST_CASE("frame: a joint has the largest block and the stiffest material of its
     CHECK(checked == 6);
 }
 
+TEST_CASE("net: a flat one needs a strain across its ropes", "[model][frame][net]") {
+    constexpr double load = 20.0, side = 0.004, young = 1e10;  // N, m, Pa
+    const Profile rope{Material::isotropic(young, 0.3, 1000.0), rectangle(side, side)};
+    const auto build = [&](Model& model, double strain) {
+        NetOptions options;
+        options.strain = strain;
+        auto web =
+            net<Cable<3>>(model, {rope}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                          {{0, 1}, {0, 2}, {0, 3}, {0, 4}}, options);
+        for (std::size_t border = 1; border <= 4; ++border) model.pin(web.joints[border]);
+        model.add(Force<3>(web.joints[0], {0, 0, -load}));
+        return web;
+    };
+    EigenLdlt solver;
+    SECTION("without any, statics names the motion that nothing resists") {
+        Model model;
+        build(model, 0.0);
+        const StaticsReport report = solve_statics(model, solver);
+        INFO(report.message);
+        CHECK(report.status == Status::singular);
+        CHECK(report.message.find("a motion without stiffness moves") != std::string::npos);
+        CHECK(report.message.find("along z") != std::string::npos);
+    }
+    SECTION("with 1e-4 four straight ropes carry the load") {
+        constexpr double strain = 1e-4;
+        Model model;
+        const auto web = build(model, strain);
+        // drawn as they are stretched
+        CHECK(model.value(web.members[2].last(), Field::r_x).norm() ==
+              Approx(1.0 + strain).epsilon(1e-14));
+        StaticsOptions options;
+        options.steps = 4;
+        const StaticsReport report = solve_statics(model, solver, options);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == Stability::stable);
+        // 4 N d/sqrt(1 + d^2) = load, N = E A (s^2 - 1)/2 s, s = (1 + strain) sqrt(1 + d^2)
+        const auto carried = [&](double d) {
+            const double s = (1.0 + strain) * std::hypot(1.0, d);
+            return 4.0 * young * side * side * 0.5 * (s * s - 1.0) * s * d / std::hypot(1.0, d);
+        };
+        double low = 0.0, high = 1.0;
+        for (int k = 0; k < 60; ++k)
+            (carried(0.5 * (low + high)) < load ? low : high) = 0.5 * (low + high);
+        CHECK(low > 0.01);
+        CHECK(model.position(web.joints[0])[2] == Approx(-low).epsilon(1e-9));
+        const P3 pull = report.reactions.segment<3>(model.coordinate(web.joints[1], Field::r));
+        CHECK(pull[2] == Approx(0.25 * load).epsilon(1e-9));
+        CHECK(pull[0] == Approx(0.25 * load / low).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("frame, net: a member that cannot be meant is refused with its place and points",
           "[model][frame][bad-input]") {
     Model model;
