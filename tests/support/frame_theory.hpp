@@ -63,18 +63,68 @@ inline std::vector<FrameCase> frame_cases() {
          6}};
 }
 
-/// Returns the displacement of the loaded joint, m, by linear frame analysis: stiffness matrices of
-/// Timoshenko's beam, exact at their ends.
-inline Vector<double, 3> linear_frame(const FrameCase& of, const Material& material,
-                                      const Section& section, const Vector<double, 3>& force) {
-    const int n = 6 * static_cast<int>(of.points.size());
-    MatrixX K = MatrixX::Zero(n, n);
-    const Moments& m = section.moments();
-    const double E = material.young, G = material.shear, A = m.area, J = section.torsion_constant();
-    for (const Member& member : of.members) {
-        const Vector<double, 3> from = of.points[static_cast<std::size_t>(member.first)];
-        const Vector<double, 3> axis = of.points[static_cast<std::size_t>(member.second)] - from;
-        const double L = axis.norm();
+/// A frame by linear frame analysis: stiffness matrices of Timoshenko's beam, exact at their ends.
+///
+/// Six coordinates a joint: displacement, m, and turn.
+class LinearFrame {
+public:
+    using Point = Vector<double, 3>;
+
+    LinearFrame(const std::vector<Point>& points, const std::vector<Member>& members,
+                const Material& material, const Section& section)
+        : stiffness_(MatrixX::Zero(6 * static_cast<int>(points.size()),
+                                   6 * static_cast<int>(points.size()))),
+          mass_(VectorX::Zero(stiffness_.rows())) {
+        for (const Member& member : members)
+            add(member.first, member.second,
+                points[static_cast<std::size_t>(member.second)] -
+                    points[static_cast<std::size_t>(member.first)],
+                material, section);
+    }
+
+    /// Returns the coordinates under forces, with the first joints clamped.
+    [[nodiscard]] VectorX displaced(int clamped, const VectorX& force) const {
+        const Eigen::Index n = force.size(), free = n - 6 * clamped;
+        VectorX all = VectorX::Zero(n);
+        all.tail(free) = stiffness_.bottomRightCorner(free, free).ldlt().solve(force.tail(free));
+        return all;
+    }
+
+    /// Returns the lowest square of a natural frequency, 1/s^2, with the first joint clamped; half
+    /// of a member's mass stands at each end.
+    /// @param planar  motion in the plane Z = 0 alone
+    [[nodiscard]] double lowest(bool planar) const {
+        std::vector<int> free;
+        for (int k = 6; k < mass_.size(); ++k)
+            if (const int of = k % 6; !planar || of < 2 || of == 5) free.push_back(k);
+        const auto n = static_cast<Eigen::Index>(free.size());
+        MatrixX K(n, n);
+        VectorX m(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const int at = free[static_cast<std::size_t>(i)];
+            m[i] = mass_[at];
+            for (Eigen::Index j = 0; j < n; ++j)
+                K(i, j) = stiffness_(at, free[static_cast<std::size_t>(j)]);
+        }
+        // inverse iteration; the next eigenvalue may be near, its mode does no harm
+        const Eigen::LDLT<MatrixX> factors(K);
+        VectorX mode(n);
+        for (Eigen::Index i = 0; i < n; ++i) mode[i] = std::cos(static_cast<double>(i * i));
+        double quotient = 0.0;
+        for (int k = 0; k < 200; ++k) {
+            const VectorX next = factors.solve(VectorX(m.cwiseProduct(mode)));
+            quotient = next.dot(m.cwiseProduct(mode)) / next.dot(m.cwiseProduct(next));
+            mode = next / next.cwiseAbs().maxCoeff();
+        }
+        return quotient;
+    }
+
+private:
+    void add(int first, int second, const Point& axis, const Material& material,
+             const Section& section) {
+        const Moments& m = section.moments();
+        const double E = material.young, G = material.shear, A = m.area;
+        const double J = section.torsion_constant(), L = axis.norm();
         const Matrix<double, 3> R = reference_slopes(axis);
         MatrixX k = MatrixX::Zero(12, 12);
         const auto pair = [&](int i, double stiffness) {
@@ -100,15 +150,48 @@ inline Vector<double, 3> linear_frame(const FrameCase& of, const Material& mater
         MatrixX turn = MatrixX::Zero(12, 12);
         for (int i = 0; i < 4; ++i) turn.block<3, 3>(3 * i, 3 * i) = R.transpose();
         k = turn.transpose() * k * turn;
-        const int place[2] = {6 * member.first, 6 * member.second};
-        for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b)
-                K.block<6, 6>(place[a], place[b]) += k.block<6, 6>(6 * a, 6 * b);
+        const int place[2] = {6 * first, 6 * second};
+        for (int i = 0; i < 2; ++i) {
+            for (int j = 0; j < 2; ++j)
+                stiffness_.block<6, 6>(place[i], place[j]) += k.block<6, 6>(6 * i, 6 * j);
+            mass_.segment<3>(place[i]).array() += 0.5 * material.density * A * L;
+        }
     }
-    VectorX f = VectorX::Zero(n);
-    f.segment<3>(6 * of.loaded) = force;
-    const VectorX u = K.bottomRightCorner(n - 6, n - 6).ldlt().solve(f.tail(n - 6));
-    return u.segment<3>(6 * of.loaded - 6);
+
+    MatrixX stiffness_;
+    VectorX mass_;  // its diagonal
+};
+
+/// Returns the displacement of the loaded joint, m, by linear frame analysis.
+inline Vector<double, 3> linear_frame(const FrameCase& of, const Material& material,
+                                      const Section& section, const Vector<double, 3>& force) {
+    VectorX forces = VectorX::Zero(6 * static_cast<Eigen::Index>(of.points.size()));
+    forces.segment<3>(6 * of.loaded) = force;
+    return LinearFrame(of.points, of.members, material, section)
+        .displaced(1, forces)
+        .segment<3>(6 * of.loaded);
+}
+
+/// Returns the lowest square of a natural frequency, 1/s^2, by linear frame analysis of members in
+/// 32 parts.
+/// @param planar  motion in the plane Z = 0 alone
+inline double lowest_of_linear_frame(const FrameCase& of, const Material& material,
+                                     const Section& section, bool planar) {
+    constexpr int parts = 32;
+    std::vector<Vector<double, 3>> points = of.points;
+    std::vector<Member> members;
+    for (const Member& member : of.members) {
+        const Vector<double, 3> from = of.points[static_cast<std::size_t>(member.first)];
+        const Vector<double, 3> to = of.points[static_cast<std::size_t>(member.second)];
+        int last = member.first;
+        for (int k = 1; k < parts; ++k) {
+            points.push_back(from + (to - from) * k / parts);
+            members.push_back({last, static_cast<int>(points.size()) - 1});
+            last = members.back().second;
+        }
+        members.push_back({last, member.second});
+    }
+    return LinearFrame(points, members, material, section).lowest(planar);
 }
 
 /// The way from the clamped to the loaded joint, as Reissner's beam under a dead force at its end.
