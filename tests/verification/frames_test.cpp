@@ -260,4 +260,28 @@ TEST_CASE("frames: bent corners are those of Reissner's beam, rigid arms keep th
     }
 }
 
+TEST_CASE("frames: far bent corners leave Reissner's beam by the strain of sections squared",
+          "[verification]") {
+    Bending far;
+    far.load = 10.0;
+    far.steps = 8;
+    const AllBent usual(far);
+    const Bent spatial = AllBent::worst(usual.spatial), planar = AllBent::worst(usual.planar);
+    CHECK(spatial.moved > 0.1);
+    CHECK(planar.moved > 0.1);
+    CHECK(spatial.error <= 5e-5);   // 3.9e-5
+    CHECK(planar.error <= 3e-5);    // 2.8e-5
+    CHECK(spatial.change <= 7e-5);  // 5.8e-5
+    CHECK(planar.change <= 1e-7);   // 7.1e-8
+    CHECK(spatial.stretch <= 1e-5);
+    CHECK(planar.stretch <= 1e-5);
+    // so half the section bent alike leaves it by a quarter, where joints do not yield
+    far.stiffness = 1e4;
+    Bending slim = far;
+    slim.side *= 0.5;
+    const AllBent thick(far), thin(slim);
+    for (std::size_t k = 0; k < thick.planar.size(); ++k)
+        CHECK(thick.planar[k].error / thin.planar[k].error == Approx(4.0).epsilon(0.03));
+}
+
 }  // namespace frames_test
