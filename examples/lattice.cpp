@@ -11,8 +11,8 @@
 ///     ///o///o///o///
 ///
 /// In compression every column carries its own load: it shortens by P H/(E A), which the default
-/// run checks. In shear and twist a lattice of the default size moves as linear frame analysis says,
-/// of Timoshenko's beams. docs/theory-frames.md says how the joints work.
+/// run checks. In shear and twist a lattice of the default size moves as linear frame analysis
+/// says, of Timoshenko's beams. docs/theory-frames.md says how the joints work.
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/frame.hpp>
@@ -48,8 +48,8 @@ using Point = ancf::Vector<double, 3>;
 constexpr double spacing = 0.25, side = 0.01;  // m
 constexpr double young = 2e11, poisson = 0.3, density = 7800.0;
 constexpr double tolerance = 1e-3;  // of the shortening
-// linear frame analysis of 3 x 3 x 5 joints: how far the last joint moves under 1 N at each joint of
-// the top, m/N: along X in shear; in twist along Y, and as far against X
+// linear frame analysis of 3 x 3 x 5 joints: how far the last joint moves under 1 N at each joint
+// of the top, m/N: along X in shear; in twist along Y, and as far against X
 constexpr double sheared = 7.1029e-5, twisted = 4.9922e-5;
 constexpr double bent_tolerance = 2e-3;  // of both: 200 N turn the top by 0.04
 

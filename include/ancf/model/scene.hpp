@@ -193,10 +193,10 @@ public:
     ///     attach(end, joint, Field::r | Field::r_z);    // a hinge about r_z
     ///
     /// An offset below 1e-12 of the coordinates that it is the difference of counts as none.
-    /// @throws InvalidArgument for no vectors, a node that does not exist or carries no such vector,
-    ///         a vector that is attached already, held, r_xx or r_xy, a node that follows another
-    ///         one already, nodes that would follow each other in a circle, and a joint whose slopes
-    ///         are not independent.
+    /// @throws InvalidArgument for no vectors, a node that does not exist or carries no such
+    ///         vector, a vector that is attached already, held, r_xx or r_xy, a node that follows
+    ///         another one already, nodes that would follow each other in a circle, and a joint
+    ///         whose slopes are not independent.
     void attach(NodeId end, NodeId joint, Fields vectors);
 
     // Loads, constraints, masses --------------------------------------------------------------
