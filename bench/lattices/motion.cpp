@@ -144,7 +144,7 @@ bool swing_all(Held held, double duration, bool csv) {
     options.tolerance = 1e-4;
     good = swing<RadauIIA>({"radau", held, options.tolerance, duration}, options, csv) && good;
 #if ANCF_WITH_SUNDIALS
-    for (const double tolerance : {1e-3, 1e-4}) {
+    for (const double tolerance : {1e-4, 1e-6}) {
         sundials::IdaOptions ida;
         ida.tolerance = tolerance;
         good = move({"ida", held, tolerance, duration, Storage::full}, csv,
