@@ -447,7 +447,7 @@ TEST_CASE("attachments: a path counts a node that follows another one no second 
           "[model][attachment][path]") {
     const auto path = [](int parts) {
         Model model;
-        NodeId foot, tip;
+        NodeId tip;
         for (int k = 0; k < parts; ++k) {
             const double from = static_cast<double>(k) / parts, to = from + 1.0 / parts;
             const auto beam = straight_beam<Spatial>(model, steel(), square(), {from, 0, 0},
