@@ -690,6 +690,25 @@ TEST_CASE("path: Lee's frame has its limit loads with five quintic elements a le
     CHECK(published.second == Approx(green_of_lee.second).epsilon(1.5e-4));  // 6.5e-5
 }
 
+TEST_CASE("path: a joint that the start does not fulfil is named", "[path][bad-input]") {
+    for (const double angle : {1.2, 2.5, 4.0}) {
+        CAPTURE(angle);
+        const ancf::Motion held{[=](double) { return -angle; }, [](double) { return 0.0; },
+                                [](double) { return 0.0; }};
+        ancf::PlanarModel scene;
+        const auto beam =
+            ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
+                                        section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
+        scene.add(ancf::PlanarWeld(scene, beam.first(), held));
+        scene.add(ancf::Force<2>(beam.last(), {0, -100.0}));
+        ancf::EigenLu solver;
+        const auto report = ancf::follow_path(scene, solver);
+        CHECK(report.status == Status::diverged);
+        CHECK_THAT(report.message, ContainsSubstring("constraint 0 (") &&
+                                       ContainsSubstring("solve_statics() first"));
+    }
+}
+
 TEST_CASE("path: it passes the crest of a load that falls again with its factor", "[path]") {
     Truss truss;
     const auto left = truss.add_node({-1, 0, 0});
