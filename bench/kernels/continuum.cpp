@@ -7,6 +7,9 @@
 
 namespace ancf::bench::kernels {
 
+extern template void measure<Pack<4>>(const Subject&, const ContinuumBeam<3>&);
+extern template void measure<Pack<8>>(const Subject&, const ContinuumBeam<3>&);
+
 void continuum(const Settings& settings) {
     run<ContinuumBeam<3>>(settings, "continuum", {Rule::paper(), Rule::gauss(3), Rule::lobatto3()});
 }

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// How the kernels of one element are timed and counted. Each element has a unit of its own: with
-/// counting scalars and packs of four and eight one takes as long to compile as a small library.
+/// How the kernels of one element are timed and counted. Each element has a unit of its own, and
+/// one for its damping; those that take much memory to compile have one for packs of four and eight.
 
 #pragma once
 
 #include <ancf/element/quadrature.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/model/loads/damping.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/types.hpp>
@@ -21,7 +20,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,18 +62,26 @@ double nanoseconds(const Call& call, int repeats) {
     return best / calls * 1e9;
 }
 
-inline void report(const Settings& settings, const char* element, const std::string& rule,
-                   int lanes, const char* what, double time, long flops) {
-    const double fraction = static_cast<double>(flops) / (time * 1e-9) / settings.peak;
-    std::printf(
-        settings.csv ? "%s,%s,%d,%s,%.1f,%ld,%.4f\n" : "%-22s %-9s %5d  %-5s %9.1f %8ld %8.3f\n",
-        element, rule.c_str(), lanes, what, time, flops, fraction);
+/// What is measured: an element under a rule, and its operations as counted.
+struct Subject {
+    const Settings& settings;
+    const char* element;
+    std::string rule;
+    long force_flops, all_flops;
+};
+
+inline void report(const Subject& subject, int lanes, const char* what, double time, long flops) {
+    const double fraction = static_cast<double>(flops) / (time * 1e-9) / subject.settings.peak;
+    std::printf(subject.settings.csv ? "%s,%s,%d,%s,%.1f,%ld,%.4f\n"
+                                     : "%-22s %-9s %5d  %-5s %9.1f %8ld %8.3f\n",
+                subject.element, subject.rule.c_str(), lanes, what, time, flops, fraction);
     std::fflush(stdout);
 }
 
+/// Measures as many elements at once as S has lanes.
 template <class S, class Element>
-void measure(const Settings& settings, const char* name, const std::string& rule,
-             const Element& element, int lanes, long force_flops, long all_flops) {
+void measure(const Subject& subject, const Element& element) {
+    constexpr int lanes = sizeof(S) / sizeof(double);
     Vector<S, Element::dofs> e = bent_state<Element>().template cast<S>();
     const auto touch = [&e] { e(0) += S(1e-13); };  // no call is like the one before
     const double force = nanoseconds(
@@ -85,8 +91,8 @@ void measure(const Settings& settings, const char* name, const std::string& rule
             benchmark::DoNotOptimize(result.data());
             benchmark::ClobberMemory();
         },
-        settings.repeats);
-    report(settings, name, rule, lanes, "force", force / lanes, force_flops);
+        subject.settings.repeats);
+    report(subject, lanes, "force", force / lanes, subject.force_flops);
     const double all = nanoseconds(
         [&] {
             touch();
@@ -94,27 +100,14 @@ void measure(const Settings& settings, const char* name, const std::string& rule
             benchmark::DoNotOptimize(&evaluation);
             benchmark::ClobberMemory();
         },
-        settings.repeats);
-    report(settings, name, rule, lanes, "all", all / lanes, all_flops);
+        subject.settings.repeats);
+    report(subject, lanes, "all", all / lanes, subject.all_flops);
 }
 
-/// Measures a damper's force with both derivatives.
+/// Measures a damper's force with both derivatives. Defined in damping.hpp, instantiated in units of
+/// their own.
 template <class Element>
-void measure_damping(const Settings& settings, const char* name, const std::string& rule,
-                     const Element& element) {
-    constexpr int n = Element::dofs;
-    const KelvinVoigt<Element> damper(std::make_shared<const Element>(element), {}, 1e-3);
-    LoadState state{bent_state<Element>(), VectorX::LinSpaced(n, -1.0, 1.0), 0.0};
-    LoadResult out{VectorX::Zero(n), MatrixX::Zero(n, n), MatrixX::Zero(n, n), 0.0};
-    const double time = nanoseconds(
-        [&] {
-            state.q[0] += 1e-13;
-            damper.evaluate(state, out);
-            benchmark::ClobberMemory();
-        },
-        settings.repeats);
-    report(settings, name, rule, 1, "damp", time, 0);
-}
+void measure_damping(const Subject& subject, const Element& element);
 
 /// Measures single elements and, where asked for, packs of four and eight.
 template <class Element, bool Packs = true>
@@ -125,21 +118,22 @@ void run(const Settings& settings, const char* name, const std::vector<Rule>& ru
     const Section section = cable ? circle(0.1) : rectangle(0.1, 0.2);
     for (const Rule& rule : rules) {
         const Element element(material, section, 1.0, {rule});
+        Subject subject{settings, name, rule.name(), 0, 0};
         if (settings.damping) {
-            measure_damping(settings, name, rule.name(), element);
+            measure_damping(subject, element);
             continue;
         }
         const Vector<Counting, Element::dofs> e = bent_state<Element>().template cast<Counting>();
         Counting::reset();
         benchmark::DoNotOptimize(element.force(e)(3).value());
-        const long force = Counting::operations();
+        subject.force_flops = Counting::operations();
         Counting::reset();
         benchmark::DoNotOptimize(element.evaluate(e).tangent(3, 4).value());
-        const long all = Counting::operations();
-        measure<double>(settings, name, rule.name(), element, 1, force, all);
+        subject.all_flops = Counting::operations();
+        measure<double>(subject, element);
         if constexpr (Packs) {
-            measure<Pack<4>>(settings, name, rule.name(), element, 4, force, all);
-            measure<Pack<8>>(settings, name, rule.name(), element, 8, force, all);
+            measure<Pack<4>>(subject, element);
+            measure<Pack<8>>(subject, element);
         }
     }
 }

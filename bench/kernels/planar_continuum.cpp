@@ -7,6 +7,9 @@
 
 namespace ancf::bench::kernels {
 
+extern template void measure<Pack<4>>(const Subject&, const ContinuumBeam<2>&);
+extern template void measure<Pack<8>>(const Subject&, const ContinuumBeam<2>&);
+
 void planar_continuum(const Settings& settings) {
     run<ContinuumBeam<2>>(settings, "planar-continuum", {Rule::paper()});
 }

@@ -612,15 +612,16 @@ TEST_CASE("path: arches take one path whatever the first step", "[path]") {
 
 /// Lee's frame: two legs of 120, the load of 1e4 f at a fifth of the second one; both limit loads.
 template <class Element>
-std::pair<double, double> limit_loads_of_lee(int elements, double least_cosine) {
+std::pair<double, double> limit_loads_of_lee(int elements, double least_cosine,
+                                             const typename Element::Options& choices) {
     INFO(elements << " elements a leg");
     ancf::PlanarModel scene;
     const auto section = section_of(6.0, 2.0);
     const auto material = ancf::Material::isotropic(7.2e6, 0.3, 1.0);
     const auto column =
-        ancf::straight_beam<Element>(scene, material, section, {0, 0}, {0, 120}, elements, mixed());
+        ancf::straight_beam<Element>(scene, material, section, {0, 0}, {0, 120}, elements, choices);
     const auto beam = ancf::straight_beam<Element>(scene, material, section, {0, 120}, {120, 120},
-                                                   elements, mixed());
+                                                   elements, choices);
     scene.pin(column.first());
     scene.pin(beam.last());
     scene.add(ancf::PlanarWeld(scene, column.last(), beam.first(), Field::r_y));
@@ -644,34 +645,68 @@ std::pair<double, double> limit_loads_of_lee(int elements, double least_cosine) 
 
 TEST_CASE("path: Lee's frame of five elements a leg does not travel back", "[path]") {
     // Green's strain; docs/hard-cases.md
-    const auto loads = limit_loads_of_lee<Planar>(5, 0.5);  // 0.88
+    const auto loads = limit_loads_of_lee<Planar>(5, 0.5, mixed());  // 0.88
     // of this mesh, as smaller steps find them; Reissner's are 18545 and -9392
     CHECK(loads.first == Approx(18495.106).epsilon(1e-6));
     CHECK(loads.second == Approx(-9265.682).epsilon(1e-6));
 }
 
+/// Limit loads of Reissner's theory, and of Green's strain, whose second one is 2.9e-3 off and whose
+/// first one 7e-4: values of 80 elements a leg.
+const std::pair<double, double> reissner_of_lee(18544.52, -9392.49);
+const std::pair<double, double> green_of_lee(18530.88, -9365.11);
+
 TEST_CASE("path: Lee's frame has its limit loads on any mesh, by both measures", "[path]") {
-    // Green's strain has limits of its own: its second load is 2.9e-3 off Reissner's -9392.49, the
-    // first one 7e-4 off his 18544.52. Values of 80 elements a leg.
-    const std::pair<double, double> reissner(18544.52, -9392.49), green(18530.88, -9365.11);
     int checked = 0;
     for (const int elements : {5, 10, 20, 30, 40}) {
         CAPTURE(elements);
-        const auto engineering = limit_loads_of_lee<Engineering>(elements, 0.5);  // 0.84
-        const auto published = limit_loads_of_lee<Planar>(elements, 0.5);         // 0.88
+        const auto engineering = limit_loads_of_lee<Engineering>(elements, 0.5, mixed());  // 0.84
+        const auto published = limit_loads_of_lee<Planar>(elements, 0.5, mixed());         // 0.88
         // measured with 10: 1.4e-3 and 6.6e-4
         const double bound = elements < 10 ? 2.1e-2 : 1.5e-3;
-        CHECK(engineering.first == Approx(reissner.first).epsilon(bound));
-        CHECK(engineering.second == Approx(reissner.second).epsilon(bound));
-        CHECK(published.first == Approx(green.first).epsilon(bound));
-        CHECK(published.second == Approx(green.second).epsilon(bound));
+        CHECK(engineering.first == Approx(reissner_of_lee.first).epsilon(bound));
+        CHECK(engineering.second == Approx(reissner_of_lee.second).epsilon(bound));
+        CHECK(published.first == Approx(green_of_lee.first).epsilon(bound));
+        CHECK(published.second == Approx(green_of_lee.second).epsilon(bound));
         if (elements == 40) {  // their difference is no error of the mesh
-            CHECK(engineering.second == Approx(reissner.second).epsilon(1e-5));
-            CHECK(published.second == Approx(green.second).epsilon(1e-5));
+            CHECK(engineering.second == Approx(reissner_of_lee.second).epsilon(1e-5));
+            CHECK(published.second == Approx(green_of_lee.second).epsilon(1e-5));
         }
         ++checked;
     }
     CHECK(checked == 5);
+}
+
+template <class Measure>
+using Quintic =
+    ancf::CrossSectionBeam<2, ancf::Projected, ancf::CubicShear, Measure, ancf::QuinticLine>;
+
+TEST_CASE("path: Lee's frame has its limit loads with five quintic elements a leg", "[path]") {
+    const auto engineering = limit_loads_of_lee<Quintic<ancf::EngineeringMeasure>>(5, 0.5, {});
+    CHECK(engineering.first == Approx(reissner_of_lee.first).epsilon(1e-5));      // 1.4e-6
+    CHECK(engineering.second == Approx(reissner_of_lee.second).epsilon(1.5e-4));  // 8e-5
+    const auto published = limit_loads_of_lee<Quintic<ancf::GreenMeasure>>(5, 0.5, {});
+    CHECK(published.first == Approx(green_of_lee.first).epsilon(1e-5));
+    CHECK(published.second == Approx(green_of_lee.second).epsilon(1.5e-4));  // 6.5e-5
+}
+
+TEST_CASE("path: a joint that the start does not fulfil is named", "[path][bad-input]") {
+    for (const double angle : {1.2, 2.5, 4.0}) {
+        CAPTURE(angle);
+        const ancf::Motion held{[=](double) { return -angle; }, [](double) { return 0.0; },
+                                [](double) { return 0.0; }};
+        ancf::PlanarModel scene;
+        const auto beam =
+            ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
+                                        section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
+        scene.add(ancf::PlanarWeld(scene, beam.first(), held));
+        scene.add(ancf::Force<2>(beam.last(), {0, -100.0}));
+        ancf::EigenLu solver;
+        const auto report = ancf::follow_path(scene, solver);
+        CHECK(report.status == Status::diverged);
+        CHECK_THAT(report.message, ContainsSubstring("constraint 0 (") &&
+                                       ContainsSubstring("solve_statics() first"));
+    }
 }
 
 TEST_CASE("path: it passes the crest of a load that falls again with its factor", "[path]") {

@@ -90,8 +90,7 @@ void check_integrators(const Make& make, double step, double base, bool exactly)
             check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
                 return run(make(s), Solver(), radau(s, stages, step, tolerance), end * s.time);
             });
-    // it iterates down to the noise of round-off: 5 of 74 measured
-    check_scales(base, exactly ? 0 : 6, [&](const Scale& s) {
+    check_scales(base, exactly ? 0 : 1, [&](const Scale& s) {
         return run(make(s), Solver(), energy_momentum(s, step), end * s.time);
     });
 }

@@ -250,6 +250,8 @@ private:
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, const ConstraintResult& result);
     void add_value(int row, int column, double value, SparseMatrix& matrix) const;
+    void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,
+                    SparseMatrix& matrix) const;
 
     const Scene& model_;
     Numbering numbering_;

@@ -447,6 +447,31 @@ ANCF_INLINE void Assembly::add_value(int row, int column, double value,
     matrix.valuePtr()[slot] += value;
 }
 
+ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, double scale,
+                                      const MatrixX& local, SparseMatrix& matrix) const {
+    const auto size = static_cast<Eigen::Index>(coordinates.size());
+    for (Eigen::Index j = 0; j < size; ++j) {
+        const int column = coordinates[static_cast<std::size_t>(j)];
+        const int at_column = numbering_.equation(column);
+        if (at_column < 0) continue;
+        const int b = numbering_.block(column);
+        const int offset = pattern_.column_offset(b, at_column - pattern_.first(b));
+        int a = -1;  // whose base is known: neighbouring rows share it
+        double* values = nullptr;
+        for (Eigen::Index i = 0; i < size; ++i) {
+            const int row = coordinates[static_cast<std::size_t>(i)];
+            const int at_row = numbering_.equation(row);
+            if (local(i, j) == 0.0 || at_row < 0) continue;
+            if (pattern_.storage() == Storage::lower && at_row < at_column) continue;
+            if (a != numbering_.block(row)) {
+                a = numbering_.block(row);
+                values = matrix.valuePtr() + pattern_.base(a, b) + offset - pattern_.first(a);
+            }
+            values[at_row] += scale * local(i, j);
+        }
+    }
+}
+
 template <class Visitor>
 void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bool derivatives,
                              const Visitor& visit) const {
@@ -495,15 +520,9 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             for (int i = 0; i < size; ++i)
                 external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
             if (request == Request::force || result.stiffness.size() == 0) return;
-            for (int i = 0; i < size; ++i)
-                for (int j = 0; j < size; ++j) {
-                    const int row = coordinates[static_cast<std::size_t>(i)];
-                    const int column = coordinates[static_cast<std::size_t>(j)];
-                    if (result.stiffness(i, j) != 0.0)
-                        add_value(row, column, -scale * result.stiffness(i, j), tangent_);
-                    if (request == Request::tangent_and_damping && result.damping(i, j) != 0.0)
-                        add_value(row, column, -scale * result.damping(i, j), damping_);
-                }
+            add_matrix(coordinates, -scale, result.stiffness, tangent_);
+            if (request == Request::tangent_and_damping)
+                add_matrix(coordinates, -scale, result.damping, damping_);
         });
 }
 
@@ -595,6 +614,7 @@ ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const Constrain
         constraint_coordinates_[static_cast<std::size_t>(constraint)].acted();
     const int own = numbering_.constraint_block(constraint);
     const int size = static_cast<int>(coordinates.size());
+    add_matrix(coordinates, 1.0, result.stiffness, tangent_);
     double* values = tangent_.valuePtr();
     for (int j = 0; j < size; ++j) {
         const int coordinate = coordinates[static_cast<std::size_t>(j)];
@@ -602,10 +622,6 @@ ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const Constrain
         if (equation < 0) continue;
         const int node = numbering_.block(coordinate);
         const int place = equation - pattern_.first(node);
-        for (int i = 0; i < size; ++i)
-            if (result.stiffness(i, j) != 0.0)
-                add_value(coordinates[static_cast<std::size_t>(i)], coordinate,
-                          result.stiffness(i, j), tangent_);
         for (int i = 0; i < result.jacobian.rows(); ++i) {
             const double value = result.jacobian(i, j);
             values[pattern_.base(own, node) + pattern_.column_offset(node, place) + i] += value;

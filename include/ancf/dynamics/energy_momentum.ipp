@@ -55,6 +55,7 @@ private:
     [[nodiscard]] bool turns_inside_out() const;
 
     static constexpr double floor = 1e-16;         // of corrections, relative
+    static constexpr double fastest = 1e-2;        // contraction of them that is believed
     static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
     static constexpr double smallest_part = 1e-3;  // of a step that fails
     static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
@@ -163,6 +164,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
     next_.q = now_.q + increment_;
     next_.lambda = now_.lambda;
     bool fresh = false;  // whether the matrix is of this step
+    bool last = false;   // whether the correction after this one would be round-off
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
@@ -179,7 +181,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         if (change > farthest) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual
-        if (change <= floor || (ratio > 0.3 && change <= 1e-11)) {
+        if (last || change <= floor || (ratio > 0.3 && change <= 1e-11)) {
             set_rates(h);
             const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
             return distrusted ? Status::diverged : Status::converged;
@@ -188,6 +190,9 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         // so slow that a new matrix is cheaper
         renew = k > 1 && (ratio > 0.9 || std::log(floor / change) / std::log(ratio) > 6.0);
         before = change;
+        // foreseen where corrections are above the noise; a small one may hide slower parts
+        const double contraction = std::max(ratio, fastest);
+        last = k > 1 && change * contraction * contraction <= floor;
     }
     return Status::max_iterations;
 }

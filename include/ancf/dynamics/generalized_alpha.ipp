@@ -44,6 +44,7 @@ private:
     };
 
     static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
+    static constexpr double farthest = 1.0;        // of corrections that grow: a slope's length
 
     [[nodiscard]] bool begin(const Memory& memory);
     void read(const Memory& memory);
@@ -300,7 +301,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         // at the round-off of the residual the corrections no longer shrink
         const bool small = change <= 1e3 * options_.newton_tolerance;
         if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
-        if (!fresh && ratio > 1.0) return Status::diverged;
+        if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
         // so slow that a new matrix is cheaper
         const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
         renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));

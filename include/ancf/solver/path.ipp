@@ -185,6 +185,7 @@ private:
     [[nodiscard]] Outcome begin(Point& here) {
         branching_ = options_.direction.size() > 0;
         Outcome outcome = prepare_start(here);
+        unfulfilled_ = unfulfilled();
         if (!outcome.failed() && options_.control == PathControl::spherical) {
             // coordinates and load factor count alike at the start; at a limit point, where
             // coordinates would take all, the first step's change of the factor is its length
@@ -513,7 +514,28 @@ private:
         std::string found;
         if (status == Status::singular && report_.points.empty())
             found = singular_cause(model_.layout(), numbering_, assembly_.tangent(), solver_);
-        return text + (found.empty() ? std::string(to_string(status)) : found);
+        text += found.empty() ? std::string(to_string(status)) : found;
+        return report_.points.empty() ? text + unfulfilled_ : text;
+    }
+
+    // Names the constraint that the last evaluation violates most, where one is violated.
+    [[nodiscard]] std::string unfulfilled() const {
+        const VectorX scale = assembly_.violation_scale(monitor_.size());
+        const auto& constraints = model_.constraints();
+        double most = 1e-6;  // less is fulfilled
+        std::size_t worst = constraints.size();
+        Eigen::Index row = 0;
+        for (std::size_t k = 0; k < constraints.size(); ++k)
+            for (const Eigen::Index end = row + constraints[k].equations(); row < end; ++row) {
+                const double share = std::abs(assembly_.violation()[row]) / scale[row];
+                if (!(share > most)) continue;
+                most = share;
+                worst = k;
+            }
+        if (worst == constraints.size()) return {};
+        return joined({"; where the path starts, constraint ", worst, " (",
+                       constraints[worst].name(), ") is not fulfilled: solve_statics() first"},
+                      6);
     }
 
     [[nodiscard]] PathReport finish(Status status, const Point& last) {
@@ -535,6 +557,7 @@ private:
     double step_ = 0.0;    // the next one, signed for a displacement or along a branch
     double first_ = 0.0;   // size of the one that others are measured by
     bool branching_ = false;
+    std::string unfulfilled_;  // constraint at the start, in words
     PathReport report_;
 };
 

@@ -62,66 +62,25 @@ public:
     }
 
     [[nodiscard]] StaticsReport run() {
-        const double whole = options_.last_factor - options_.first_factor;
-        const double equal = whole / options_.steps;
-        double step = equal;
-        double done = options_.first_factor;
-        Way way = Way::usual;
-        bool jumped = false;  // in the step that the options ask for
-        report_.factor = done;
-        for (int k = 1; std::abs(options_.last_factor - done) > 1e-12 * std::abs(whole);) {
-            double wanted = options_.adaptive ? done + (way == Way::usual ? step : equal)
-                                              : options_.first_factor + whole * k / options_.steps;
-            if (std::abs(wanted - options_.first_factor) > std::abs(whole) * (1.0 - 1e-12))
-                wanted = options_.last_factor;
-            const bool in_parts = newton_ == NewtonKind::automatic && way == Way::usual &&
-                                  std::abs(wanted - done) > std::abs(step) * (1.0 + 1e-9);
-            const double next = within_turn(done, in_parts ? done + step : wanted);
-            const DrivenTurn turn = driven_turn(constraints_, done, next);
+        whole_ = options_.last_factor - options_.first_factor;
+        equal_ = part_size_ = whole_ / options_.steps;
+        report_.factor = options_.first_factor;
+        bool going = true;
+        while (going &&
+               std::abs(options_.last_factor - report_.factor) > 1e-12 * std::abs(whole_)) {
+            const double from = report_.factor;
+            const double wanted = next_wanted();
+            const double next = within_turn(from, next_part(wanted));
+            const DrivenTurn turn = driven_turn(constraints_, from, next);
             if (!turn.fits()) {
                 report_.status = Status::diverged;
-                report_.message = driven_turn_text(constraints_, turn, done, next);
+                report_.message = driven_turn_text(constraints_, turn, from, next);
                 break;
             }
-            const LoadStep& result =
-                way == Way::usual
-                    ? advance(next)
-                    : attempt(next, way == Way::plain ? NewtonKind::plain : newton_, way);
+            const LoadStep& result = solve_at(next);
             report_.status = result.status;
-            if (result.status == Status::converged) {
-                done = report_.factor = next;
-                way = Way::usual;
-                if (grows(result))
-                    step = std::min(2.0 * std::abs(step), std::abs(equal)) *
-                           (whole < 0.0 ? -1.0 : 1.0);
-                if (next != wanted) continue;  // a part of a step
-                part_ = 1.0;
-                jumped = false;
-                spent_ = report_.iterations();
-                ++k;
-                if (options_.progress && !options_.progress(done, model_.state())) {
-                    report_.status = Status::stopped;
-                    report_.message = "the progress callback asked to stop";
-                    break;
-                }
-            } else if (way != Way::usual) {
-                if (way == Way::plain) break;
-                way = Way::usual;  // and the part that the attempt before has left
-            } else if (turn.angle > smallest_turn) {
-                part_ = 0.5 * turn.angle / largest_driven_turn;
-            } else {
-                step = share_after(result) * (next - done);
-                if (!jumped && done != options_.first_factor && newton_ == NewtonKind::automatic &&
-                    wanders(result)) {
-                    jumped = true;
-                    way = Way::damped;
-                    continue;
-                }
-                if (cuts(result) && std::abs(step) >= options_.min_step * std::abs(whole)) continue;
-                if (!may_retry(result)) break;
-                way = Way::plain;  // what a run without cuts would have tried
-                step = equal;
-            }
+            going = result.status == Status::converged ? go_on(result, next == wanted)
+                                                       : try_again(result, next - from, turn.angle);
         }
         finish();
         return std::move(report_);
@@ -134,10 +93,28 @@ private:
     static constexpr double smallest_turn = 0.05;  // rad: a shorter part is not tried
     static constexpr double small_turn = 0.05;     // rad: below, the linear sum is better
 
+    /// Returns the end of the step that the options ask for.
+    [[nodiscard]] double next_wanted() const {
+        const double first = options_.first_factor;
+        const double wanted = options_.adaptive
+                                  ? report_.factor + (way_ == Way::usual ? part_size_ : equal_)
+                                  : first + whole_ * (steps_done_ + 1) / options_.steps;
+        return std::abs(wanted - first) > std::abs(whole_) * (1.0 - 1e-12) ? options_.last_factor
+                                                                           : wanted;
+    }
+
+    /// Returns the load factor wanted, or the end of a part of that step after one that failed.
+    [[nodiscard]] double next_part(double wanted) const {
+        const bool in_parts =
+            newton_ == NewtonKind::automatic && way_ == Way::usual &&
+            std::abs(wanted - report_.factor) > std::abs(part_size_) * (1.0 + 1e-9);
+        return in_parts ? report_.factor + part_size_ : wanted;
+    }
+
     /// Returns the load factor wanted, or an earlier one up to which driven joints turn by what a
     /// step, or the part of one that converges, may take.
     [[nodiscard]] double within_turn(double done, double wanted) const {
-        const double most = part_ * largest_driven_turn * (1.0 + 1e-10);
+        const double most = turn_share_ * largest_driven_turn * (1.0 + 1e-10);
         double next = wanted;
         for (int halving = 0; halving < 30; ++halving) {
             const double turn = driven_turn(constraints_, done, next).angle;
@@ -147,6 +124,59 @@ private:
             next = done + (next - done) / parts;
         }
         return next;
+    }
+
+    /// Solves at a load factor in the way that has its turn.
+    [[nodiscard]] const LoadStep& solve_at(double factor) {
+        if (way_ == Way::usual) return advance(factor);
+        return attempt(factor, way_ == Way::plain ? NewtonKind::plain : newton_, way_);
+    }
+
+    /// Moves on after a step, or a part of one, that converged; returns whether the run goes on.
+    /// @param whole  whether the step that the options ask for is done
+    [[nodiscard]] bool go_on(const LoadStep& step, bool whole) {
+        report_.factor = step.factor;
+        way_ = Way::usual;
+        if (grows(step))
+            part_size_ =
+                std::copysign(std::min(2.0 * std::abs(part_size_), std::abs(equal_)), whole_);
+        if (!whole) return true;
+        turn_share_ = 1.0;
+        jumped_ = false;
+        spent_ = report_.iterations();
+        ++steps_done_;
+        if (!options_.progress || options_.progress(report_.factor, model_.state())) return true;
+        report_.status = Status::stopped;
+        report_.message = "the progress callback asked to stop";
+        return false;
+    }
+
+    /// Chooses what follows a step that failed; returns whether the run goes on.
+    /// @param size  of the step, in load factors
+    /// @param turn  of the driven joints in it, rad
+    [[nodiscard]] bool try_again(const LoadStep& failed, double size, double turn) {
+        if (way_ != Way::usual) {
+            const bool going = way_ != Way::plain;
+            way_ = Way::usual;  // and the part that the attempt before has left
+            return going;
+        }
+        if (turn > smallest_turn) {
+            turn_share_ = 0.5 * turn / largest_driven_turn;
+            return true;
+        }
+        part_size_ = share_after(failed) * size;
+        if (!jumped_ && report_.factor != options_.first_factor &&
+            newton_ == NewtonKind::automatic && wanders(failed)) {
+            jumped_ = true;
+            way_ = Way::damped;
+            return true;
+        }
+        if (cuts(failed) && std::abs(part_size_) >= options_.min_step * std::abs(whole_))
+            return true;
+        if (!may_retry(failed)) return false;
+        way_ = Way::plain;  // what a run without cuts would have tried
+        part_size_ = equal_;
+        return true;
     }
 
     /// Whether the next step may be longer. After a failed one, two have to succeed.
@@ -565,7 +595,13 @@ private:
     bool doubted_ = false;         // the last step ended elsewhere
     bool moments_alone_ = false;   // no force acts on a position
     double time_ = 0.0;            // of a damped correction
-    double part_ = 1.0;  // of the turn that one step may take, where a longer one has failed
+    double whole_ = 0.0;           // of the load factors
+    double equal_ = 0.0;           // a step of equal ones
+    double part_size_ = 0.0;       // of a step, or of the part of one that is tried next
+    int steps_done_ = 0;           // of those that the options ask for
+    Way way_ = Way::usual;         // of the next attempt
+    bool jumped_ = false;          // whether a damped attempt was made in this step
+    double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
     VectorX residual_, correction_;

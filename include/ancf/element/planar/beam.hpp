@@ -285,7 +285,9 @@ void CrossSectionBeam<2, Directors, Shear, Measure, Line>::set_up(const Material
     detail::require(!cubic_shear || options_.rotary_inertia == RotaryInertia::consistent,
                     "an element of cubic shear takes RotaryInertia::consistent alone: at the nodes "
                     "the rates of its slopes would have no mass");
-    section_ = section_stiffness(material, section, options_.section_model);
+    // nothing twists in the plane: a section need not have its torsion constant, any value does
+    section_ =
+        section_stiffness(material, section.with_torsion_constant(1.0), options_.section_model);
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;
     const auto table = line_.stations(options_.rule, section_, !PlanarMeasure::engineering);
     for (const auto& station : table.full)

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <ancf/element/torsion/beam.hpp>
+
+#include <kernels/damping.hpp>
+
+namespace ancf::bench::kernels {
+
+template void measure_damping(const Subject&, const TorsionBeam&);
+
+}  // namespace ancf::bench::kernels
