@@ -446,7 +446,7 @@ private:
         double of_positions = 0.0, of_slopes = 0.0;
         moments_alone_ = true;
         for (int node = 0; node < layout.nodes(); ++node) {
-            const int slopes = layout.fields({node}).contains(Field::r) ? model_.dimension() : 0;
+            const int slopes = layout.fields(node).contains(Field::r) ? model_.dimension() : 0;
             for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
                 const double force = assembly_.external_force()[k];
                 const bool position = k < layout.first(node) + slopes;
