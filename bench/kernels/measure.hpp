@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// How the kernels of one element are timed and counted. Each element has a unit of its own, and
-/// one for its damping; those that take much memory to compile have one for packs of four and eight.
+/// How the kernels of one element are timed and counted. Each element has a unit of its own and one
+/// for its damping; those that take much memory to compile have one for packs of four and eight.
 
 #pragma once
 
@@ -104,8 +104,8 @@ void measure(const Subject& subject, const Element& element) {
     report(subject, lanes, "all", all / lanes, subject.all_flops);
 }
 
-/// Measures a damper's force with both derivatives. Defined in damping.hpp, instantiated in units of
-/// their own.
+/// Measures a damper's force with both derivatives. Defined in damping.hpp, instantiated in units
+/// of their own.
 template <class Element>
 void measure_damping(const Subject& subject, const Element& element);
 
