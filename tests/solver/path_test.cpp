@@ -651,8 +651,8 @@ TEST_CASE("path: Lee's frame of five elements a leg does not travel back", "[pat
     CHECK(loads.second == Approx(-9265.682).epsilon(1e-6));
 }
 
-/// Limit loads of Reissner's theory, and of Green's strain, whose second one is 2.9e-3 off and whose
-/// first one 7e-4: values of 80 elements a leg.
+/// Limit loads of Reissner's theory, and of Green's strain, whose second one is 2.9e-3 off and
+/// whose first one 7e-4: values of 80 elements a leg.
 const std::pair<double, double> reissner_of_lee(18544.52, -9392.49);
 const std::pair<double, double> green_of_lee(18530.88, -9365.11);
 
