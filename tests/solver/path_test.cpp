@@ -707,6 +707,22 @@ TEST_CASE("path: a joint that the start does not fulfil is named", "[path][bad-i
         CHECK_THAT(report.message, ContainsSubstring("constraint 0 (") &&
                                        ContainsSubstring("solve_statics() first"));
     }
+    // one that moves from where it stands is not to blame
+    const ancf::Motion moving{[](double f) { return -f; }, [](double) { return -1.0; },
+                              [](double) { return 0.0; }};
+    ancf::PlanarModel scene;
+    const auto beam =
+        ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
+                                    section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
+    scene.add(ancf::PlanarWeld(scene, beam.first(), moving));
+    ancf::EigenLu solver;
+    ancf::PathOptions options;
+    options.max_iterations = 1;
+    options.smallest_step = 0.9;
+    const auto report = ancf::follow_path(scene, solver, options);
+    CHECK(report.status == Status::diverged);
+    CHECK(report.points.empty());
+    CHECK_THAT(report.message, !ContainsSubstring("fulfilled"));
 }
 
 TEST_CASE("path: it passes the crest of a load that falls again with its factor", "[path]") {

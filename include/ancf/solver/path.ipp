@@ -184,8 +184,10 @@ private:
     // Factorises the first point; sets the direction of travel and the first step.
     [[nodiscard]] Outcome begin(Point& here) {
         branching_ = options_.direction.size() > 0;
+        // before the rates of driven joints, which look ahead
+        if (!model_.constraints().empty() && !evaluate(here, 0.0, Request::force))
+            unfulfilled_ = unfulfilled();
         Outcome outcome = prepare_start(here);
-        unfulfilled_ = unfulfilled();
         if (!outcome.failed() && options_.control == PathControl::spherical) {
             // coordinates and load factor count alike at the start; at a limit point, where
             // coordinates would take all, the first step's change of the factor is its length
