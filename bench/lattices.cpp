@@ -12,8 +12,8 @@
 ///
 /// Five Newton iterations in one load step each: assembly, factorisation and solution five times,
 /// analysis once. One element a member unless --elements says otherwise. Seconds are processor time
-/// of all threads, and OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 make that one. Memory is the most
-/// that a lattice had: each one is computed by a process of its own, the quickest of some.
+/// of all threads, and OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 make that one. Each case
+/// runs in processes of its own, and the quickest run counts. Memory is the most that this run had.
 ///
 /// Without --joints and --large it exits with 1 unless both joints agree in the displacement of a
 /// corner, and 7 x 7 x 7 joints take 40 times as long with multipliers. With --expect it exits with

@@ -11,8 +11,8 @@
 ///     ///o///o///o///
 ///
 /// In compression every column carries its own load: it shortens by P H/(E A), which the default
-/// run checks. In shear and twist a lattice of the default size moves as linear frame analysis
-/// says, of Timoshenko's beams. docs/theory-frames.md says how the joints work.
+/// run checks. In shear and twist a lattice of the default size is checked against linear frame
+/// analysis of Timoshenko's beams. docs/theory-frames.md says how the joints work.
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/frame.hpp>
@@ -51,7 +51,7 @@ constexpr double tolerance = 1e-3;  // of the shortening
 // linear frame analysis of 3 x 3 x 5 joints: how far the last joint moves under 1 N at each joint
 // of the top, m/N: along X in shear; in twist along Y, and as far against X
 constexpr double sheared = 7.1029e-5, twisted = 4.9922e-5;
-constexpr double bent_tolerance = 2e-3;  // of both: 200 N turn the top by 0.04
+constexpr double bent_tolerance = 2e-3;  // of both: 200 N turn the top by 0.04 rad
 
 struct Lattice {
     std::array<double, 3> joints = {3, 3, 5};

@@ -55,7 +55,7 @@ private:
     [[nodiscard]] bool turns_inside_out() const;
 
     static constexpr double floor = 1e-16;         // of corrections, relative
-    static constexpr double fastest = 1e-2;        // contraction of them that is believed
+    static constexpr double fastest = 1e-2;        // the fastest contraction that is believed
     static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
     static constexpr double smallest_part = 1e-3;  // of a step that fails
     static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
@@ -181,7 +181,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         if (change > farthest) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual
-        if (last || change <= floor || (ratio > 0.3 && change <= 1e-11)) {
+        if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11)) {
             set_rates(h);
             const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
             return distrusted ? Status::diverged : Status::converged;

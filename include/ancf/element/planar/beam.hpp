@@ -285,7 +285,7 @@ void CrossSectionBeam<2, Directors, Shear, Measure, Line>::set_up(const Material
     detail::require(!cubic_shear || options_.rotary_inertia == RotaryInertia::consistent,
                     "an element of cubic shear takes RotaryInertia::consistent alone: at the nodes "
                     "the rates of its slopes would have no mass");
-    // nothing twists in the plane: a section need not have its torsion constant, any value does
+    // nothing twists in the plane: any value serves, so the section need not have one
     section_ =
         section_stiffness(material, section.with_torsion_constant(1.0), options_.section_model);
     moduli_ << material.young, material.young, section.shear_correction_y() * material.shear;

@@ -46,9 +46,9 @@ template <int Dimension = 3>
 struct FrameOptions {
     /// How much stiffer a joint is than a block of the members' material and size.
     double joint_stiffness = 100.0;
-    /// What the sections' y axes follow. A member that is parallel to it, such as a column where
-    /// this points upwards, and all members where this is zero, take reference_slopes() of their
-    /// direction alone. Parallel is an angle below 1e-6. Of no effect in the plane.
+    /// The direction that the sections' y axes follow. Where it is zero, or within 1e-6 rad of a
+    /// member such as a column, the member takes reference_slopes() of its own direction. Of no
+    /// effect in the plane.
     Vector<double, Dimension> y_axis = Vector<double, Dimension>::Zero();
 
     /// @throws InvalidArgument for a stiffness that is not positive or an axis that is not finite.
