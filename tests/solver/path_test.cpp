@@ -717,7 +717,7 @@ TEST_CASE("path: a joint that the start does not fulfil is named", "[path][bad-i
     scene.add(ancf::PlanarWeld(scene, beam.first(), moving));
     ancf::EigenLu solver;
     ancf::PathOptions options;
-    options.max_iterations = 1;
+    options.max_iterations = options.wanted_iterations = 1;
     options.smallest_step = 0.9;
     const auto report = ancf::follow_path(scene, solver, options);
     CHECK(report.status == Status::diverged);
