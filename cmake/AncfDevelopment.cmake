@@ -85,7 +85,7 @@ function(ancf_make_native name)
     target_link_libraries(${name} PUBLIC ancf_threads)
     # GCC 12 takes fault with its own AVX-512 header.
     target_compile_options(${name} PUBLIC -march=native
-        "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds>")
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-array-bounds>")
     # With wide registers these two take more than 700 MB otherwise: the compiler collects its garbage more often.
     set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp
         ${PROJECT_BINARY_DIR}/compiled/solver_subspace.cpp PROPERTIES COMPILE_OPTIONS
