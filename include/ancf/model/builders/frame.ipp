@@ -65,11 +65,18 @@ ANCF_INLINE void check_points(const char* name, const double* components, std::s
                     i, " is ", *components);
 }
 
+/// Requires something of a member; the message says which one it is.
+template <class... Message>
+void require_of_member(bool good, const char* name, std::size_t place, const Member& member,
+                       const Message&... message) {
+    require(good, name, ": member ", place, ", points ", member.first, " and ", member.second, ": ",
+            message...);
+}
+
 ANCF_INLINE void check_member(const char* name, std::size_t place, const Member& member,
                               std::size_t points, std::size_t profiles) {
     const auto check = [&](bool good, const auto&... message) {
-        require(good, name, ": member ", place, ", points ", member.first, " and ", member.second,
-                ": ", message...);
+        require_of_member(good, name, place, member, message...);
     };
     for (const int joint : {member.first, member.second})
         check(joint >= 0 && joint < static_cast<int>(points), "there are ", points,
@@ -82,9 +89,8 @@ ANCF_INLINE void check_member(const char* name, std::size_t place, const Member&
 
 ANCF_INLINE double member_length(const char* name, std::size_t place, const Member& member,
                                  double distance) {
-    require(std::isfinite(distance) && distance > 0.0, name, ": member ", place, ", points ",
-            member.first, " and ", member.second, ": the points must be apart, got a distance of ",
-            distance);
+    require_of_member(std::isfinite(distance) && distance > 0.0, name, place, member,
+                      "the points must be apart, got a distance of ", distance);
     return distance;
 }
 
