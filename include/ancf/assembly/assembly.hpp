@@ -250,6 +250,7 @@ private:
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, const ConstraintResult& result);
     void add_value(int row, int column, double value, SparseMatrix& matrix) const;
+    // Adds scale times a matrix on some coordinates to a matrix of this pattern.
     void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,
                     SparseMatrix& matrix) const;
 

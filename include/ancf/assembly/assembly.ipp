@@ -456,8 +456,7 @@ ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, doubl
         if (at_column < 0) continue;
         const int b = numbering_.block(column);
         const int offset = pattern_.column_offset(b, at_column - pattern_.first(b));
-        int a = -1;  // whose base is known: neighbouring rows share it
-        double* values = nullptr;
+        int a = -1, base = 0;  // neighbouring rows share them
         for (Eigen::Index i = 0; i < size; ++i) {
             const int row = coordinates[static_cast<std::size_t>(i)];
             const int at_row = numbering_.equation(row);
@@ -465,9 +464,9 @@ ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, doubl
             if (pattern_.storage() == Storage::lower && at_row < at_column) continue;
             if (a != numbering_.block(row)) {
                 a = numbering_.block(row);
-                values = matrix.valuePtr() + pattern_.base(a, b) + offset - pattern_.first(a);
+                base = pattern_.base(a, b) + offset - pattern_.first(a);
             }
-            values[at_row] += scale * local(i, j);
+            matrix.valuePtr()[base + at_row] += scale * local(i, j);
         }
     }
 }
