@@ -690,36 +690,33 @@ TEST_CASE("path: Lee's frame has its limit loads with five quintic elements a le
     CHECK(published.second == Approx(green_of_lee.second).epsilon(1.5e-4));  // 6.5e-5
 }
 
+/// Follows the path of a loaded cantilever whose root turns as a motion of the factor says.
+ancf::PathReport follow_turned(const ancf::Motion& motion, const ancf::PathOptions& options) {
+    ancf::PlanarModel scene;
+    const auto beam =
+        ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
+                                    section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
+    scene.add(ancf::PlanarWeld(scene, beam.first(), motion));
+    scene.add(ancf::Force<2>(beam.last(), {0, -100.0}));
+    ancf::EigenLu solver;
+    return ancf::follow_path(scene, solver, options);
+}
+
 TEST_CASE("path: a joint that the start does not fulfil is named", "[path][bad-input]") {
+    const auto none = [](double) { return 0.0; };
     for (const double angle : {1.2, 2.5, 4.0}) {
         CAPTURE(angle);
-        const ancf::Motion held{[=](double) { return -angle; }, [](double) { return 0.0; },
-                                [](double) { return 0.0; }};
-        ancf::PlanarModel scene;
-        const auto beam =
-            ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
-                                        section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
-        scene.add(ancf::PlanarWeld(scene, beam.first(), held));
-        scene.add(ancf::Force<2>(beam.last(), {0, -100.0}));
-        ancf::EigenLu solver;
-        const auto report = ancf::follow_path(scene, solver);
+        const auto report = follow_turned({[=](double) { return -angle; }, none, none}, {});
         CHECK(report.status == Status::diverged);
         CHECK_THAT(report.message, ContainsSubstring("constraint 0 (") &&
                                        ContainsSubstring("solve_statics() first"));
     }
     // one that moves from where it stands is not to blame
-    const ancf::Motion moving{[](double f) { return -f; }, [](double) { return -1.0; },
-                              [](double) { return 0.0; }};
-    ancf::PlanarModel scene;
-    const auto beam =
-        ancf::straight_beam<Planar>(scene, ancf::Material::isotropic(2e11, 0.3, 7850.0),
-                                    section_of(6e-4, 2e-8), {0, 0}, {1, 0}, 3, mixed());
-    scene.add(ancf::PlanarWeld(scene, beam.first(), moving));
-    ancf::EigenLu solver;
     ancf::PathOptions options;
     options.max_iterations = options.wanted_iterations = 1;
     options.smallest_step = 0.9;
-    const auto report = ancf::follow_path(scene, solver, options);
+    const auto report =
+        follow_turned({[](double f) { return -f; }, [](double) { return -1.0; }, none}, options);
     CHECK(report.status == Status::diverged);
     CHECK(report.points.empty());
     CHECK_THAT(report.message, !ContainsSubstring("fulfilled"));
