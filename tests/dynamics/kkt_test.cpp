@@ -6,9 +6,8 @@
 #include <ancf/dynamics/kkt.hpp>
 
 #include <support/catch.hpp>
+#include <support/dense.hpp>
 #include <support/random_state.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +125,7 @@ TEST_CASE("dependent_rows: those that follow from the rows before them, and no o
 TEST_CASE("dependent_rows: the scales of the coordinates count", "[dynamics][kkt]") {
     MatrixX columns(2, 2);  // rows (1, 0) and (1, 1)
     columns << 1, 1, 0, 1;
-    const VectorX alike = VectorX::Ones(2), apart = (VectorX(2) << 1.0, 1e-12).finished();
+    const VectorX alike = VectorX::Ones(2), apart = Vector<double, 2>(1.0, 1e-12);
     CHECK(dependent_rows(columns.sparseView(), alike, 1e-10).empty());
     CHECK(dependent_rows(columns.sparseView(), apart, 1e-10) == std::vector<int>{1});
     // more rows than coordinates: the last follows from both, in any scales
@@ -184,7 +183,7 @@ TEST_CASE("algebra: products and blocks of symmetric matrices from either storag
 }
 
 TEST_CASE("algebra: the largest ratio tells of a NaN and is zero of nothing", "[algebra]") {
-    const VectorX scale = (VectorX(3) << 1.0, 2.0, 4.0).finished();
+    const VectorX scale = Vector<double, 3>(1.0, 2.0, 4.0);
     CHECK(detail::largest_ratio(VectorX(), VectorX()) == 0.0);
     CHECK(detail::largest_ratio((VectorX(3) << 1.0, -6.0, 4.0).finished(), scale) == 3.0);
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -212,7 +211,7 @@ TEST_CASE("algebra: SmallCholesky and diagonalize agree with Eigen", "[algebra]"
           1e-12 * before.norm());
     VectorX values = matrix.diagonal();
     std::sort(values.begin(), values.end());
-    const VectorX expected = Eigen::SelfAdjointEigenSolver<MatrixX>(before).eigenvalues();
+    const VectorX expected = test::eigenvalues(before);
     CHECK((values - expected).norm() <= 1e-12 * before.norm());
 }
 

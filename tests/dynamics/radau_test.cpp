@@ -19,10 +19,9 @@
 #include <dynamics/scenes.hpp>
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/dense.hpp>
 #include <support/driven_arm.hpp>
 #include <support/random_state.hpp>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +107,7 @@ TEST_CASE("Radau IIA: the tables fulfil the conditions of order", "[dynamics][ra
     CAPTURE(s);
     const detail::RadauTableau table = detail::radau_tableau(s);
     REQUIRE(table.stages() == s);
-    const MatrixX A = table.inverse.inverse();
+    const MatrixX A = test::inverted(table.inverse);
     const auto c = [&](int i, int power) {
         return std::pow(table.nodes[static_cast<std::size_t>(i)], power);
     };
@@ -650,7 +649,7 @@ double correction_left(DynamicProblem& problem, const Memory& memory, const Stat
     const VectorX &q = start.q, &v = start.v;
     const VectorX accelerations = memory.get("stage_accelerations", n * stages);
     const VectorX lambdas = memory.get("stage_multipliers", m * stages);
-    const MatrixX A = table.inverse.inverse();
+    const MatrixX A = test::inverted(table.inverse);
     MatrixX matrix = MatrixX::Zero(all, all);
     VectorX rest(all);
     for (int i = 0; i < stages; ++i) {
@@ -679,7 +678,7 @@ double correction_left(DynamicProblem& problem, const Memory& memory, const Stat
             block.bottomLeftCorner(m, n) = tangent.bottomLeftCorner(m, n);
         }
     }
-    const VectorX correction = matrix.partialPivLu().solve(rest);
+    const VectorX correction = test::solved(matrix, rest);
     double largest = 0.0;
     for (int i = 0; i < stages; ++i)
         largest = std::max(

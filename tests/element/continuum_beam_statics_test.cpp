@@ -7,8 +7,7 @@
 #include <ancf/element/continuum/beam.hpp>
 
 #include <support/catch.hpp>
-
-#include <Eigen/LU>
+#include <support/dense.hpp>
 
 #include <cmath>
 #include <functional>
@@ -47,7 +46,7 @@ public:
             tangent_.bottomRightCorner<12, 12>() -= tip.derivative;
             const VectorX residual = force_(free_);
             if (residual.norm() <= 1e-9 * tip.force.norm()) return iteration;
-            const VectorX step = MatrixX(tangent_(free_, free_)).partialPivLu().solve(residual);
+            const VectorX step = test::solved(tangent_(free_, free_), residual);
             q_(free_) -= step;
         }
         return -1;
@@ -59,7 +58,7 @@ public:
         VectorX f = VectorX::Zero(q_.size());
         f.tail<12>() = load;
         const VectorX right = f(free_);
-        const VectorX u = MatrixX(tangent_(free_, free_)).partialPivLu().solve(right);
+        const VectorX u = test::solved(tangent_(free_, free_), right);
         return u.segment<3>(u.size() - 12);
     }
 

@@ -10,9 +10,8 @@
 #include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
+#include <support/dense.hpp>
 #include <support/random_state.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +98,8 @@ TEST_CASE(
             force = std::max(force, element.force(moved).norm() / axial);
             const Matrix<double, 18> tangent =
                 scale.asDiagonal() * element.evaluate(moved).tangent * scale.asDiagonal();
-            const Eigen::SelfAdjointEigenSolver<Matrix<double, 18>> modes(tangent);
-            const auto values = (modes.eigenvalues() / modes.eigenvalues().maxCoeff()).eval();
+            VectorX values = test::eigenvalues(tangent);
+            values /= values.maxCoeff();
             rigid = std::max(rigid, values.head(6).cwiseAbs().maxCoeff());
             least = std::min(least, values(6));
             const TorsionBeam::Coordinates bent = reference + 0.15 * random.vector<18>();

@@ -6,9 +6,8 @@
 
 #include <section/area_integral.hpp>
 #include <support/catch.hpp>
+#include <support/dense.hpp>
 #include <support/random_state.hpp>
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <utility>
@@ -58,10 +57,7 @@ double energy_by_area(const Area& area, const Strains& s, double k_y, double k_z
     });
 }
 
-template <class Matrix>
-double least_eigenvalue(const Matrix& matrix) {
-    return Eigen::SelfAdjointEigenSolver<Matrix>(matrix).eigenvalues()(0);
-}
+double least_eigenvalue(const ancf::MatrixX& matrix) { return ancf::test::eigenvalues(matrix)(0); }
 
 TEST_CASE("section stiffness: the paper's energy equals the quadrature over the area",
           "[section][stiffness]") {

@@ -7,8 +7,7 @@
 
 #include <solver/linear_solver_cases.hpp>
 #include <support/catch.hpp>
-
-#include <Eigen/Eigenvalues>
+#include <support/dense.hpp>
 
 #include <limits>
 
@@ -22,8 +21,7 @@ double exact_rcond(const SparseMatrix& lower) {
     const MatrixX dense = stored(lower, Storage::full);
     const VectorX scale = dense.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
     const MatrixX scaled = scale.asDiagonal() * dense * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<MatrixX> spectrum(scaled, Eigen::EigenvaluesOnly);
-    return spectrum.eigenvalues().cwiseAbs().minCoeff();
+    return eigenvalues(scaled).cwiseAbs().minCoeff();
 }
 
 template <class Solver>

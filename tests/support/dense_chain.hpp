@@ -8,9 +8,8 @@
 
 #include <ancf/types.hpp>
 
+#include <support/dense.hpp>
 #include <support/random_state.hpp>
-
-#include <Eigen/LU>
 
 #include <vector>
 
@@ -71,7 +70,7 @@ public:
                 }
             }
             if (r.norm() <= tolerance * force.norm()) return iteration;
-            const VectorX step = K.partialPivLu().solve(r);
+            const VectorX step = test::solved(K, r);
             for (Eigen::Index i = 0; i < size; ++i)
                 state_(free_[static_cast<std::size_t>(i)]) -= step(i);
         }

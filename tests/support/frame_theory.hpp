@@ -14,7 +14,8 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/Cholesky>
+#include <support/dense.hpp>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ public:
     [[nodiscard]] VectorX displaced(int clamped, const VectorX& force) const {
         const Eigen::Index n = force.size(), free = n - 6 * clamped;
         VectorX all = VectorX::Zero(n);
-        all.tail(free) = stiffness_.bottomRightCorner(free, free).ldlt().solve(force.tail(free));
+        all.tail(free) = solved(stiffness_.bottomRightCorner(free, free), force.tail(free));
         return all;
     }
 
@@ -107,12 +108,12 @@ public:
                 K(i, j) = stiffness_(at, free[static_cast<std::size_t>(j)]);
         }
         // inverse iteration; the next eigenvalue may be near, its mode does no harm
-        const Eigen::LDLT<MatrixX> factors(K);
+        const MatrixX flexibility = inverted(K);
         VectorX mode(n);
         for (Eigen::Index i = 0; i < n; ++i) mode[i] = std::cos(static_cast<double>(i * i));
         double quotient = 0.0;
         for (int k = 0; k < 200; ++k) {
-            const VectorX next = factors.solve(VectorX(m.cwiseProduct(mode)));
+            const VectorX next = flexibility * m.cwiseProduct(mode);
             quotient = next.dot(m.cwiseProduct(mode)) / next.dot(m.cwiseProduct(next));
             mode = next / next.cwiseAbs().maxCoeff();
         }

@@ -15,9 +15,8 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/dense.hpp>
 #include <support/frame_theory.hpp>
-
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +77,7 @@ Found solve(const FrameCase& of, const Section& section, int elements, const P3&
         Matrix<double, Dimension> slopes;
         for (int k = 0; k < Dimension; ++k)
             slopes.col(k) = model.value(joint, static_cast<Field>(1 + k));
-        const auto stretches = Eigen::JacobiSVD<Matrix<double, Dimension>>(slopes).singularValues();
+        const VectorX stretches = test::singular_values(slopes);
         found.stretch =
             std::max({found.stretch, stretches.maxCoeff() - 1.0, 1.0 - stretches.minCoeff()});
         found.turn = std::max(
