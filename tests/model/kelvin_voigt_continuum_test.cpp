@@ -9,6 +9,8 @@
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
+extern template class ancf::KelvinVoigt<ancf::ContinuumBeam<3>>;
+
 namespace kelvin_voigt_continuum_test {
 
 using namespace ancf;

@@ -9,6 +9,12 @@
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
+extern template class ancf::KelvinVoigt<ancf::CrossSectionBeam<3>>;
+extern template class ancf::KelvinVoigt<ancf::CrossSectionBeam<3, ancf::Geodesic>>;
+extern template class ancf::KelvinVoigt<
+    ancf::CrossSectionBeam<3, ancf::Projected, ancf::PointwiseShear>>;
+extern template class ancf::KelvinVoigt<ancf::QuinticBeam<>>;
+
 namespace kelvin_voigt_cross_section_test {
 
 using namespace ancf;

@@ -10,6 +10,9 @@
 #include <model/kelvin_voigt_checks.hpp>
 #include <support/catch.hpp>
 
+extern template class ancf::KelvinVoigt<ancf::CrossSectionBeam<2>>;
+extern template class ancf::KelvinVoigt<ancf::ContinuumBeam<2>>;
+
 namespace kelvin_voigt_planar_test {
 
 using namespace ancf;

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Dampers of beams in the plane, apart from their tests: each half takes less memory.
+
+#include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
+#include <ancf/model/loads/damping.hpp>
+
+template class ancf::KelvinVoigt<ancf::CrossSectionBeam<2>>;
+template class ancf::KelvinVoigt<ancf::ContinuumBeam<2>>;
