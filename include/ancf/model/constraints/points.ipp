@@ -294,24 +294,24 @@ DynamicVector<Scalar> Distance<Dimension>::rate(const DynamicVector<Scalar>& q,
 
 template <int Dimension>
 void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
-    out.rate = rate(at.q, at.time);
-    const Vector<double, Dimension> d = points_.difference(at.q, at.time),
-                                    n = direction(at.q, at.time);
-    const double distance = detail::product(d, n);
+    const Vector<double, Dimension> d = points_.difference(at.q, at.time);
+    const double distance = std::sqrt(detail::product(d, d));
+    const Vector<double, Dimension> n = d / distance;
+    const Matrix<double, Dimension> curvature =
+        at.multipliers[0] / distance * (Matrix<double, Dimension>::Identity() - n * n.transpose());
     const double* weight = points_.weights().data();
-    for (int i = 0; i < at.q.size(); ++i)
-        for (int j = 0; j < at.q.size(); ++j) {
-            const int row = i % Dimension, column = j % Dimension;
-            const double curvature = ((row == column ? 1.0 : 0.0) - n[row] * n[column]) / distance;
+    for (int i = 0; i < at.q.size(); ++i) {
+        const double here = weight[i / Dimension];
+        out.jacobian(0, i) = here * n[i % Dimension];
+        for (int j = 0; j < at.q.size(); ++j)
             out.stiffness(i, j) =
-                at.multipliers[0] * weight[i / Dimension] * weight[j / Dimension] * curvature;
-        }
-    Vector<double, Dimension> speed = points_.drift(at.time);
-    const Vector<double, Dimension> moved = points_.moved(at.v);
-    for (int i = 0; i < Dimension; ++i) speed[i] += moved[i];
+                here * weight[j / Dimension] * curvature(i % Dimension, j % Dimension);
+    }
+    const Vector<double, Dimension> drift = points_.drift(at.time);
+    const Vector<double, Dimension> speed = drift + points_.moved(at.v);
     const double along = detail::product(n, speed);
+    out.violation[0] = distance - length_.value(at.time);
+    out.rate[0] = detail::product(n, drift) - length_.rate(at.time);
     out.convection[0] = (detail::product(speed, speed) - along * along) / distance +
                         detail::product(n, points_.drift_rate(at.time)) -
                         length_.acceleration(at.time);
