@@ -23,15 +23,15 @@ ANCF_INLINE void require_singular_rcond(double limit) {
 /// Scales rows whose diagonal is zero, a constraint's, to a largest entry of 1.
 ANCF_INLINE void complete_roots(const SparseMatrix& matrix, VectorX& roots) {
     const VectorX known = roots;
-    const auto compare = [&](Eigen::Index row, Eigen::Index other, double value) {
-        if (known[row] == 0.0 && known[other] > 0.0)
-            roots[row] = std::max(roots[row], std::abs(value) / known[other]);
-    };
-    for (int column = 0; column < matrix.outerSize(); ++column)
+    for (int column = 0; column < matrix.outerSize(); ++column) {
+        const bool lacks = known[column] == 0.0;
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
-            compare(entry.row(), column, entry.value());
-            compare(column, entry.row(), entry.value());
+            const Eigen::Index row = entry.row();
+            if (lacks == (known[row] == 0.0)) continue;
+            const Eigen::Index lacking = lacks ? column : row, other = lacks ? row : column;
+            roots[lacking] = std::max(roots[lacking], std::abs(entry.value()) / known[other]);
         }
+    }
     for (double& root : roots)
         if (!(root > 0.0)) root = 1.0;
 }
