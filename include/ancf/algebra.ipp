@@ -57,24 +57,18 @@ ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& o
     for (const int k : at) *to++ = x[k];
 }
 
-/// Returns the largest |x(i)| / scale_i of so many, 0 of none and NaN where an entry is NaN.
-template <class Entry>
-double largest_ratio_of(const Entry& x, Eigen::Index count, const VectorX& scale) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double ratio = std::abs(x(i)) / scale[i];
-        if (!(ratio <= largest)) largest = ratio;
-        if (ratio != ratio) break;
-    }
-    return largest;
+/// Returns the largest entry of a column, 0 of none and NaN where an entry is NaN.
+template <class Column>
+double largest_of(const Column& ratios) {
+    return ratios.size() > 0 ? ratios.template maxCoeff<Eigen::PropagateNaN>() : 0.0;
 }
 
 ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
-    return largest_ratio_of([&](Eigen::Index i) { return x[i]; }, x.size(), scale);
+    return largest_of(x.cwiseAbs().cwiseQuotient(scale));
 }
 
 ANCF_INLINE double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale) {
-    return largest_ratio_of([&](Eigen::Index i) { return x[i] - y[i]; }, x.size(), scale);
+    return largest_of((x - y).cwiseAbs().cwiseQuotient(scale));
 }
 
 ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
@@ -84,12 +78,7 @@ ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
     return largest;
 }
 
-ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept {
-    eigen_assert(x.size() == y.size());
-    double sum = 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) sum += x[i] * y[i];
-    return sum;
-}
+ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept { return x.dot(y); }
 
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
     VectorX out = zeros(A.rows());

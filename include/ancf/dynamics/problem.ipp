@@ -430,10 +430,12 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
     force_.resize(size());
+    const double* internal = assembly_.internal_force().data();
+    const double* constraint = assembly_.constraint_force().data();
+    const double* external = assembly_.external_force().data();
     for (int k = 0; k < numbering().coordinates(); ++k)
         if (const int equation = numbering().equation(k); equation >= 0)
-            force_[equation] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
-                               assembly_.external_force()[k];
+            force_[equation] = internal[k] + constraint[k] - external[k];
     if (drives_) {
         VectorX inertia;
         numbering().gather_free(assembly_.mass_product(full_a_), inertia);

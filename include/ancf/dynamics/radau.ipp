@@ -343,7 +343,6 @@ ANCF_INLINE Status RadauRun::evaluate_stages(const Span& step, bool renew) {
 
 /// Writes positions, rates and accelerations of the stages from Y.
 ANCF_INLINE void RadauRun::place_stages(const Span& step) {
-    const Eigen::Index n = problem_.size();
     const double h = step.width;
     const VectorX &q = step.from.q, &v = step.from.v;
     for (std::size_t i = 0; i < stages_; ++i) {
@@ -351,21 +350,14 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
         const auto row = static_cast<Eigen::Index>(i);
         const double c = tableau_.nodes[i];
         at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
-        at.q.resize(n);
+        at.q = q + (h * c * v + h * h * Y_[i]);
         at.v = v;
-        acceleration_[i].setZero(n);
+        acceleration_[i].setZero();
         at.lambda = lambda_[i];
-        for (Eigen::Index k = 0; k < n; ++k) at.q[k] = q[k] + (h * c * v[k] + h * h * Y_[i][k]);
         for (std::size_t j = 0; j < stages_; ++j) {
-            const double* y = Y_[j].data();
-            const double rate = h * tableau_.inverse(row, static_cast<Eigen::Index>(j));
-            const double twice = tableau_.square(row, static_cast<Eigen::Index>(j));
-            double* rates = at.v.data();
-            double* a = acceleration_[i].data();
-            for (Eigen::Index k = 0; k < n; ++k) {
-                rates[k] += rate * y[k];
-                a[k] += twice * y[k];
-            }
+            const auto column = static_cast<Eigen::Index>(j);
+            at.v += h * tableau_.inverse(row, column) * Y_[j];
+            acceleration_[i] += tableau_.square(row, column) * Y_[j];
         }
     }
 }
@@ -393,20 +385,16 @@ ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
         acceleration_[i].setZero();
         lambda_[i].setZero();
         for (std::size_t j = 0; j < stages_; ++j) {
-            for (Eigen::Index k = 0; k < acceleration_[i].size(); ++k)
-                acceleration_[i][k] += weights[j] * acceleration_before_[j][k];
-            for (Eigen::Index k = 0; k < lambda_[i].size(); ++k)
-                lambda_[i][k] += weights[j] * lambda_before_[j][k];
+            acceleration_[i] += weights[j] * acceleration_before_[j];
+            lambda_[i] += weights[j] * lambda_before_[j];
         }
     }
     for (std::size_t i = 0; i < stages_; ++i) {
         Y_[i].setZero();
-        for (std::size_t j = 0; j < stages_; ++j) {
-            const double weight = tableau_.double_integral(static_cast<Eigen::Index>(i),
-                                                           static_cast<Eigen::Index>(j));
-            for (Eigen::Index k = 0; k < Y_[i].size(); ++k)
-                Y_[i][k] += weight * acceleration_[j][k];
-        }
+        for (std::size_t j = 0; j < stages_; ++j)
+            Y_[i] += tableau_.double_integral(static_cast<Eigen::Index>(i),
+                                              static_cast<Eigen::Index>(j)) *
+                     acceleration_[j];
     }
 }
 
@@ -469,8 +457,8 @@ ANCF_INLINE double RadauRun::correct(double h) {
     ++report_.iterations;
     double largest = 0.0;
     for (std::size_t i = 0; i < stages_; ++i) {
-        for (Eigen::Index j = 0; j < Y_[i].size(); ++j) Y_[i][j] += change_[i][j];
-        for (Eigen::Index j = 0; j < lambda_[i].size(); ++j) lambda_[i][j] += lambda_change_[i][j];
+        Y_[i] += change_[i];
+        lambda_[i] += lambda_change_[i];
         const double size = h * h * scaled(change_[i]);
         if (!(size <= largest)) largest = size;
     }
@@ -480,17 +468,13 @@ ANCF_INLINE double RadauRun::correct(double h) {
 /// Returns the local error of the step relative to the tolerance.
 ANCF_INLINE double RadauRun::error(double h) {
     const double tau = h / tableau_.modes.front().eigenvalue.real();
-    const Eigen::Index n = problem_.size();
     VectorX rates = now_.v, accelerations = now_.acceleration;
-    for (std::size_t i = 0; i < stages_; ++i)
-        for (Eigen::Index k = 0; k < n; ++k) {
-            rates[k] -= at_start_[i] * stage_[i].v[k];
-            accelerations[k] -= at_start_[i] * acceleration_[i][k];
-        }
-    for (Eigen::Index k = 0; k < n; ++k) {
-        rates[k] *= tau;
-        accelerations[k] *= tau * tau;
+    for (std::size_t i = 0; i < stages_; ++i) {
+        rates -= at_start_[i] * stage_[i].v;
+        accelerations -= at_start_[i] * acceleration_[i];
     }
+    rates *= tau;
+    accelerations *= tau * tau;
     const double size = scaled(system_.filter(rates, accelerations)) / options_.tolerance;
     return std::isfinite(size) ? size : 1e10;
 }

@@ -85,15 +85,15 @@ ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages&
         if (mode == 0) {
             rhs_.setZero();
             for (std::size_t i = 0; i < stages; ++i) {
-                const double w = -row[i].real(), u = w * scale.real();
-                for (Eigen::Index k = 0; k < n; ++k) rhs_[k] += w * force[i][k];
-                for (Eigen::Index k = 0; k < m; ++k) rhs_[n + k] += u * lengths[i][k];
+                const double w = -row[i].real();
+                rhs_.head(n) += w * force[i];
+                rhs_.tail(m) += w * scale.real() * lengths[i];
             }
             solver_.solve(rhs_, solution_);
             for (std::size_t i = 0; i < stages; ++i) {
-                const double w = column[i].real(), u = w * inverse.real();
-                for (Eigen::Index k = 0; k < n; ++k) Y[i][k] += u * solution_[k];
-                for (Eigen::Index k = 0; k < m; ++k) lambda[i][k] += w * solution_[n + k];
+                const double w = column[i].real();
+                Y[i] += w * inverse.real() * solution_.head(n);
+                lambda[i] += w * solution_.tail(m);
             }
             continue;
         }
