@@ -13,29 +13,9 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <initializer_list>
 #include <vector>
 
 namespace ancf::detail {
-
-/// Returns zeros.
-[[nodiscard]] VectorX zeros(Eigen::Index size);
-
-/// Gives it a size and sets all of its entries to zero.
-void set_zero(VectorX& x, Eigen::Index size);
-void set_zero(MatrixX& A, Eigen::Index rows, Eigen::Index columns);
-
-/// A term of combination(), for use within one expression.
-struct Term {
-    double factor;
-    const VectorX& vector;
-};
-
-/// Returns the sum of the terms, one or more vectors of one size.
-[[nodiscard]] VectorX combination(std::initializer_list<Term> terms);
-
-/// Returns a - b.
-[[nodiscard]] VectorX difference(const VectorX& a, const VectorX& b);
 
 /// Writes the entries of x at these places.
 void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);

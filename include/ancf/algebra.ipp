@@ -12,44 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <vector>
 
 namespace ancf::detail {
-
-ANCF_INLINE void set_zero(VectorX& x, Eigen::Index size) {
-    x.resize(size);
-    std::fill_n(x.data(), size, 0.0);
-}
-
-ANCF_INLINE void set_zero(MatrixX& A, Eigen::Index rows, Eigen::Index columns) {
-    A.resize(rows, columns);
-    std::fill_n(A.data(), rows * columns, 0.0);
-}
-
-ANCF_INLINE VectorX zeros(Eigen::Index size) {
-    VectorX x;
-    set_zero(x, size);
-    return x;
-}
-
-ANCF_INLINE VectorX combination(std::initializer_list<Term> terms) {
-    const Eigen::Index size = terms.begin()->vector.size();
-    VectorX sum(size);
-    double* out = sum.data();
-    for (Eigen::Index i = 0; i < size; ++i)
-        out[i] = terms.begin()->factor * terms.begin()->vector[i];
-    for (auto term = terms.begin() + 1; term != terms.end(); ++term) {
-        eigen_assert(term->vector.size() == size);
-        const double* x = term->vector.data();
-        for (Eigen::Index i = 0; i < size; ++i) out[i] += term->factor * x[i];
-    }
-    return sum;
-}
-
-ANCF_INLINE VectorX difference(const VectorX& a, const VectorX& b) {
-    return combination({{1.0, a}, {-1.0, b}});
-}
 
 ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& out) {
     out.resize(static_cast<Eigen::Index>(at.size()));
@@ -81,7 +46,7 @@ ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
 ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept { return x.dot(y); }
 
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
-    VectorX out = zeros(A.rows());
+    VectorX out = VectorX::Zero(A.rows());
     for (Eigen::Index j = 0; j < A.cols(); ++j)
         for (Eigen::Index i = 0; i < A.rows(); ++i) out[i] += A(i, j) * x[j];
     return out;
@@ -112,7 +77,7 @@ ANCF_INLINE void add_product(const SparseMatrix& A, Storage storage, double scal
 }
 
 ANCF_INLINE VectorX multiply(const SparseMatrix& A, Storage storage, const VectorX& x) {
-    VectorX out = zeros(x.size());
+    VectorX out = VectorX::Zero(x.size());
     add_product(A, storage, 1.0, x, out);
     return out;
 }
@@ -173,7 +138,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
                 if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
                     visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
     };
-    VectorX scales = zeros(size);
+    VectorX scales = VectorX::Zero(size);
     int first = 0;
     bool found = false;
     for_each_entry([&](int i, int j, double value) {
@@ -184,7 +149,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
         const int apart = exponent - first;
         scales[i] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
     });
-    VectorX largest = zeros(size);
+    VectorX largest = VectorX::Zero(size);
     for_each_entry([&](int i, int j, double value) {
         if (scales[i] == 0.0) largest[i] = std::max(largest[i], value * scales[j]);
         if (scales[j] == 0.0) largest[j] = std::max(largest[j], value * scales[i]);
@@ -196,7 +161,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
 }
 
 ANCF_INLINE VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns) {
-    VectorX scales = zeros(matrix.rows());
+    VectorX scales = VectorX::Zero(matrix.rows());
     for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
             double& largest = scales[matrix.innerIndexPtr()[k]];

@@ -148,17 +148,12 @@ TEST_CASE("dependent_rows: a long closed chain has one dependent row, at no grea
     CHECK(dependent_rows(columns, VectorX::Ones(links), 1e-10) == std::vector<int>{links - 1});
 }
 
-TEST_CASE("algebra: combination and difference agree with Eigen", "[algebra]") {
+TEST_CASE("algebra: the largest distance is the largest ratio of the difference", "[algebra]") {
     test::Random random(7);
-    const VectorX a = random.vector<5>(), b = random.vector<5>(), c = random.vector<5>();
-    const VectorX expected = 2.0 * a - 0.5 * b + c;
-    // five entries of up to 3.5, each off by one rounding where one side fuses what the other adds
-    CHECK((detail::combination({{2.0, a}, {-0.5, b}, {1.0, c}}) - expected).norm() <= 4e-15);
-    CHECK((detail::difference(a, b) - (a - b)).norm() == 0.0);
+    const VectorX a = random.vector<5>(), b = random.vector<5>();
     const VectorX scale = VectorX::Constant(5, 0.5);
     CHECK(detail::largest_distance(a, b, scale) == detail::largest_ratio(a - b, scale));
     CHECK(std::isnan(detail::largest_distance(a, b * std::nan(""), scale)));
-    CHECK(detail::difference(VectorX(), VectorX()).size() == 0);
 }
 
 TEST_CASE("algebra: products and blocks of symmetric matrices from either storage", "[algebra]") {

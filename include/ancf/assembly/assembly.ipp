@@ -233,7 +233,7 @@ void Assembly::for_each_element(std::size_t group, const Visitor& visit) const {
 }
 
 ANCF_INLINE void Assembly::build_gravity() {
-    detail::set_zero(gravity_, numbering_.coordinates());
+    gravity_.setZero(numbering_.coordinates());
     double acceleration[3] = {};
     for (int k = 0; k < model_.dimension(); ++k) acceleration[k] = model_.gravity_component(k);
     std::vector<double> forces;  // of a group's prototypes
@@ -310,8 +310,8 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
     }
     energy_known_ = request != Request::force || increment != nullptr;
     if (!energy_known_) force_q_ = at.q;
-    detail::set_zero(internal_, numbering_.coordinates());
-    detail::set_zero(constraint_, numbering_.coordinates());
+    internal_.setZero(numbering_.coordinates());
+    constraint_.setZero(numbering_.coordinates());
     strain_energy_ = 0.0;
     if (request != Request::force) clear_values(cleared_first_.begin(), cleared_first_.end());
     if (request == Request::tangent_and_damping) {
@@ -322,7 +322,7 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
         std::fill_n(damping_.valuePtr(), detail::entries(damping_), 0.0);
     }
     const bool predicts = last != nullptr || increment != nullptr;
-    detail::set_zero(predicted_, predicts ? numbering_.coordinates() : 0);
+    predicted_.setZero(predicts ? numbering_.coordinates() : 0);
     add_elements(at, request, increment, last);
     numbering_.dependence().carry(internal_);
     if (predicted_.size() > 0) numbering_.dependence().carry(predicted_);
@@ -485,9 +485,9 @@ void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bo
         detail::gather(v, coordinates.read(), local.v);
         const AnyLoad& load = model_.loads()[k].load;
         const Eigen::Index rows = load.constant() ? 0 : size;
-        detail::set_zero(result.force, size);
-        detail::set_zero(result.stiffness, rows, rows);
-        detail::set_zero(result.damping, rows, rows);
+        result.force.setZero(size);
+        result.stiffness.setZero(rows, rows);
+        result.damping.setZero(rows, rows);
         result.potential = result.period = 0.0;
         load.evaluate(local, result);
         const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
@@ -537,7 +537,7 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
     VectorX rate = gravity_;
     for (double& entry : rate) entry *= gravity;
     for_each_load(
-        q, detail::zeros(q.size()), factor, false,
+        q, VectorX::Zero(q.size()), factor, false,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale = slope([&](const Instant& at) { return load.scale(at); });
             for (std::size_t i = 0; i < coordinates.size(); ++i)
@@ -547,9 +547,9 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
 }
 
 ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request request) {
-    detail::set_zero(violation_, numbering_.multipliers());
-    detail::set_zero(violation_rate_, numbering_.multipliers());
-    detail::set_zero(convection_, numbering_.multipliers());
+    violation_.setZero(numbering_.multipliers());
+    violation_rate_.setZero(numbering_.multipliers());
+    convection_.setZero(numbering_.multipliers());
     faulty_constraint_ = -1;
     steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
     ConstraintState local;
@@ -778,7 +778,7 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
 
 ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
     check_size("mass_product", "coordinates", a);
-    VectorX result = detail::zeros(a.size());
+    VectorX result = VectorX::Zero(a.size());
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
         const int dofs = group.dofs();

@@ -247,9 +247,7 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
 /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
 ANCF_INLINE void GeneralizedAlphaRun::shift_algorithmic(double width) {
     if (width == width_) return;
-    now_.algorithmic =
-        combination({{1.0, now_.acceleration},
-                     {width / width_, difference(now_.algorithmic, now_.acceleration)}});
+    now_.algorithmic = now_.acceleration + width / width_ * (now_.algorithmic - now_.acceleration);
     width_ = width;
 }
 
@@ -341,14 +339,10 @@ ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
 ANCF_INLINE void GeneralizedAlphaRun::predict(double h) {
     next_.lambda = now_.lambda;
     next_.acceleration = now_.acceleration;
-    next_.algorithmic = combination(
-        {{1.0 / (1.0 - am_), now_.acceleration}, {-am_ / (1.0 - am_), now_.algorithmic}});
-    next_.q = combination({{1.0, now_.q},
-                           {h, now_.v},
-                           {h * h * (0.5 - beta_), now_.algorithmic},
-                           {h * h * beta_, next_.algorithmic}});
-    next_.v = combination(
-        {{1.0, now_.v}, {h * (1.0 - gamma_), now_.algorithmic}, {h * gamma_, next_.algorithmic}});
+    next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
+    next_.q = now_.q + h * now_.v + h * h * (0.5 - beta_) * now_.algorithmic +
+              h * h * beta_ * next_.algorithmic;
+    next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
 }
 
 /// Adds the solution (dv', dlambda).

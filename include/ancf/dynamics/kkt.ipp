@@ -71,7 +71,7 @@ ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
         error = now;
         if (slow || error < 4.0 * epsilon) break;
         ldlt_.solve(residual);
-        next = detail::combination({{1.0, x}, {1.0, residual}});
+        next = x + residual;
     }
     return error;
 }

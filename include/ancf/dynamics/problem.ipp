@@ -395,11 +395,8 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
             return fault->status;
         for (int i = 0; i < size(); ++i) b[i] -= weights[place] / step * force_[i];
         if (multipliers() == 0) continue;
-        evaluate_constraints(
-            t,
-            detail::combination(
-                {{1.0, at.q}, {later, at.v}, {0.5 * later * later, at.acceleration}}),
-            detail::combination({{1.0, at.v}, {later, at.acceleration}}));
+        evaluate_constraints(t, at.q + later * at.v + 0.5 * later * later * at.acceleration,
+                             at.v + later * at.acceleration);
         whole = full_a_;  // of driven coordinates at that time
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)

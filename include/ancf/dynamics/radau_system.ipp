@@ -122,8 +122,7 @@ ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages&
 ANCF_INLINE const VectorX& RadauSystem::filter(const VectorX& a, const VectorX& b) {
     const double tau = width_ / tableau_.modes.front().eigenvalue.real();
     error_.setZero(a.size());
-    add_product(problem_.compact_mass(), Storage::full, 1.0, combination({{1.0, a}, {1.0, b}}),
-                error_);
+    add_product(problem_.compact_mass(), Storage::full, 1.0, a + b, error_);
     if (damped_) add_product(damping_, solver_.storage(), tau, a, error_);
     rhs_.setZero();
     std::copy_n(error_.data(), error_.size(), rhs_.data());

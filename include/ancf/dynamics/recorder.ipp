@@ -177,15 +177,10 @@ ANCF_INLINE MotionPoint Recorder::cubic(const MotionPoint& from, const MotionPoi
     const double later = s * s * (3.0 - 2.0 * s);
     const double slope = 6.0 * s * (1.0 - s) / h;
     const double bulge = h * s * (1.0 - s);
-    return {time,
-            combination({{1.0 - later, from.q},
-                         {later, to.q},
-                         {bulge * (1.0 - s), from.v},
-                         {-bulge * s, to.v}}),
-            combination({{slope, difference(to.q, from.q)},
-                         {(1.0 - s) * (1.0 - 3.0 * s), from.v},
-                         {s * (3.0 * s - 2.0), to.v}}),
-            combination({{1.0 - s, from.lambda}, {s, to.lambda}})};
+    return {
+        time, (1.0 - later) * from.q + later * to.q + bulge * ((1.0 - s) * from.v - s * to.v),
+        slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v + s * (3.0 * s - 2.0) * to.v,
+        (1.0 - s) * from.lambda + s * to.lambda};
 }
 
 }  // namespace ancf::detail

@@ -184,7 +184,7 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
 
 ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
     if (transfer_.empty()) return;
-    VectorX carried = zeros(static_cast<Eigen::Index>(acted_.size()));
+    VectorX carried = VectorX::Zero(static_cast<Eigen::Index>(acted_.size()));
     for (const Entry& entry : transfer_) carried[entry.acted] += entry.factor * force[entry.read];
     force.swap(carried);
 }
@@ -193,7 +193,7 @@ ANCF_INLINE void LocalCoordinates::carry_columns(MatrixX& derivatives) const {
     if (transfer_.empty() || derivatives.size() == 0) return;
     const Eigen::Index rows = derivatives.rows();
     MatrixX carried;
-    set_zero(carried, rows, static_cast<Eigen::Index>(acted_.size()));
+    carried.setZero(rows, static_cast<Eigen::Index>(acted_.size()));
     for (const Entry& entry : transfer_) {
         const double* const from = derivatives.data() + rows * entry.read;
         double* const to = carried.data() + rows * entry.acted;
@@ -207,7 +207,7 @@ ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
     carry_columns(stiffness);
     const auto size = static_cast<Eigen::Index>(acted_.size());
     MatrixX carried;
-    set_zero(carried, size, size);
+    carried.setZero(size, size);
     for (Eigen::Index j = 0; j < size; ++j)
         for (const Entry& entry : transfer_)
             carried(entry.acted, j) += entry.factor * stiffness(entry.read, j);

@@ -43,11 +43,11 @@ struct ConstraintResult {
 
     /// Makes everything zero, for so many equations in so many local coordinates.
     void reset(Eigen::Index equations, Eigen::Index coordinates) {
-        detail::set_zero(violation, equations);
-        detail::set_zero(jacobian, equations, coordinates);
-        detail::set_zero(stiffness, coordinates, coordinates);
-        detail::set_zero(rate, equations);
-        detail::set_zero(convection, equations);
+        violation.setZero(equations);
+        jacobian.setZero(equations, coordinates);
+        stiffness.setZero(coordinates, coordinates);
+        rate.setZero(equations);
+        convection.setZero(equations);
     }
 };
 

@@ -388,7 +388,7 @@ ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {
     for (const NodeField& at : coupling) check(at.node);
     if (load.settles()) load.settle(layout());
     if (load.constant()) {  // wrong sizes show wherever it stands
-        const VectorX zero = detail::zeros(dimension_ * static_cast<int>(coupling.size()));
+        const VectorX zero = VectorX::Zero(dimension_ * static_cast<int>(coupling.size()));
         LoadResult result{zero, {}, {}, 0.0};
         load.evaluate({zero, zero, 0.0, false}, result);
     }
@@ -444,8 +444,8 @@ ANCF_INLINE void Scene::refresh() const {
     dependence_ = Dependence(layout_, attachments_);
     const State old = std::exchange(state_, State{});
     state_.time = old.time;
-    detail::set_zero(state_.q, layout_.size());
-    detail::set_zero(state_.v, layout_.size());
+    state_.q.setZero(layout_.size());
+    state_.v.setZero(layout_.size());
     for (int node = 0; node < nodes(); ++node)
         for (int k = 0; k < field_count; ++k) {
             const NodeField at{{node}, static_cast<Field>(k)};
@@ -463,7 +463,7 @@ ANCF_INLINE void Scene::refresh() const {
     dependence_.complete(state_.v);
     int equations = 0;
     for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
-    detail::set_zero(state_.multipliers, equations);
+    state_.multipliers.setZero(equations);
     const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
     std::copy_n(old.multipliers.data(), kept, state_.multipliers.data());
     stale_ = false;

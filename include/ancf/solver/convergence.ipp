@@ -135,7 +135,7 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
     const int unknowns = numbering_.free_coordinates();
     VectorX at;
     numbering_.gather_free(q, at);
-    VectorX floor = detail::zeros(numbering_.unknowns());
+    VectorX floor = VectorX::Zero(numbering_.unknowns());
     const bool lower = assembly.pattern().storage() == Storage::lower;
     for (int j = 0; j < unknowns; ++j)
         for (int k = tangent.outerIndexPtr()[j]; k < tangent.outerIndexPtr()[j + 1]; ++k) {
@@ -147,7 +147,7 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
         }
     VectorX sums;  // of the coordinates, over all parts
     if (exchange_ != nullptr) {
-        detail::set_zero(sums, numbering_.coordinates());
+        sums.setZero(numbering_.coordinates());
         numbering_.add_free_force(floor, 1.0, sums);
         exchange_->add(sums);
     }

@@ -61,7 +61,7 @@ struct FreeComponent {
         double& most = stiffest[unit_of(c)];
         if (entry(c) >= 0) most = std::max(most, std::abs(matrix.valuePtr()[entry(c)]));
     }
-    VectorX springs = zeros(matrix.cols());
+    VectorX springs = VectorX::Zero(matrix.cols());
     for (const FreeComponent& c : all) {
         const double unit = stiffest[unit_of(c)];
         springs[c.equation] = unit > 0.0 ? part * unit : part;
@@ -100,7 +100,7 @@ ANCF_INLINE std::string singular_cause(const Layout& layout, const Numbering& nu
         SparseMatrix firm = copied(tangent);
         const VectorX springs = free_springs(all, part, firm);
         if (solver.factorize(firm).status != Status::converged) continue;
-        VectorX mode = zeros(numbering.unknowns());
+        VectorX mode = VectorX::Zero(numbering.unknowns());
         for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit
             mode[all[k].equation] =
                 std::cos(static_cast<double>(k * k)) / std::sqrt(springs[all[k].equation]);

@@ -95,7 +95,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
     const SparseMatrix& tangent = assembly.tangent();
     const int free = assembly.numbering().free_coordinates();
-    VectorX diagonal = zeros(free);
+    VectorX diagonal = VectorX::Zero(free);
     Records<MatrixEntry> entries;
     entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
     for (int column = 0; column < free; ++column)
@@ -148,7 +148,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
 ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& solver) {
     constexpr int count = 4, sweeps = 6;
     const int free = assembly.numbering().free_coordinates();
-    VectorX metric = zeros(free), load = zeros(assembly.numbering().unknowns());
+    VectorX metric = VectorX::Zero(free), load = VectorX::Zero(assembly.numbering().unknowns());
     for (int k = 0; k < free; ++k) metric[k] = std::abs(assembly.tangent().coeff(k, k));
     const auto product = [&](const VectorX& a, const VectorX& b) {
         double sum = 0.0;
@@ -157,7 +157,7 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
     };
     VectorX x[count], y[count];
     for (int i = 0; i < count; ++i) {
-        y[i] = zeros(free);
+        y[i] = VectorX::Zero(free);
         for (int k = 0; k < free; ++k)
             y[i][k] = (probe_weight(count * k + i) - 1.0) / std::sqrt(metric[k]);
     }

@@ -302,7 +302,7 @@ private:
         state.time = instant_.time;
         VectorX driven = state.q;
         assembly_.apply_supports(instant_, driven);
-        const VectorX increment = difference(driven, state.q);
+        const VectorX increment = driven - state.q;
         const bool moved = any(!vanishes(increment));
 
         last_.before = state.q;
@@ -364,7 +364,7 @@ private:
         const int* const rows = assembly_.tangent().innerIndexPtr();
         double* const values = assembly_.tangent_values();
         std::vector<int> at(static_cast<std::size_t>(free));  // of the diagonal
-        VectorX diagonal = zeros(free);
+        VectorX diagonal = VectorX::Zero(free);
         for (int k = 0; k < free; ++k) {
             const int place =
                 static_cast<int>(std::lower_bound(rows + first[k], rows + first[k + 1], k) - rows);
@@ -430,7 +430,7 @@ private:
 
     /// Lets what the correction turns keep its length.
     void bend(NewtonKind newton, VectorX& q) {
-        last_.change = difference(q, last_.before);
+        last_.change = q - last_.before;
         if (newton == NewtonKind::mixed ||
             !(turning_.largest_angle(last_.before, last_.change) > small_turn))
             turning_.twist(last_.before, last_.change, q);
@@ -567,9 +567,8 @@ private:
                 singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
             if (!found.empty()) report_.message = std::move(found);
         }
-        VectorX outer = combination({{1.0, assembly_.external_force()},
-                                     {-1.0, assembly_.constraint_force()},
-                                     {1.0, report_.reactions}});
+        VectorX outer =
+            assembly_.external_force() - assembly_.constraint_force() + report_.reactions;
         for (Eigen::Index k = 0; exchange_ != nullptr && k < outer.size(); ++k)
             if (!exchange_->owns(static_cast<int>(k))) outer[k] = 0.0;
         report_.imbalance = resultant(model_, state.q, outer);

@@ -301,25 +301,18 @@ ANCF_INLINE void ExplicitRun::observe_until(double time) {
 
 // Quintic of q, v and a at both ends, and its derivative.
 ANCF_INLINE ancf::detail::MotionPoint ExplicitRun::between(double time) const {
-    using ancf::detail::combination;
     const double h = time_ - from_;
     const double s = (time - from_) / h;
     const double r = 1.0 - s;
     const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
     const double slope = 30.0 * s * s * r * r / h;
     return {time,
-            combination({{1.0 - later, from_q_},
-                         {later, q_},
-                         {h * s * r * r * r * (1.0 + 3.0 * s), from_v_},
-                         {-h * s * s * s * r * (1.0 + 3.0 * r), v_},
-                         {0.5 * h * h * s * s * r * r * r, from_a_},
-                         {0.5 * h * h * s * s * s * r * r, a_}}),
-            combination({{-slope, from_q_},
-                         {slope, q_},
-                         {r * r * (1.0 + s * (2.0 - 15.0 * s)), from_v_},
-                         {s * s * (1.0 + r * (2.0 - 15.0 * r)), v_},
-                         {0.5 * h * s * r * r * (2.0 - 5.0 * s), from_a_},
-                         {-0.5 * h * s * s * r * (2.0 - 5.0 * r), a_}}),
+            (1.0 - later) * from_q_ + later * q_ +
+                h * s * r * (r * r * (1.0 + 3.0 * s) * from_v_ - s * s * (1.0 + 3.0 * r) * v_) +
+                0.5 * h * h * s * s * r * r * (r * from_a_ + s * a_),
+            slope * (q_ - from_q_) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_v_ +
+                s * s * (1.0 + r * (2.0 - 15.0 * r)) * v_ +
+                0.5 * h * s * r * (r * (2.0 - 5.0 * s) * from_a_ - s * (2.0 - 5.0 * r) * a_),
             {}};
 }
 
