@@ -14,22 +14,9 @@
 
 namespace ancf::petsc::detail {
 
-/// Gives every process the text of the first that has one.
-ANCF_INLINE void share_text(MPI_Comm comm, std::string& text) {
-    const int ranks = ranks_in(comm);
-    int first = text.empty() ? ranks : rank_in(comm);
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
-    if (first == ranks) return;
-    int size = static_cast<int>(text.size());
-    MPI_Bcast(&size, 1, MPI_INT, first, comm);
-    text.resize(static_cast<std::size_t>(size));
-    MPI_Bcast(text.data(), size, MPI_CHAR, first, comm);
-}
-
 ANCF_INLINE DividedScene::DividedScene(Scene& model, MPI_Comm comm, const SolverOptions& options)
     : model_(model),
-      partition_(
-          (require_session(), std::make_shared<const Partition>(model, comm, options.prefix))),
+      partition_(std::make_shared<const Partition>(model, comm, options.prefix)),
       part_(model.part(partition_->held(), partition_)),
       solver_(*part_, options) {}
 
@@ -51,10 +38,15 @@ ANCF_INLINE bool DividedScene::all_go_on(const std::function<bool()>& call) cons
 ANCF_INLINE void DividedScene::settle(std::optional<Fault>& fault, std::string& message) const {
     const bool knows = fault && fault->element >= 0;
     if (knows) fault->element = partition_->element(fault->group, fault->element);
-    std::string known = knows ? message : std::string();
-    share_text(partition_->comm(), known);
-    if (known.empty()) share_text(partition_->comm(), known = message);
-    message = known;
+    // by the first that knows the element, else the first that has a text
+    const MPI_Comm comm = partition_->comm();
+    const int ranks = Session::ranks(comm);
+    int speaker = Session::rank(comm) + ranks * (message.empty() ? 2 : knows ? 0 : 1);
+    MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
+    int size = static_cast<int>(message.size());
+    MPI_Bcast(&size, 1, MPI_INT, speaker % ranks, comm);
+    message.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(message.data(), size, MPI_CHAR, speaker % ranks, comm);
 }
 
 ANCF_INLINE void DividedScene::write_vtk(const std::filesystem::path& file, const Surface& surface,
@@ -65,8 +57,8 @@ ANCF_INLINE void DividedScene::write_vtk(const std::filesystem::path& file, cons
     const auto piece = [&](int rank) {
         return file.stem().string() + '_' + std::to_string(rank) + ".vtu";
     };
-    const int rank = rank_in(partition_->comm());
-    std::vector<double> shows(static_cast<std::size_t>(ranks_in(partition_->comm())), 0.0);
+    const int rank = Session::rank(partition_->comm());
+    std::vector<double> shows(static_cast<std::size_t>(Session::ranks(partition_->comm())), 0.0);
     shows[static_cast<std::size_t>(rank)] = surface.ends().empty() ? 0.0 : 1.0;
     partition_->sum(shows.data(), static_cast<int>(shows.size()));
     ancf::detail::together(partition_.get(), [&] {
