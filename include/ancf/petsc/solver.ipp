@@ -21,6 +21,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -86,16 +87,15 @@ private:
 
 /// Calls visit(i, j, k) for the stored entries k of a matrix in rows[i] and columns[j], ascending.
 template <class Visitor>
-void visit_block(const SparseMatrix& matrix, const std::vector<int>& rows,
-                 const std::vector<int>& columns, const Visitor& visit) {
+void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
+                 const Eigen::VectorXi& columns, const Visitor& visit) {
     const int* const inner = matrix.innerIndexPtr();
-    for (std::size_t j = 0; j < columns.size(); ++j) {
-        int k = matrix.outerIndexPtr()[columns[j]];
-        const int end = matrix.outerIndexPtr()[columns[j] + 1];
-        for (std::size_t i = 0; i < rows.size() && k < end; ++i) {
-            while (k < end && inner[k] < rows[i]) ++k;
-            if (k < end && inner[k] == rows[i])
-                visit(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), k);
+    for (Eigen::Index j = 0; j < columns.size(); ++j) {
+        const int* found = inner + matrix.outerIndexPtr()[columns[j]];
+        const int* const end = inner + matrix.outerIndexPtr()[columns[j] + 1];
+        for (Eigen::Index i = 0; i < rows.size(); ++i) {
+            while (found != end && *found < rows[i]) ++found;
+            if (found != end && *found == rows[i]) visit(i, j, found - inner);
         }
     }
 }
@@ -108,36 +108,45 @@ class Condensation {
 public:
     Condensation() = default;
 
-    /// @param pattern    of full storage; it couples all that a set touches.
+    /// @param pattern    of full storage; it couples all that a set touches with each other.
     /// @param sets       ascending, apart, and without entries between two of them.
     /// @param symmetric  whether values are.
-    Condensation(const SparseMatrix& pattern, std::vector<std::vector<int>> sets, bool symmetric)
-        : symmetric_(symmetric) {
-        const int* const inner = pattern.innerIndexPtr();
-        for (std::vector<int>& own : sets) {
-            std::vector<int> touched;
-            for (const int j : own)
-                touched.insert(touched.end(), inner + pattern.outerIndexPtr()[j],
-                               inner + pattern.outerIndexPtr()[j + 1]);
-            std::sort(touched.begin(), touched.end());
-            touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-            Set& set = sets_.emplace_back();
-            std::set_difference(touched.begin(), touched.end(), own.begin(), own.end(),
-                                std::back_inserter(set.others));
-            set.own = std::move(own);
+    Condensation(const SparseMatrix& pattern, const std::vector<std::vector<int>>& sets,
+                 bool symmetric)
+        : symmetric_(symmetric), skipped_(at(pattern.cols()) + 1, 0) {
+        const int* const outer = pattern.outerIndexPtr();
+        const auto copy = [](const std::vector<int>& of) -> Eigen::VectorXi {
+            return Eigen::Map<const Eigen::VectorXi>(of.data(), static_cast<int>(of.size()));
+        };
+        for (const std::vector<int>& own : sets) {
+            const int* const rows = pattern.innerIndexPtr();
+            std::vector<int> others;
+            std::set_difference(rows + outer[own[0]], rows + outer[own[0] + 1], own.begin(),
+                                own.end(), std::back_inserter(others));
+            sets_.push_back({copy(own), copy(others), {}, {}, {}});
+            for (const int j : own) skipped_[at(j) + 1] = outer[j + 1] - outer[j];
         }
+        std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
     }
 
-    /// Turns values of K_nn, in the places of the pattern, into those of S.
+    /// Tells whether an unknown is left.
+    [[nodiscard]] bool keeps(int unknown) const {
+        return skipped_[at(unknown)] == skipped_[at(unknown) + 1];
+    }
+
+    /// Writes the columns that are left, one after the other, with S in the rows that are left.
     /// @return false where a set has no stiffness of its own.
     [[nodiscard]] bool reduce(const SparseMatrix& matrix, double* values) {
-        const auto copy = [&](const std::vector<int>& rows, const std::vector<int>& columns,
+        const int* const outer = matrix.outerIndexPtr();
+        for (int j = 0; j < matrix.cols(); ++j)
+            if (keeps(j))
+                std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
+                          values + outer[j] - skipped_[at(j)]);
+        const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
                               MatrixX& to) {
-            to.setZero(static_cast<Eigen::Index>(rows.size()),
-                       static_cast<Eigen::Index>(columns.size()));
-            visit_block(matrix, rows, columns, [&](Eigen::Index i, Eigen::Index j, int k) {
-                to(i, j) = matrix.valuePtr()[k];
-            });
+            to.setZero(rows.size(), columns.size());
+            visit_block(matrix, rows, columns,
+                        [&](auto i, auto j, auto k) { to(i, j) = matrix.valuePtr()[k]; });
         };
         MatrixX ee, ne, en, change;
         for (Set& set : sets_) {
@@ -152,8 +161,9 @@ public:
             set.right.noalias() = set.inverse * en;
             if (!symmetric_) set.left.noalias() = ne * set.inverse;
             change.noalias() = ne * set.right;
-            visit_block(matrix, set.others, set.others,
-                        [&](Eigen::Index i, Eigen::Index j, int k) { values[k] -= change(i, j); });
+            visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
+                values[k - skipped_[at(set.others[j])]] -= change(i, j);
+            });
         }
         return true;
     }
@@ -179,11 +189,12 @@ public:
 
 private:
     struct Set {
-        std::vector<int> own, others;  // e and n
+        Eigen::VectorXi own, others;   // e and n
         MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1 unless symmetric
     };
 
     bool symmetric_ = false;
+    std::vector<int> skipped_;  // entries of eliminated columns before each column, and the end
     std::vector<Set> sets_;
 };
 
@@ -262,14 +273,12 @@ struct SolverRun {
             symmetric = std::all_of(loads.begin(), loads.end(),
                                     [](const ScaledLoad& load) { return load.load.symmetric(); });
         }
-        condensation = Condensation(pattern, std::move(rows.sets), symmetric);
+        condensation = Condensation(pattern, rows.sets, symmetric);
 
-        // rows of -1 are those that PETSc leaves out
-        std::vector<PetscInt> is, js;
-        is.reserve(at(ancf::detail::entries(pattern)) + rows.idle.size());
-        js.reserve(is.capacity());
+        std::vector<PetscInt> is, js;  // PETSc leaves out entries in rows of -1
         for (int j = 0; j < pattern.cols(); ++j)
-            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
+            for (int k = pattern.outerIndexPtr()[j];
+                 condensation.keeps(j) && k < pattern.outerIndexPtr()[j + 1]; ++k) {
                 is.push_back(rows.row[at(pattern.innerIndexPtr()[k])]);
                 js.push_back(rows.row[at(j)]);
             }
@@ -324,22 +333,11 @@ struct SolverRun {
         if (largest(ancf::detail::all_finite(from) ? 0 : 1) > 0) return Status::not_finite;
         if (size > 0) failure = refusal();
         if (!failure.empty()) return Status::diverged;
-        std::copy_n(from.valuePtr(), from.nonZeros(), values.begin());
-        if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) {
+        if (!set_values(from)) {
             failure = "the slope r_x of a member's end has no stiffness";
             return Status::singular;
         }
         if (size == 0) return Status::converged;
-        double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
-        for (int j = 0; j < from.cols(); ++j)
-            if (rows.row[at(j)] >= 0) {
-                mean[0] += std::abs(from.coeff(j, j));
-                mean[1] += 1.0;
-            }
-        MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
-        std::fill(values.begin() + from.nonZeros(), values.end(),
-                  mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
-        check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
         if (!factorises) set_rigid_motions();
         check(KSPSetOperators(ksp, matrix, matrix));
         check(KSPSetUp(ksp));
@@ -353,6 +351,22 @@ struct SolverRun {
         const bool pivot =
             reason == PC_FACTOR_NUMERIC_ZEROPIVOT || reason == PC_FACTOR_STRUCT_ZEROPIVOT;
         return pivot ? Status::singular : Status::diverged;
+    }
+
+    /// Hands over the condensed values; false where the condensation failed in some process.
+    [[nodiscard]] bool set_values(const SparseMatrix& from) {
+        if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) return false;
+        double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
+        for (int j = 0; j < from.cols(); ++j)
+            if (rows.row[at(j)] >= 0) {
+                mean[0] += std::abs(from.coeff(j, j));
+                mean[1] += 1.0;
+            }
+        MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
+        std::fill(values.end() - static_cast<std::ptrdiff_t>(rows.idle.size()), values.end(),
+                  mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
+        if (size > 0) check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
+        return true;
     }
 
     /// Returns the largest of the numbers that the processes give.
