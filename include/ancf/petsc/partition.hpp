@@ -20,6 +20,7 @@
 #include <petscsf.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,7 +65,7 @@ public:
 
     ANCF_INLINE_VIRTUAL void add(VectorX& forces) const override;
     [[nodiscard]] bool owns(int coordinate) const noexcept override {
-        return coordinates_[at(coordinate)].own;
+        return own_[at(coordinate)] != 0;
     }
     ANCF_INLINE_VIRTUAL void sum(double* values, int count) const override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL double largest(double value) const override;
@@ -86,27 +87,19 @@ public:
     [[nodiscard]] VectorX gather_multipliers(const VectorX& of_part) const;
 
     /// Returns the rows of the equations of the part that this process holds. A block is a node
-    /// where all nodes are alike, else a vector; with multipliers it is one row.
+    /// where all nodes are alike, else a vector; with multipliers it is one row. Collective.
     [[nodiscard]] Rows rows(const Scene& part, const Numbering& numbering) const;
 
 private:
-    /// A coordinate or a multiplier of the part.
-    struct Entry {
-        int place;     // in the whole scene
-        PetscInt row;  // -1: none
-        bool own;      // this process answers for it
-    };
-
-    void hold(const Division& division);
-    void number(const Division& division);
-    [[nodiscard]] VectorX gather(const VectorX& of_part, const std::vector<Entry>& entries,
-                                 int size) const;
+    void hold();
+    void connect();
 
     const Scene& whole_;
     MPI_Comm comm_;
+    int rank_ = 0;
+    std::unique_ptr<const Division> division_;
     ScenePart held_;
-    Rows own_rows_;  // without equations
-    std::vector<Entry> coordinates_, multipliers_;
+    std::vector<char> own_;   // of each coordinate of the part
     Handle<PetscSF> shared_;  // leaves: the coordinates of each part; roots: those that it owns
     mutable std::vector<double> sums_;
 };

@@ -13,9 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace ancf::petsc::detail {
@@ -150,31 +147,32 @@ private:
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
     : whole_(whole), comm_(comm) {
     const QuietErrors quiet;
-    const Division division(whole, comm, prefix);
-    hold(division);
-    number(division);
+    rank_ = Session::rank(comm);
+    division_ = std::make_unique<const Division>(whole, comm, prefix);
+    hold();
+    connect();
 }
 
 ANCF_INLINE Partition::~Partition() = default;
 
-ANCF_INLINE void Partition::hold(const Division& division) {
-    const int rank = Session::rank(comm_);
+ANCF_INLINE void Partition::hold() {
+    const Division& division = *division_;
     held_.nodes.assign(division.node.size(), 0);
     const auto take = [&](NodeId of) {  // with those that it follows
         for (int k = of.index; k >= 0; k = division.follows[at(k)]) held_.nodes[at(k)] = 1;
     };
     const auto takes = [&](const Coupling& coupling) {
-        if (division.owner(coupling) != rank) return false;
+        if (division.owner(coupling) != rank_) return false;
         for (const NodeField& vector : coupling) take(vector.node);
         return true;
     };
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (division.node[at(node)] == rank) take({node});
+        if (division.node[at(node)] == rank_) take({node});
     for (const auto& group : whole_.groups()) {
         std::vector<int>& elements = held_.elements.emplace_back();
         for (int k = 0; k < group->size(); ++k) {
             const Connection& c = group->connections[at(k)];
-            if (division.owner(c) != rank) continue;
+            if (division.owner(c) != rank_) continue;
             elements.push_back(k);
             take(c.first);
             take(c.second);
@@ -186,69 +184,28 @@ ANCF_INLINE void Partition::hold(const Division& division) {
         if (takes(whole_.constraints()[k].coupling()))
             held_.constraints.push_back(static_cast<int>(k));
     for (std::size_t k = 0; k < whole_.masses().size(); ++k)
-        if (division.node[at(whole_.masses()[k].node.index)] == rank)
+        if (division.node[at(whole_.masses()[k].node.index)] == rank_)
             held_.masses.push_back(static_cast<int>(k));
 }
 
-ANCF_INLINE void Partition::number(const Division& division) {
+ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
-    const Numbering numbering(whole_);
-    int least = std::numeric_limits<int>::max(), most = 0;  // coordinates of a node with rows
-    for (int node = 0; node < layout.nodes(); ++node)
-        if (numbering.block_sizes()[at(node)] > 0 && division.eliminated[at(node)] == 0) {
-            least = std::min(least, layout.size(node));
-            most = std::max(most, layout.size(node));
-        }
-    const bool alike = least == most;
-    own_rows_.block = !whole_.constraints().empty() ? 1 : alike ? most : layout.dimension();
-
-    // each process numbers what it owns: coordinates, and rows behind those of the ranks before
-    const int rank = Session::rank(comm_), ranks = Session::ranks(comm_);
-    std::vector<PetscInt> coordinates(at(ranks) + 1, 0), rows = coordinates;  // of rank r at r + 1
-    std::vector<PetscInt> first(division.node.size()), row(at(layout.size()), -1), constraint_row;
-    for (int node = 0; node < layout.nodes(); ++node) {
-        const std::size_t of = at(division.node[at(node)] + 1);
-        first[at(node)] = std::exchange(coordinates[of], coordinates[of] + layout.size(node));
-        if (division.eliminated[at(node)] != 0) continue;
-        const int end = layout.first(node + 1);
-        for (int k = layout.first(node), next = k; k < end; k = next) {
-            next = std::min(k + own_rows_.block, end);
-            const int* const equation = numbering.equations();
-            if (std::any_of(equation + k, equation + next, [](int e) { return e >= 0; }))
-                for (; k < next; ++k) row[at(k)] = rows[of]++;
-        }
-    }
-    for (std::size_t k = 0; k < division.constraint.size(); ++k) {
-        PetscInt& next = rows[at(division.constraint[k]) + 1];
-        constraint_row.push_back(std::exchange(next, next + whole_.constraints()[k].equations()));
-    }
-    std::partial_sum(rows.begin(), rows.end(), rows.begin());
-    own_rows_.first = rows[at(rank)];
-    own_rows_.last = rows[at(rank) + 1];
-
+    const int ranks = Session::ranks(comm_);
+    std::vector<PetscInt> count(at(ranks), 0);  // coordinates that each process owns
     std::vector<PetscSFNode> roots;
-    for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[at(node)] == 0) continue;
-        const int owner = division.node[at(node)];
+    for (int node = 0; node < layout.nodes(); ++node)
         for (int k = 0; k < layout.size(node); ++k) {
-            const int place = layout.first(node) + k;
-            PetscInt& of = row[at(place)];
-            if (of >= 0) of += rows[at(owner)];
-            coordinates_.push_back({place, of, owner == rank});
-            roots.push_back({owner, first[at(node)] + k});
+            const int owner = division_->node[at(node)];
+            const PetscInt place = count[at(owner)]++;
+            if (held_.nodes[at(node)] == 0) continue;
+            own_.push_back(owner == rank_);
+            roots.push_back({owner, place});
         }
-    }
-    int place = 0;
-    for (std::size_t k = 0; k < division.constraint.size(); ++k)
-        for (int i = 0; i < whole_.constraints()[k].equations(); ++i, ++place)
-            if (division.constraint[k] == rank)
-                multipliers_.push_back({place, own_rows_.first + constraint_row[k] + i, true});
-    sums_.resize(at(coordinates[at(rank) + 1]));
     if (ranks == 1) return;
+    sums_.resize(at(count[at(rank_)]));
     check(PetscSFCreate(comm_, shared_.fresh()));
-    check(PetscSFSetGraph(shared_, static_cast<PetscInt>(sums_.size()),
-                          static_cast<PetscInt>(roots.size()), nullptr, PETSC_COPY_VALUES,
-                          roots.data(), PETSC_COPY_VALUES));
+    check(PetscSFSetGraph(shared_, count[at(rank_)], static_cast<PetscInt>(roots.size()), nullptr,
+                          PETSC_COPY_VALUES, roots.data(), PETSC_COPY_VALUES));
 }
 
 ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
@@ -282,43 +239,81 @@ ANCF_INLINE double Partition::largest(double value) const {
 }
 
 ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
-    ancf::detail::require(at(static_cast<PetscInt>(of_part.size())) == coordinates_.size(),
-                          "Partition::gather: expected ", coordinates_.size(), " coordinates, got ",
-                          of_part.size());
-    return gather(of_part, coordinates_, whole_.layout().size());
-}
-
-ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
-    return gather(of_part, multipliers_, static_cast<int>(whole_.state().multipliers.size()));
-}
-
-ANCF_INLINE VectorX Partition::gather(const VectorX& of_part, const std::vector<Entry>& entries,
-                                      int size) const {
-    VectorX all = VectorX::Zero(size);
-    for (std::size_t k = 0; k < entries.size(); ++k)
-        if (entries[k].own) all[entries[k].place] = of_part[static_cast<Eigen::Index>(k)];
-    sum(all.data(), size);
+    const Layout& layout = whole_.layout();
+    const auto count = static_cast<Eigen::Index>(own_.size());
+    ancf::detail::require(of_part.size() == count, "Partition::gather: expected ", count,
+                          " coordinates, got ", of_part.size());
+    VectorX all = VectorX::Zero(layout.size());
+    int next = 0;
+    for (int node = 0; node < layout.nodes(); ++node) {
+        if (held_.nodes[at(node)] == 0) continue;
+        for (int k = layout.first(node); k < layout.first(node + 1); ++k, ++next)
+            if (owns(next)) all[k] = of_part[next];
+    }
+    sum(all.data(), layout.size());
     return all;
 }
 
+ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
+    std::vector<double> all;
+    Eigen::Index next = 0;
+    for (std::size_t k = 0; k < division_->constraint.size(); ++k)
+        for (int i = 0; i < constraints()[k].equations(); ++i)
+            all.push_back(division_->constraint[k] == rank_ ? of_part[next++] : 0.0);
+    sum(all.data(), static_cast<int>(all.size()));
+    return Eigen::Map<const VectorX>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
 ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) const {
-    Rows rows = own_rows_;
-    for (int k = 0; k < numbering.coordinates(); ++k)
-        if (numbering.equation(k) >= 0) rows.row.push_back(coordinates_[at(k)].row);
-    for (const Entry& multiplier : multipliers_) rows.row.push_back(multiplier.row);
-    std::vector<char> idle(at(rows.last - rows.first), 1);
-    for (const PetscInt row : rows.row)
-        if (rows.own(row)) idle[at(row - rows.first)] = 0;
-    for (PetscInt row = rows.first; row < rows.last; ++row)
-        if (idle[at(row - rows.first)] != 0) rows.idle.push_back(row);
+    const Layout& layout = part.layout();
+    const int* const equation = numbering.equations();
+    const auto any_free = [&](int from, int to) {
+        return std::any_of(equation + from, equation + to, [](int e) { return e >= 0; });
+    };
+    double most = 0.0, least = HUGE_VAL;  // coordinates of a node with rows
+    std::vector<int> own;                 // nodes
+    for (int node = 0; node < layout.nodes(); ++node) {
+        if (division_->node[at(node)] != rank_ || division_->eliminated[at(node)] != 0) continue;
+        own.push_back(node);
+        if (!any_free(layout.first(node), layout.first(node + 1))) continue;
+        most = std::max<double>(most, layout.size(node));
+        least = std::min<double>(least, layout.size(node));
+    }
+    most = largest(most);
+    const bool alike = most == -largest(-least);
+    Rows rows;
+    rows.block = !constraints().empty() ? 1 : alike ? static_cast<int>(most) : layout.dimension();
+
+    // a block has rows where any of its coordinates is free
+    VectorX row = VectorX::Constant(layout.size(), -1.0);
+    PetscInt count = 0;
+    for (const int node : own)
+        for (int k = layout.first(node), end = layout.first(node + 1), next = k; k < end;
+             k = next) {
+            next = std::min(k + rows.block, end);
+            for (const bool any = any_free(k, next); any && k < next; ++k) {
+                if (equation[k] < 0) rows.idle.push_back(count);
+                row[k] = count++;
+            }
+        }
+    count += numbering.multipliers();
+    MPI_Scan(&count, &rows.last, 1, MPIU_INT, MPI_SUM, comm_);
+    rows.first = rows.last - count;
+    for (PetscInt& idle : rows.idle) idle += rows.first;
+    for (int k = 0; k < layout.size(); ++k)
+        row[k] = !owns(k) ? 0.0 : row[k] >= 0.0 ? row[k] + rows.first : row[k];
+    add(row);
+    for (int k = 0; k < layout.size(); ++k)
+        if (equation[k] >= 0) rows.row.push_back(static_cast<PetscInt>(row[k]));
+    for (int k = numbering.multipliers(); k > 0; --k) rows.row.push_back(rows.last - k);
+
+    // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())
         for (const Connection& c : group->connections) {
             std::vector<int> set;
             for (const NodeId node : {c.first, c.second})
-                for (int k = part.layout().first(node.index);
-                     k < part.layout().first(node.index + 1); ++k)
-                    if (const int e = numbering.equation(k); e >= 0 && rows.row[at(e)] < 0)
-                        set.push_back(e);
+                for (int k = layout.first(node.index); k < layout.first(node.index + 1); ++k)
+                    if (equation[k] >= 0 && row[k] < 0.0) set.push_back(equation[k]);
             std::sort(set.begin(), set.end());
             set.erase(std::unique(set.begin(), set.end()), set.end());
             if (!set.empty()) rows.sets.push_back(std::move(set));

@@ -224,7 +224,6 @@ struct SolverRun {
     Handle<KSP> ksp;
     Handle<Mat> matrix;
     Handle<Vec> b, x;
-    Handle<PetscSF> shared;  // leaves: the equations of this process; roots: the rows
     std::string failure;
     int iterations = 0, most = 0;
 
@@ -241,7 +240,6 @@ struct SolverRun {
             check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
             check(KSPSetFromOptions(ksp));
         } catch (const std::runtime_error& failed) {
-            ksp.reset();
             ancf::detail::reject("petsc::SolverOptions \"", options.options, "\": ", failed.what());
         }
         PC pc = nullptr;
@@ -302,18 +300,6 @@ struct SolverRun {
         }
         check(MatGetSize(matrix, &size, nullptr));
         check(MatCreateVecs(matrix, x.fresh(), b.fresh()));
-
-        std::vector<PetscInt> to, from;  // rows, and the equations that have them
-        for (std::size_t k = 0; k < rows.row.size(); ++k)
-            if (rows.row[k] >= 0) {
-                to.push_back(rows.row[k]);
-                from.push_back(static_cast<PetscInt>(k));
-            }
-        PetscLayout layout = nullptr;
-        check(MatGetLayouts(matrix, &layout, nullptr));
-        check(PetscSFCreate(comm, shared.fresh()));
-        check(PetscSFSetGraphLayout(shared, layout, static_cast<PetscInt>(to.size()), from.data(),
-                                    PETSC_COPY_VALUES, to.data()));
     }
 
     FactorReport factorize(const SparseMatrix& from) {
@@ -445,16 +431,15 @@ struct SolverRun {
     }
 
     /// Sets the entries of all equations that are left.
-    bool solve_rows(const VectorX& right, VectorX& out) {
-        VectorX local = condensation.shift(right);
-        for (Eigen::Index k = 0; k < right.size(); ++k)
-            if (rows.own(rows.row[at(static_cast<PetscInt>(k))])) local[k] += right[k];
-        PetscScalar* sums = nullptr;
+    [[nodiscard]] bool solve_rows(const VectorX& right, VectorX& out) {
+        out = condensation.shift(right);
+        PetscScalar* entry = nullptr;
+        for_own([&](Eigen::Index k, PetscInt) { out[k] += right[k]; });
+        sum(out);
         check(VecSet(b, 0.0));
-        check(VecGetArray(b, &sums));
-        check(PetscSFReduceBegin(shared, MPIU_SCALAR, local.data(), sums, MPI_SUM));
-        check(PetscSFReduceEnd(shared, MPIU_SCALAR, local.data(), sums, MPI_SUM));
-        check(VecRestoreArray(b, &sums));
+        check(VecGetArray(b, &entry));
+        for_own([&](Eigen::Index k, PetscInt row) { entry[row] = out[k]; });
+        check(VecRestoreArray(b, &entry));
         check(KSPSolve(ksp, b, x));
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         PetscInt taken = 0;
@@ -467,12 +452,30 @@ struct SolverRun {
                       std::to_string(taken) + " iterations";
             return false;
         }
-        const PetscScalar* solved = nullptr;
-        check(VecGetArrayRead(x, &solved));
-        check(PetscSFBcastBegin(shared, MPIU_SCALAR, solved, out.data(), MPI_REPLACE));
-        check(PetscSFBcastEnd(shared, MPIU_SCALAR, solved, out.data(), MPI_REPLACE));
-        check(VecRestoreArrayRead(x, &solved));
+        out.setZero();
+        check(VecGetArray(x, &entry));
+        for_own([&](Eigen::Index k, PetscInt row) { out[k] = entry[row]; });
+        check(VecRestoreArray(x, &entry));
+        sum(out);
         return true;
+    }
+
+    /// Calls visit(equation, row) for the own rows, which it counts from 0.
+    template <class Visitor>
+    void for_own(const Visitor& visit) const {
+        for (std::size_t k = 0; k < rows.row.size(); ++k)
+            if (rows.own(rows.row[k]))
+                visit(static_cast<Eigen::Index>(k), rows.row[k] - rows.first);
+    }
+
+    /// Replaces entries of equations by their sums over all processes.
+    void sum(VectorX& entries) const {
+        if (partition == nullptr) return;
+        VectorX all = VectorX::Zero(numbering.coordinates()), free;
+        numbering.add_free_force(entries, 1.0, all);
+        partition->add(all);
+        numbering.gather_free(all, free);
+        entries.head(free.size()) = free;
     }
 };
 
