@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace ancf::petsc::detail {
@@ -270,12 +271,13 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     const auto any_free = [&](int from, int to) {
         return std::any_of(equation + from, equation + to, [](int e) { return e >= 0; });
     };
-    double most = 0.0, least = HUGE_VAL;  // coordinates of a node with rows
-    std::vector<int> own;                 // nodes
+    std::vector<int> own;                 // nodes of this process with rows
+    double most = 0.0, least = HUGE_VAL;  // coordinates of such a node
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (division_->node[at(node)] != rank_ || division_->eliminated[at(node)] != 0) continue;
+        if (division_->node[at(node)] != rank_ || division_->eliminated[at(node)] != 0 ||
+            !any_free(layout.first(node), layout.first(node + 1)))
+            continue;
         own.push_back(node);
-        if (!any_free(layout.first(node), layout.first(node + 1))) continue;
         most = std::max<double>(most, layout.size(node));
         least = std::min<double>(least, layout.size(node));
     }
@@ -284,8 +286,8 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     Rows rows;
     rows.block = !constraints().empty() ? 1 : alike ? static_cast<int>(most) : layout.dimension();
 
-    // a block has rows where any of its coordinates is free
-    VectorX row = VectorX::Constant(layout.size(), -1.0);
+    // a block has rows where any of its coordinates is free; they count from 1, 0 is none
+    VectorX number = VectorX::Zero(layout.size());
     PetscInt count = 0;
     for (const int node : own)
         for (int k = layout.first(node), end = layout.first(node + 1), next = k; k < end;
@@ -293,30 +295,27 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
             next = std::min(k + rows.block, end);
             for (const bool any = any_free(k, next); any && k < next; ++k) {
                 if (equation[k] < 0) rows.idle.push_back(count);
-                row[k] = count++;
+                number[k] = ++count;
             }
         }
     count += numbering.multipliers();
     MPI_Scan(&count, &rows.last, 1, MPIU_INT, MPI_SUM, comm_);
     rows.first = rows.last - count;
     for (PetscInt& idle : rows.idle) idle += rows.first;
+    for (double& row : number) row += row > 0.0 ? rows.first : 0;
+    add(number);
     for (int k = 0; k < layout.size(); ++k)
-        row[k] = !owns(k) ? 0.0 : row[k] >= 0.0 ? row[k] + rows.first : row[k];
-    add(row);
-    for (int k = 0; k < layout.size(); ++k)
-        if (equation[k] >= 0) rows.row.push_back(static_cast<PetscInt>(row[k]));
+        if (equation[k] >= 0) rows.row.push_back(static_cast<PetscInt>(number[k]) - 1);
     for (int k = numbering.multipliers(); k > 0; --k) rows.row.push_back(rows.last - k);
 
     // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())
         for (const Connection& c : group->connections) {
-            std::vector<int> set;
+            std::set<int> set;
             for (const NodeId node : {c.first, c.second})
                 for (int k = layout.first(node.index); k < layout.first(node.index + 1); ++k)
-                    if (equation[k] >= 0 && row[k] < 0.0) set.push_back(equation[k]);
-            std::sort(set.begin(), set.end());
-            set.erase(std::unique(set.begin(), set.end()), set.end());
-            if (!set.empty()) rows.sets.push_back(std::move(set));
+                    if (equation[k] >= 0 && number[k] == 0.0) set.insert(equation[k]);
+            if (!set.empty()) rows.sets.emplace_back(set.begin(), set.end());
         }
     return rows;
 }

@@ -198,15 +198,6 @@ private:
     std::vector<Set> sets_;
 };
 
-/// Returns component i of a rigid motion of a vector v: a translation of positions, or w x v.
-[[nodiscard]] ANCF_INLINE double rigid_motion(int motion, int i, const double* v, int dimension,
-                                              bool position) {
-    if (motion < dimension) return position && i == motion ? 1.0 : 0.0;
-    const int axis = dimension == 3 ? motion - dimension : 2;
-    if (i == (axis + 1) % 3) return -v[(axis + 2) % 3];
-    return i == (axis + 2) % 3 ? v[(axis + 1) % 3] : 0.0;
-}
-
 /// The objects of PETSc, and how a matrix becomes theirs.
 struct SolverRun {
     const Scene* scene;
@@ -382,25 +373,27 @@ struct SolverRun {
     /// stands now. Where nodes differ, or have positions alone, a few of them cannot hold six
     /// motions: PETSc's own choice of three, a constant in each direction, stays.
     void set_rigid_motions() {
-        const int dimension = scene != nullptr ? scene->dimension() : 0;
-        if (scene == nullptr || rows.block <= dimension) return;
+        if (scene == nullptr || rows.block <= scene->dimension()) return;
         const Layout& layout = scene->layout();
-        const double* const q = scene->state().q.data();
+        const VectorX& q = scene->state().q;
+        const int dimension = layout.dimension(), turns = dimension == 3 ? 3 : 1;
+        VectorX motion(q.size()), free;
         std::vector<Handle<Vec>> modes;
-        for (int motion = 0; motion < (dimension == 3 ? 6 : 3); ++motion) {
+        for (int m = 0; m < dimension + turns; ++m) {
+            motion.setZero();
+            const int a = turns == 1 ? 0 : (m + 1) % 3, c = (a + 1) % 3;  // a turn from a to c
+            for (int node = 0; node < layout.nodes(); ++node)
+                for (int k = layout.first(node); k < layout.first(node + 1); k += dimension)
+                    if (m >= dimension) {
+                        motion[k + a] = -q[k + c];
+                        motion[k + c] = q[k + a];
+                    } else if (k == layout.first(node)) {  // its position
+                        motion[k + m] = 1.0;
+                    }
+            numbering.gather_free(motion, free);
             check(VecDuplicate(x, modes.emplace_back().fresh()));
             const Vec mode = modes.back();
-            PetscScalar* entry = nullptr;
-            check(VecGetArray(mode, &entry));
-            for (int node = 0; node < layout.nodes(); ++node)
-                for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
-                    const int equation = numbering.equation(k);
-                    if (equation < 0 || !rows.own(rows.row[at(equation)])) continue;
-                    const int i = (k - layout.first(node)) % dimension;
-                    entry[rows.row[at(equation)] - rows.first] =
-                        rigid_motion(motion, i, q + k - i, dimension, k - i == layout.first(node));
-                }
-            check(VecRestoreArray(mode, &entry));
+            write(free, mode);
             for (int sweep = 0; sweep < 2; ++sweep)
                 for (std::size_t k = 0; k + 1 < modes.size(); ++k) {
                     PetscScalar share = 0.0;
@@ -433,13 +426,9 @@ struct SolverRun {
     /// Sets the entries of all equations that are left.
     [[nodiscard]] bool solve_rows(const VectorX& right, VectorX& out) {
         out = condensation.shift(right);
-        PetscScalar* entry = nullptr;
         for_own([&](Eigen::Index k, PetscInt) { out[k] += right[k]; });
         sum(out);
-        check(VecSet(b, 0.0));
-        check(VecGetArray(b, &entry));
-        for_own([&](Eigen::Index k, PetscInt row) { entry[row] = out[k]; });
-        check(VecRestoreArray(b, &entry));
+        write(out, b);
         check(KSPSolve(ksp, b, x));
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         PetscInt taken = 0;
@@ -452,10 +441,11 @@ struct SolverRun {
                       std::to_string(taken) + " iterations";
             return false;
         }
+        const PetscScalar* entry = nullptr;
+        check(VecGetArrayRead(x, &entry));
         out.setZero();
-        check(VecGetArray(x, &entry));
         for_own([&](Eigen::Index k, PetscInt row) { out[k] = entry[row]; });
-        check(VecRestoreArray(x, &entry));
+        check(VecRestoreArrayRead(x, &entry));
         sum(out);
         return true;
     }
@@ -466,6 +456,15 @@ struct SolverRun {
         for (std::size_t k = 0; k < rows.row.size(); ++k)
             if (rows.own(rows.row[k]))
                 visit(static_cast<Eigen::Index>(k), rows.row[k] - rows.first);
+    }
+
+    /// Writes entries of equations to a vector of PETSc.
+    void write(const VectorX& from, Vec to) const {
+        PetscScalar* entry = nullptr;
+        check(VecSet(to, 0.0));
+        check(VecGetArray(to, &entry));
+        for_own([&](Eigen::Index k, PetscInt row) { entry[row] = from[k]; });
+        check(VecRestoreArray(to, &entry));
     }
 
     /// Replaces entries of equations by their sums over all processes.
