@@ -81,9 +81,9 @@ ANCF_INLINE void DistributedScene::write_vtk(const std::filesystem::path& file,
     const auto piece = [&](std::size_t rank) {
         return file.stem().string() + '_' + std::to_string(rank) + ".vtu";
     };
-    const std::size_t rank = detail::at(Session::rank(partition_->comm()));
+    const std::size_t rank = Session::rank(partition_->comm());
     const bool shows = !surface.ends().empty();
-    std::vector<double> all(detail::at(Session::ranks(partition_->comm())), 0.0);
+    std::vector<double> all(Session::ranks(partition_->comm()), 0.0);
     all[rank] = shows ? 1.0 : 0.0;
     partition_->sum(all.data(), static_cast<int>(all.size()));
     ancf::detail::together(partition_.get(), [&] {
@@ -114,7 +114,7 @@ ANCF_INLINE void DistributedScene::settle(std::optional<Fault>& fault, std::stri
     MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
     int size = static_cast<int>(message.size());
     MPI_Bcast(&size, 1, MPI_INT, speaker % ranks, comm);
-    message.resize(detail::at(size));
+    message.resize(size);
     MPI_Bcast(message.data(), size, MPI_CHAR, speaker % ranks, comm);
 }
 

@@ -28,9 +28,6 @@ namespace ancf::petsc::detail {
 
 struct Division;
 
-/// Returns a number as a place in a vector.
-[[nodiscard]] inline std::size_t at(PetscInt k) noexcept { return static_cast<std::size_t>(k); }
-
 /// The rows of the equations of a part in the system of all parts.
 struct Rows {
     PetscInt first = 0, last = 0;        ///< this process has the rows from one to before the other
@@ -65,12 +62,12 @@ public:
 
     ANCF_INLINE_VIRTUAL void add(VectorX& forces) const override;
     [[nodiscard]] bool owns(int coordinate) const noexcept override {
-        return own_[at(coordinate)] != 0;
+        return own_[coordinate] != 0;
     }
     ANCF_INLINE_VIRTUAL void sum(double* values, int count) const override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL double largest(double value) const override;
     [[nodiscard]] int element(int group, int element) const noexcept override {
-        return held_.elements[at(group)][at(element)];
+        return held_.elements[group][element];
     }
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept override {
         return whole_.constraints();

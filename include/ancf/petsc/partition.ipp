@@ -26,7 +26,7 @@ namespace ancf::petsc::detail {
                                                           const std::vector<PetscInt>& shares,
                                                           std::vector<PetscInt> from,
                                                           std::vector<PetscInt> to) {
-    const std::size_t rank = at(Session::rank(comm));
+    const std::size_t rank = Session::rank(comm);
     const PetscInt own = shares[rank + 1] - shares[rank], all = shares.back();
     Handle<Mat> edges, graph;
     Handle<MatPartitioning> method;
@@ -34,8 +34,7 @@ namespace ancf::petsc::detail {
     check(MatCreate(comm, edges.fresh()));
     check(MatSetSizes(edges, own, own, all, all));
     check(MatSetType(edges, MATAIJ));
-    check(MatSetPreallocationCOO(edges, static_cast<PetscCount>(from.size()), from.data(),
-                                 to.data()));
+    check(MatSetPreallocationCOO(edges, from.size(), from.data(), to.data()));
     check(MatSetValuesCOO(edges, std::vector<double>(from.size(), 1.0).data(), INSERT_VALUES));
     check(MatConvert(edges, MATMPIADJ, MAT_INITIAL_MATRIX, graph.fresh()));
     check(MatPartitioningCreate(comm, method.fresh()));
@@ -63,17 +62,16 @@ struct Division {
     std::vector<char> eliminated;  // of each node: attached, and seen by one element alone
 
     Division(const Scene& whole, MPI_Comm comm, const std::string& prefix)
-        : follows(at(whole.nodes()), -1), node(follows.size(), -1), eliminated(follows.size(), 0) {
+        : follows(whole.nodes(), -1), node(follows.size(), -1), eliminated(follows.size(), 0) {
         for (const AttachedVector& attachment : whole.attachments())
-            follows[at(attachment.vector.node.index)] = attachment.to.index;
+            follows[attachment.vector.node.index] = attachment.to.index;
         divide(whole, comm, prefix);
         for (const auto& group : whole.groups())
             for (const Connection& c : group->connections)
                 for (const NodeId end : {c.first, c.second})
-                    if (int& of = node[at(end.index)]; of < 0) of = owner(c);
+                    if (int& of = node[end.index]; of < 0) of = owner(c);
         for (int k = 0; k < whole.nodes(); ++k)
-            if (int& of = node[at(k)]; of < 0 && whole.layout().size(k) > 0)
-                of = node[at(leader({k}))];
+            if (int& of = node[k]; of < 0 && whole.layout().size(k) > 0) of = node[leader({k})];
         for (const AnyConstraint& each : whole.constraints())
             constraint.push_back(owner(each.coupling()));
         eliminate(whole);
@@ -82,21 +80,21 @@ struct Division {
     /// Returns the node that stands for one: itself, or that at the end of its attachments.
     [[nodiscard]] int leader(NodeId of) const {
         int k = of.index;
-        while (follows[at(k)] >= 0) k = follows[at(k)];
+        while (follows[k] >= 0) k = follows[k];
         return k;
     }
-    [[nodiscard]] int owner(const Connection& c) const { return node[at(leader(c.first))]; }
+    [[nodiscard]] int owner(const Connection& c) const { return node[leader(c.first)]; }
     /// What couples nodes is where its first one is.
     [[nodiscard]] int owner(const Coupling& coupling) const {
-        return coupling.empty() ? 0 : node[at(coupling.front().node.index)];
+        return coupling.empty() ? 0 : node[coupling.front().node.index];
     }
 
 private:
     void divide(const Scene& whole, MPI_Comm comm, const std::string& prefix) {
         std::vector<int> vertex(node.size(), -1), leaders;
         for (int k = 0; k < whole.nodes(); ++k)
-            if (whole.layout().size(k) > 0 && follows[at(k)] < 0) {
-                vertex[at(k)] = static_cast<int>(leaders.size());
+            if (whole.layout().size(k) > 0 && follows[k] < 0) {
+                vertex[k] = static_cast<int>(leaders.size());
                 leaders.push_back(k);
             }
         const auto count = static_cast<long>(leaders.size());
@@ -105,29 +103,29 @@ private:
         std::vector<int> parts;
         for (int r = 0; r < ranks; ++r) {
             shares.push_back(static_cast<PetscInt>((r + 1) * count / ranks));
-            parts.resize(at(shares.back()), r);
+            parts.resize(shares.back(), r);
         }
         if (ranks > 1 && count >= 16L * ranks) {
             std::vector<PetscInt> from, to;
             const auto append = [&](PetscInt a, PetscInt b) {
-                if (a < shares[at(rank)] || a >= shares[at(rank) + 1]) return;
+                if (a < shares[rank] || a >= shares[rank + 1]) return;
                 from.push_back(a);
                 to.push_back(b);
             };
             for (const auto& group : whole.groups())
                 for (const Connection& c : group->connections) {
-                    const int a = vertex[at(leader(c.first))], b = vertex[at(leader(c.second))];
+                    const int a = vertex[leader(c.first)], b = vertex[leader(c.second)];
                     append(a, b);
                     append(b, a);
                 }
             parts = parts_of_graph(comm, prefix, shares, std::move(from), std::move(to));
         }
-        for (std::size_t k = 0; k < leaders.size(); ++k) node[at(leaders[k])] = parts[k];
+        for (std::size_t k = 0; k < leaders.size(); ++k) node[leaders[k]] = parts[k];
     }
 
     void eliminate(const Scene& whole) {
         std::vector<int> seen(node.size(), 0);
-        const auto see = [&](NodeId of) { seen[at(of.index)] += 1; };
+        const auto see = [&](NodeId of) { seen[of.index] += 1; };
         const auto see_all = [&](const Coupling& coupling) {
             for (const NodeField& vector : coupling) see(vector.node);
         };
@@ -160,52 +158,53 @@ ANCF_INLINE void Partition::hold() {
     const Division& division = *division_;
     held_.nodes.assign(division.node.size(), 0);
     const auto take = [&](NodeId of) {  // with those that it follows
-        for (int k = of.index; k >= 0; k = division.follows[at(k)]) held_.nodes[at(k)] = 1;
+        for (int k = of.index; k >= 0; k = division.follows[k]) held_.nodes[k] = 1;
     };
     const auto takes = [&](const Coupling& coupling) {
         if (division.owner(coupling) != rank_) return false;
         for (const NodeField& vector : coupling) take(vector.node);
         return true;
     };
+    const auto places = [](const auto& list, const auto& wanted) {
+        std::vector<int> result;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (wanted(list[k])) result.push_back(static_cast<int>(k));
+        return result;
+    };
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (division.node[at(node)] == rank_) take({node});
-    for (const auto& group : whole_.groups()) {
-        std::vector<int>& elements = held_.elements.emplace_back();
-        for (int k = 0; k < group->size(); ++k) {
-            const Connection& c = group->connections[at(k)];
-            if (division.owner(c) != rank_) continue;
-            elements.push_back(k);
+        if (division.node[node] == rank_) take({node});
+    for (const auto& group : whole_.groups())
+        held_.elements.push_back(places(group->connections, [&](const Connection& c) {
+            if (division.owner(c) != rank_) return false;
             take(c.first);
             take(c.second);
-        }
-    }
-    for (std::size_t k = 0; k < whole_.loads().size(); ++k)
-        if (takes(whole_.loads()[k].load.coupling())) held_.loads.push_back(static_cast<int>(k));
-    for (std::size_t k = 0; k < whole_.constraints().size(); ++k)
-        if (takes(whole_.constraints()[k].coupling()))
-            held_.constraints.push_back(static_cast<int>(k));
-    for (std::size_t k = 0; k < whole_.masses().size(); ++k)
-        if (division.node[at(whole_.masses()[k].node.index)] == rank_)
-            held_.masses.push_back(static_cast<int>(k));
+            return true;
+        }));
+    held_.loads =
+        places(whole_.loads(), [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
+    held_.constraints = places(whole_.constraints(),
+                               [&](const AnyConstraint& each) { return takes(each.coupling()); });
+    held_.masses = places(
+        whole_.masses(), [&](const auto& each) { return division.node[each.node.index] == rank_; });
 }
 
 ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
     const int ranks = Session::ranks(comm_);
-    std::vector<PetscInt> count(at(ranks), 0);  // coordinates that each process owns
+    std::vector<PetscInt> count(ranks, 0);  // coordinates that each process owns
     std::vector<PetscSFNode> roots;
     for (int node = 0; node < layout.nodes(); ++node)
         for (int k = 0; k < layout.size(node); ++k) {
-            const int owner = division_->node[at(node)];
-            const PetscInt place = count[at(owner)]++;
-            if (held_.nodes[at(node)] == 0) continue;
+            const int owner = division_->node[node];
+            const PetscInt place = count[owner]++;
+            if (held_.nodes[node] == 0) continue;
             own_.push_back(owner == rank_);
             roots.push_back({owner, place});
         }
     if (ranks == 1) return;
-    sums_.resize(at(count[at(rank_)]));
+    sums_.resize(count[rank_]);
     check(PetscSFCreate(comm_, shared_.fresh()));
-    check(PetscSFSetGraph(shared_, count[at(rank_)], static_cast<PetscInt>(roots.size()), nullptr,
+    check(PetscSFSetGraph(shared_, count[rank_], static_cast<PetscInt>(roots.size()), nullptr,
                           PETSC_COPY_VALUES, roots.data(), PETSC_COPY_VALUES));
 }
 
@@ -247,7 +246,7 @@ ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
     VectorX all = VectorX::Zero(layout.size());
     int next = 0;
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[at(node)] == 0) continue;
+        if (held_.nodes[node] == 0) continue;
         for (int k = layout.first(node); k < layout.first(node + 1); ++k, ++next)
             if (owns(next)) all[k] = of_part[next];
     }
@@ -256,13 +255,13 @@ ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
 }
 
 ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
-    std::vector<double> all;
-    Eigen::Index next = 0;
+    VectorX all = VectorX::Zero(whole_.state().multipliers.size());
+    Eigen::Index place = 0, next = 0;
     for (std::size_t k = 0; k < division_->constraint.size(); ++k)
-        for (int i = 0; i < constraints()[k].equations(); ++i)
-            all.push_back(division_->constraint[k] == rank_ ? of_part[next++] : 0.0);
+        for (int i = 0; i < constraints()[k].equations(); ++i, ++place)
+            if (division_->constraint[k] == rank_) all[place] = of_part[next++];
     sum(all.data(), static_cast<int>(all.size()));
-    return Eigen::Map<const VectorX>(all.data(), static_cast<Eigen::Index>(all.size()));
+    return all;
 }
 
 ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) const {
@@ -274,7 +273,7 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     std::vector<int> own;                 // nodes of this process with rows
     double most = 0.0, least = HUGE_VAL;  // coordinates of such a node
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (division_->node[at(node)] != rank_ || division_->eliminated[at(node)] != 0 ||
+        if (division_->node[node] != rank_ || division_->eliminated[node] != 0 ||
             !any_free(layout.first(node), layout.first(node + 1)))
             continue;
         own.push_back(node);

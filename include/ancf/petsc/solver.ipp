@@ -113,25 +113,25 @@ public:
     /// @param symmetric  whether values are.
     Condensation(const SparseMatrix& pattern, const std::vector<std::vector<int>>& sets,
                  bool symmetric)
-        : symmetric_(symmetric), skipped_(at(pattern.cols()) + 1, 0) {
+        : symmetric_(symmetric), skipped_(pattern.cols() + 1, 0) {
         const int* const outer = pattern.outerIndexPtr();
-        const auto copy = [](const std::vector<int>& of) -> Eigen::VectorXi {
-            return Eigen::Map<const Eigen::VectorXi>(of.data(), static_cast<int>(of.size()));
-        };
+        const int* const rows = pattern.innerIndexPtr();
+        using Places = Eigen::Map<const Eigen::VectorXi>;
         for (const std::vector<int>& own : sets) {
-            const int* const rows = pattern.innerIndexPtr();
             std::vector<int> others;
             std::set_difference(rows + outer[own[0]], rows + outer[own[0] + 1], own.begin(),
                                 own.end(), std::back_inserter(others));
-            sets_.push_back({copy(own), copy(others), {}, {}, {}});
-            for (const int j : own) skipped_[at(j) + 1] = outer[j + 1] - outer[j];
+            Set& set = sets_.emplace_back();
+            set.own = Places(own.data(), own.size());
+            set.others = Places(others.data(), others.size());
+            for (const int j : own) skipped_[j + 1] = outer[j + 1] - outer[j];
         }
         std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
     }
 
     /// Tells whether an unknown is left.
     [[nodiscard]] bool keeps(int unknown) const {
-        return skipped_[at(unknown)] == skipped_[at(unknown) + 1];
+        return skipped_[unknown] == skipped_[unknown + 1];
     }
 
     /// Writes the columns that are left, one after the other, with S in the rows that are left.
@@ -141,7 +141,7 @@ public:
         for (int j = 0; j < matrix.cols(); ++j)
             if (keeps(j))
                 std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
-                          values + outer[j] - skipped_[at(j)]);
+                          values + outer[j] - skipped_[j]);
         const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
                               MatrixX& to) {
             to.setZero(rows.size(), columns.size());
@@ -162,7 +162,7 @@ public:
             if (!symmetric_) set.left.noalias() = ne * set.inverse;
             change.noalias() = ne * set.right;
             visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
-                values[k - skipped_[at(set.others[j])]] -= change(i, j);
+                values[k - skipped_[set.others[j]]] -= change(i, j);
             });
         }
         return true;
@@ -253,7 +253,6 @@ struct SolverRun {
                                   "petsc::Solver: the scene has ", numbering.unknowns(),
                                   " unknowns, the matrix ", pattern.rows());
             if (scene->exchange() == nullptr) {  // it may have changed
-                alone.reset();
                 alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
                 partition = alone.get();
             }
@@ -268,8 +267,8 @@ struct SolverRun {
         for (int j = 0; j < pattern.cols(); ++j)
             for (int k = pattern.outerIndexPtr()[j];
                  condensation.keeps(j) && k < pattern.outerIndexPtr()[j + 1]; ++k) {
-                is.push_back(rows.row[at(pattern.innerIndexPtr()[k])]);
-                js.push_back(rows.row[at(j)]);
+                is.push_back(rows.row[pattern.innerIndexPtr()[k]]);
+                js.push_back(rows.row[j]);
             }
         is.insert(is.end(), rows.idle.begin(), rows.idle.end());
         js.insert(js.end(), rows.idle.begin(), rows.idle.end());
@@ -280,8 +279,7 @@ struct SolverRun {
         check(MatSetSizes(matrix, own, own, PETSC_DETERMINE, PETSC_DETERMINE));
         check(MatSetType(matrix, MATAIJ));
         check(MatSetBlockSize(matrix, rows.block));
-        check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(),
-                                     js.data()));
+        check(MatSetPreallocationCOO(matrix, is.size(), is.data(), js.data()));
         Mat diagonal = nullptr;  // PETSc 3.18 forgets the blocks of this process's part
         check(MatGetDiagonalBlock(matrix, &diagonal));
         check(MatSetBlockSize(diagonal, rows.block));
@@ -335,12 +333,12 @@ struct SolverRun {
         if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) return false;
         double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
         for (int j = 0; j < from.cols(); ++j)
-            if (rows.row[at(j)] >= 0) {
+            if (rows.row[j] >= 0) {
                 mean[0] += std::abs(from.coeff(j, j));
                 mean[1] += 1.0;
             }
         MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
-        std::fill(values.end() - static_cast<std::ptrdiff_t>(rows.idle.size()), values.end(),
+        std::fill(values.end() - rows.idle.size(), values.end(),
                   mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
         if (size > 0) check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
         return true;
@@ -426,7 +424,7 @@ struct SolverRun {
     /// Sets the entries of all equations that are left.
     [[nodiscard]] bool solve_rows(const VectorX& right, VectorX& out) {
         out = condensation.shift(right);
-        for_own([&](Eigen::Index k, PetscInt) { out[k] += right[k]; });
+        for_own([&](auto k, auto) { out[k] += right[k]; });
         sum(out);
         write(out, b);
         check(KSPSolve(ksp, b, x));
@@ -444,7 +442,7 @@ struct SolverRun {
         const PetscScalar* entry = nullptr;
         check(VecGetArrayRead(x, &entry));
         out.setZero();
-        for_own([&](Eigen::Index k, PetscInt row) { out[k] = entry[row]; });
+        for_own([&](auto k, auto row) { out[k] = entry[row]; });
         check(VecRestoreArrayRead(x, &entry));
         sum(out);
         return true;
@@ -454,8 +452,7 @@ struct SolverRun {
     template <class Visitor>
     void for_own(const Visitor& visit) const {
         for (std::size_t k = 0; k < rows.row.size(); ++k)
-            if (rows.own(rows.row[k]))
-                visit(static_cast<Eigen::Index>(k), rows.row[k] - rows.first);
+            if (rows.own(rows.row[k])) visit(k, rows.row[k] - rows.first);
     }
 
     /// Writes entries of equations to a vector of PETSc.
@@ -463,7 +460,7 @@ struct SolverRun {
         PetscScalar* entry = nullptr;
         check(VecSet(to, 0.0));
         check(VecGetArray(to, &entry));
-        for_own([&](Eigen::Index k, PetscInt row) { entry[row] = from[k]; });
+        for_own([&](auto k, auto row) { entry[row] = from[k]; });
         check(VecRestoreArray(to, &entry));
     }
 
