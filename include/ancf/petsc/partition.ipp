@@ -58,7 +58,6 @@ namespace ancf::petsc::detail {
 struct Division {
     std::vector<int> follows;      // the node that each node is attached to, -1
     std::vector<int> node;         // process of each node; -1 without vectors
-    std::vector<int> constraint;   // process of each
     std::vector<char> eliminated;  // of each node: attached, and seen by one element alone
 
     Division(const Scene& whole, MPI_Comm comm, const std::string& prefix)
@@ -72,8 +71,6 @@ struct Division {
                     if (int& of = node[end.index]; of < 0) of = owner(c);
         for (int k = 0; k < whole.nodes(); ++k)
             if (int& of = node[k]; of < 0 && whole.layout().size(k) > 0) of = node[leader({k})];
-        for (const AnyConstraint& each : whole.constraints())
-            constraint.push_back(owner(each.coupling()));
         eliminate(whole);
     }
 
@@ -257,9 +254,11 @@ ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
 ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
     VectorX all = VectorX::Zero(whole_.state().multipliers.size());
     Eigen::Index place = 0, next = 0;
-    for (std::size_t k = 0; k < division_->constraint.size(); ++k)
-        for (int i = 0; i < constraints()[k].equations(); ++i, ++place)
-            if (division_->constraint[k] == rank_) all[place] = of_part[next++];
+    for (const AnyConstraint& each : constraints()) {
+        const bool own = division_->owner(each.coupling()) == rank_;
+        for (int i = 0; i < each.equations(); ++i, ++place)
+            if (own) all[place] = of_part[next++];
+    }
     sum(all.data(), static_cast<int>(all.size()));
     return all;
 }
@@ -292,7 +291,8 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
         for (int k = layout.first(node), end = layout.first(node + 1), next = k; k < end;
              k = next) {
             next = std::min(k + rows.block, end);
-            for (const bool any = any_free(k, next); any && k < next; ++k) {
+            if (!any_free(k, next)) continue;
+            for (; k < next; ++k) {
                 if (equation[k] < 0) rows.idle.push_back(count);
                 number[k] = ++count;
             }

@@ -63,18 +63,14 @@ public:
     Handle() = default;
     Handle(Handle&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
     Handle& operator=(Handle&&) = delete;
-    ~Handle() { reset(); }
+    ~Handle() { static_cast<void>(fresh()); }
 
     operator Object() const noexcept { return object_; }  // NOLINT(google-explicit-constructor)
 
     /// Destroys it, and gives the place of another.
     [[nodiscard]] Object* fresh() {
-        reset();
-        return &object_;
-    }
-    /// Destroys it.
-    void reset() {
         static_cast<void>(PetscObjectDestroy(reinterpret_cast<PetscObject*>(&object_)));
+        return &object_;
     }
 
 private:

@@ -30,9 +30,7 @@
 namespace ancf::petsc {
 
 ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
-    SolverOptions options;
-    options.prefix = std::move(prefix);
-    return options;
+    return {SolverOptions().options, std::move(prefix)};
 }
 
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
@@ -264,12 +262,13 @@ struct SolverRun {
         condensation = Condensation(pattern, rows.sets, symmetric);
 
         std::vector<PetscInt> is, js;  // PETSc leaves out entries in rows of -1
-        for (int j = 0; j < pattern.cols(); ++j)
-            for (int k = pattern.outerIndexPtr()[j];
-                 condensation.keeps(j) && k < pattern.outerIndexPtr()[j + 1]; ++k) {
+        for (int j = 0; j < pattern.cols(); ++j) {
+            if (!condensation.keeps(j)) continue;
+            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
                 is.push_back(rows.row[pattern.innerIndexPtr()[k]]);
                 js.push_back(rows.row[j]);
             }
+        }
         is.insert(is.end(), rows.idle.begin(), rows.idle.end());
         js.insert(js.end(), rows.idle.begin(), rows.idle.end());
         values.resize(is.size());
