@@ -20,8 +20,7 @@
 #include <ancf/model/builders/frame.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/petsc/motion.hpp>
-#include <ancf/petsc/statics.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 
 #include "lattices/lattice.hpp"
 
@@ -135,7 +134,7 @@ struct Times {
 };
 
 /// Compares an assembly by all processes with one by the first alone, in turn.
-void assemble(ancf::Model& model, ancf::petsc::DistributedStatics& statics, int pairs) {
+void assemble(ancf::Model& model, ancf::petsc::DistributedScene& statics, int pairs) {
     const bool first = ancf::petsc::Session::rank() == 0;
     AssemblyTask together(statics.part());
     const std::unique_ptr<AssemblyTask> alone =
@@ -172,8 +171,8 @@ void assemble(ancf::Model& model, ancf::petsc::DistributedStatics& statics, int 
 
 /// Lets the lattice go in ten steps.
 void move(ancf::Model& model) {
-    ancf::petsc::DistributedMotion motion(model, PETSC_COMM_WORLD,
-                                          ancf::petsc::SolverOptions::iterative("lattice_"));
+    ancf::petsc::DistributedScene motion(model, PETSC_COMM_WORLD,
+                                         ancf::petsc::SolverOptions::iterative("lattice_"));
     ancf::GeneralizedAlphaOptions options;
     options.step = 1e-3;
     ancf::Schedule schedule;
@@ -233,8 +232,8 @@ int main(int argc, char** argv) {
         move(model);
         return 0;
     }
-    ancf::petsc::DistributedStatics statics(model, PETSC_COMM_WORLD,
-                                            ancf::petsc::SolverOptions::iterative("lattice_"));
+    ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD,
+                                          ancf::petsc::SolverOptions::iterative("lattice_"));
     if (what == "assembly") {
         assemble(model, statics, argc > 3 ? std::atoi(argv[3]) : 15);
         return 0;

@@ -29,7 +29,7 @@
 #include <support/solver.hpp>
 
 #if ANCF_WITH_PETSC
-#include <ancf/petsc/statics.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 #endif
 
 #include <array>
@@ -162,8 +162,8 @@ void write_lines(const std::string& file, const ancf::Model& model,
 ancf::StaticsReport solve(ancf::Model& model, const Lattice& lattice) {
 #if ANCF_WITH_PETSC
     if (lattice.petsc) {
-        ancf::petsc::DistributedStatics statics(model, PETSC_COMM_WORLD,
-                                                ancf::petsc::SolverOptions::iterative("lattice_"));
+        ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD,
+                                              ancf::petsc::SolverOptions::iterative("lattice_"));
         ancf::StaticsReport report = statics.solve(lattice.solver.statics);
         statics.gather();
         return report;

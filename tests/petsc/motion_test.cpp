@@ -6,7 +6,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/model/loads/damping.hpp>
-#include <ancf/petsc/motion.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
@@ -83,7 +83,7 @@ void same_as_in_series(const std::function<Model()>& make, const petsc::SolverOp
     INFO(alone.message);
     REQUIRE(alone.status == Status::converged);
 
-    petsc::DistributedMotion motion(model, PETSC_COMM_WORLD, solver);
+    petsc::DistributedScene motion(model, PETSC_COMM_WORLD, solver);
     schedule.observe = [&](const Snapshot& seen) {
         observe(found, motion.gathered(seen.state.q), seen);
     };
@@ -119,7 +119,7 @@ void same_as_in_series(const std::function<Model()>& make, const petsc::SolverOp
     CHECK(std::abs(report.energy_drift - alone.energy_drift) < 1e3 * tolerance * most);
 }
 
-TEST_CASE("DistributedMotion: by MUMPS, any number of processes finds the serial motion",
+TEST_CASE("DistributedScene::integrate: by MUMPS, any number of processes finds the serial motion",
           "[petsc]") {
     // 1e-10 of the scenes' size, one metre; measured: see docs/petsc.md
     const auto direct = petsc::SolverOptions::direct();
@@ -135,7 +135,23 @@ TEST_CASE("DistributedMotion: by MUMPS, any number of processes finds the serial
     SECTION("net between masts") { same_as_in_series(hit_net, direct, 1e-10, of_step(5e-4), 0.01); }
 }
 
-TEST_CASE("DistributedMotion: by conjugate gradients it finds the serial motion to 1e-8",
+TEST_CASE("DistributedScene::integrate: it starts from the equilibrium that solve left",
+          "[petsc]") {
+    Model model = curved_beam();
+    petsc::DistributedScene scene(model);
+    StaticsOptions exact;
+    exact.residual_tolerance = 1e-14;
+    REQUIRE(scene.solve(exact).status == Status::converged);
+    scene.part().state().time = 0.0;
+    const VectorX before = scene.part().state().q;
+    Schedule schedule;
+    schedule.end = 0.01;
+    REQUIRE(scene.integrate(schedule, of_step(1e-3)).status == Status::converged);
+    CHECK(scene.part().state().time == Approx(0.01));
+    CHECK(largest(scene.part().state().q - before) < 1e-8);  // of a metre; measured below 1e-10
+}
+
+TEST_CASE("DistributedScene::integrate: by conjugate gradients it finds the serial motion to 1e-8",
           "[petsc]") {
     petsc::SolverOptions options = petsc::SolverOptions::iterative();
     options.options += " -ksp_rtol 1e-10 -pc_mg_cycle_type v";  // fewer messages
@@ -147,7 +163,8 @@ TEST_CASE("DistributedMotion: by conjugate gradients it finds the serial motion 
     }
 }
 
-TEST_CASE("DistributedMotion: following and damping forces move it as in series", "[petsc]") {
+TEST_CASE("DistributedScene::integrate: following and damping forces move it as in series",
+          "[petsc]") {
     const auto followed = [] {
         Model model = lattice(3);
         model.add(FollowerForce(NodeId{26}, Point(0, 0, 300)));
@@ -157,7 +174,7 @@ TEST_CASE("DistributedMotion: following and damping forces move it as in series"
     };
     same_as_in_series(followed, petsc::SolverOptions::direct(), 1e-10, of_step(5e-4), 0.01);
     Model model = followed();
-    petsc::DistributedMotion motion(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
+    petsc::DistributedScene motion(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
     Schedule schedule;
     schedule.end = 0.01;
     const DynamicsReport report = motion.integrate(schedule);
@@ -166,29 +183,30 @@ TEST_CASE("DistributedMotion: following and damping forces move it as in series"
     CHECK_THAT(report.message, ContainsSubstring("cg"));
 }
 
-TEST_CASE("DistributedMotion: adaptive steps are those of the serial run", "[petsc]") {
+TEST_CASE("DistributedScene::integrate: adaptive steps are those of the serial run", "[petsc]") {
     GeneralizedAlphaOptions options = of_step(1e-3);
     options.tolerance = 1e-4;
     same_as_in_series([] { return chain(4, 4); }, petsc::SolverOptions::direct(), 1e-10, options,
                       0.005);
 }
 
-TEST_CASE("DistributedMotion: a run goes on from its memory as if it had not stopped", "[petsc]") {
+TEST_CASE("DistributedScene::integrate: a run goes on from its memory as if it had not stopped",
+          "[petsc]") {
     const auto make = [] { return chain(4, 4); };
     Schedule half, whole;
     half.end = 0.005;
     whole.end = 0.01;
     Model straight = make(), first = make();
-    petsc::DistributedMotion all(straight);
+    petsc::DistributedScene all(straight);
     REQUIRE(all.integrate(whole, of_step(1e-3)).status == Status::converged);
     all.gather();
-    petsc::DistributedMotion begin(first);
+    petsc::DistributedScene begin(first);
     const DynamicsReport before = begin.integrate(half, of_step(1e-3));
     REQUIRE(before.status == Status::converged);
     begin.gather();
     CHECK(first.state().time == Approx(0.005));
     Model second = first;  // another scene in that state, divided in the same way
-    petsc::DistributedMotion end(second);
+    petsc::DistributedScene end(second);
     const DynamicsReport after = end.integrate(whole, of_step(1e-3), before.memory);
     INFO(after.message);
     REQUIRE(after.status == Status::converged);
@@ -200,11 +218,11 @@ TEST_CASE("DistributedMotion: a run goes on from its memory as if it had not sto
     // a memory that fits no longer, in one process alone
     Memory odd = before.memory;
     if (petsc::Session::rank() == petsc::Session::ranks() - 1) odd.values.clear();
-    petsc::DistributedMotion other(first);
+    petsc::DistributedScene other(first);
     CHECK_THROWS_AS(other.integrate(whole, of_step(1e-3), odd), std::exception);
     Model heavier = first;
     heavier.add_mass(NodeId{4}, 1.0);
-    petsc::DistributedMotion changed(heavier);
+    petsc::DistributedScene changed(heavier);
     CHECK_THROWS_AS(changed.integrate(whole, of_step(1e-3), before.memory), InvalidArgument);
 }
 
@@ -224,18 +242,19 @@ Model breaking(double when) {
 }
 
 /// Checks that every process has the same.
-void same_everywhere(const petsc::DistributedMotion& motion, double value) {
+void same_everywhere(const petsc::DistributedScene& motion, double value) {
     CHECK(motion.partition().largest(value) == -motion.partition().largest(-value));
 }
 
-TEST_CASE("DistributedMotion: an element that fails in one process ends all in the same way",
-          "[petsc]") {
+TEST_CASE(
+    "DistributedScene::integrate: an element that fails in one process ends all in the same way",
+    "[petsc]") {
     Model model = breaking(0.0021), serial = breaking(0.0021);
     const int last = model.group<petsc_test::Beam>().size() - 1;
     Schedule schedule;
     schedule.end = 0.01;
     const DynamicsReport alone = in_series(serial, schedule, of_step(5e-4));
-    petsc::DistributedMotion motion(model);
+    petsc::DistributedScene motion(model);
     const DynamicsReport report = motion.integrate(schedule, of_step(5e-4));
     INFO(report.message);
     CHECK(alone.status == Status::degenerate);
@@ -253,7 +272,7 @@ TEST_CASE("DistributedMotion: an element that fails in one process ends all in t
     CHECK(model.state().time == report.time);
 }
 
-TEST_CASE("DistributedMotion: a start that is refused in one process is refused in all",
+TEST_CASE("DistributedScene::integrate: a start that is refused in one process is refused in all",
           "[petsc]") {
     Schedule schedule;
     schedule.end = 0.01;
@@ -262,7 +281,7 @@ TEST_CASE("DistributedMotion: a start that is refused in one process is refused 
         model.prescribe(
             NodeId{26}, Field::r, 2, [](double) { return 0.6; }, [](double) { return 0.0; },
             [](double) { return 0.0; });
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         const DynamicsReport report = motion.integrate(schedule);
         CHECK(report.status == Status::inconsistent);
         CHECK_THAT(report.message, ContainsSubstring("node 26"));
@@ -272,7 +291,7 @@ TEST_CASE("DistributedMotion: a start that is refused in one process is refused 
         const int last = model.group<petsc_test::Beam>().size() - 1;
         const NodeId end = model.group<petsc_test::Beam>().connection(last).second;
         for (int k = 0; k < 3; ++k) model.state().q[model.coordinate(end, Field::r_x) + k] = 0.0;
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         const DynamicsReport report = motion.integrate(schedule);
         CHECK(report.status == Status::degenerate);
         CHECK_THAT(report.message, ContainsSubstring("element " + std::to_string(last) + " "));
@@ -280,13 +299,13 @@ TEST_CASE("DistributedMotion: a start that is refused in one process is refused 
     SECTION("a support without a rate") {
         Model model = lattice(3);
         model.prescribe(NodeId{26}, Field::r, 2, [](double) { return 0.5; });
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         CHECK_THROWS_AS(motion.integrate(schedule), std::exception);
     }
     SECTION("constraints") {
         Model model = lattice(3);
         model.add(Pin<3>(NodeId{26}, Point(0.5, 0.5, 0.5)));
-        CHECK_THROWS_AS(petsc::DistributedMotion(model), InvalidArgument);
+        CHECK_THROWS_AS(petsc::DistributedScene(model).integrate(schedule), InvalidArgument);
     }
 }
 
@@ -300,14 +319,15 @@ struct LateThrower {
     }
 };
 
-TEST_CASE("DistributedMotion: what a user's function throws or says in one process ends all",
-          "[petsc]") {
+TEST_CASE(
+    "DistributedScene::integrate: what a user's function throws or says in one process ends all",
+    "[petsc]") {
     Schedule schedule = equal_intervals(0.0, 0.005, 0.001);
     const int rank = petsc::Session::rank();
     SECTION("a load") {
         Model model = lattice(3);
         model.add(LateThrower{NodeId{26}});
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         CHECK_THROWS_AS(motion.integrate(schedule), std::exception);
     }
     SECTION("a driven support") {
@@ -316,12 +336,12 @@ TEST_CASE("DistributedMotion: what a user's function throws or says in one proce
             NodeId{26}, Field::r, 2,
             [](double t) { return t > 0.002 ? throw std::domain_error("too late") : 0.5; },
             [](double) { return 0.0; }, [](double) { return 0.0; });
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         CHECK_THROWS_AS(motion.integrate(schedule), std::exception);
     }
     SECTION("an observer") {
         Model model = lattice(3);
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         schedule.observe = [&](const Snapshot& seen) {
             if (rank == 0 && seen.state.time > 0.002) throw std::domain_error("seen enough");
         };
@@ -329,7 +349,7 @@ TEST_CASE("DistributedMotion: what a user's function throws or says in one proce
     }
     SECTION("progress") {
         Model model = lattice(3);
-        petsc::DistributedMotion motion(model);
+        petsc::DistributedScene motion(model);
         schedule.progress = [&](double time, double) { return rank != 0 || time < 0.0025; };
         const DynamicsReport report = motion.integrate(schedule, of_step(2e-4));
         CHECK(report.status == Status::stopped);
@@ -337,10 +357,10 @@ TEST_CASE("DistributedMotion: what a user's function throws or says in one proce
     }
 }
 
-TEST_CASE("DistributedMotion: a part is refused by integrators that would move it alone",
+TEST_CASE("DistributedScene::integrate: a part is refused by integrators that would move it alone",
           "[petsc][refused]") {
     Model model = chain(4, 4);
-    petsc::DistributedMotion motion(model);
+    petsc::DistributedScene motion(model);
     petsc::Solver mass_solver(motion.part());
     ProblemOptions how;
     how.mass_solver = &mass_solver;
@@ -353,11 +373,12 @@ TEST_CASE("DistributedMotion: a part is refused by integrators that would move i
                       ContainsSubstring("GeneralizedAlpha alone"));
 }
 
-TEST_CASE("DistributedMotion: a KSP that diverges is a status with PETSc's reason", "[petsc]") {
+TEST_CASE("DistributedScene::integrate: a KSP that diverges is a status with PETSc's reason",
+          "[petsc]") {
     Model model = lattice(3);
     petsc::SolverOptions options = petsc::SolverOptions::iterative();
     options.options += " -ksp_max_it 2";
-    petsc::DistributedMotion motion(model, PETSC_COMM_WORLD, options);
+    petsc::DistributedScene motion(model, PETSC_COMM_WORLD, options);
     Schedule schedule;
     schedule.end = 0.01;
     const DynamicsReport report = motion.integrate(schedule);
@@ -365,7 +386,8 @@ TEST_CASE("DistributedMotion: a KSP that diverges is a status with PETSc's reaso
     CHECK_THAT(report.message, ContainsSubstring("DIVERGED_ITS"));
 }
 
-TEST_CASE("DistributedMotion: processes without elements wait and learn the result", "[petsc]") {
+TEST_CASE("DistributedScene::integrate: processes without elements wait and learn the result",
+          "[petsc]") {
     same_as_in_series(petsc_test::short_beam, petsc::SolverOptions::direct(), 1e-10, of_step(1e-3),
                       0.02);
 }

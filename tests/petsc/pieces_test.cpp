@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/output/surface.hpp>
-#include <ancf/petsc/statics.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 
 #include <petsc/scenes.hpp>
 #include <support/catch.hpp>
@@ -61,7 +61,7 @@ std::vector<Row> rows_of(const std::string& text, std::size_t& polygons) {
     return rows;
 }
 
-TEST_CASE("DistributedStatics: the pieces of a surface together are the surface of the whole scene",
+TEST_CASE("DistributedScene: the pieces of a surface together are the surface of the whole scene",
           "[petsc]") {
     const auto folder = std::filesystem::temp_directory_path() /
                         ("ancf_pieces_of_" + std::to_string(petsc::Session::ranks()));
@@ -72,7 +72,7 @@ TEST_CASE("DistributedStatics: the pieces of a surface together are the surface 
                                                       Point(1, 0, 0), elements);
     model.clamp(beam.first());
     model.add(Force<3>(beam.last(), Point(0, 10, -20)));
-    petsc::DistributedStatics statics(model);
+    petsc::DistributedScene statics(model);
     REQUIRE(statics.solve().status == Status::converged);
     Surface own;
     for (const auto& run : statics.runs(beam))
@@ -118,18 +118,17 @@ TEST_CASE("DistributedStatics: the pieces of a surface together are the surface 
     MPI_Barrier(PETSC_COMM_WORLD);
 }
 
-TEST_CASE("DistributedStatics: a type of element that came after the division is refused",
+TEST_CASE("DistributedScene: a type of element that came after the division is refused",
           "[petsc][refused]") {
     Model model = chain(4, 4);
-    const petsc::DistributedStatics statics(model);
+    const petsc::DistributedScene statics(model);
     const auto later = straight_beam<Rope>(model, steel, bar(), {0, 0, 0}, {0, 1, 0}, 2);
     CHECK_THROWS_WITH(statics.runs(later), ContainsSubstring("divided"));
 }
 
-TEST_CASE("DistributedStatics: a file that one process cannot write is an error in all",
-          "[petsc]") {
+TEST_CASE("DistributedScene: a file that one process cannot write is an error in all", "[petsc]") {
     Model model = chain(2, 2);
-    const petsc::DistributedStatics statics(model);
+    const petsc::DistributedScene statics(model);
     CHECK_THROWS_AS(statics.write_vtk("nowhere.vtu", Surface()), InvalidArgument);
     CHECK_THROWS_AS(statics.write_vtk("/no/such/folder/frame.pvtu", Surface()), std::exception);
 }

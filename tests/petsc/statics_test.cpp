@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/petsc/statics.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
@@ -39,7 +39,7 @@ void same_as_in_series(const std::function<Model()>& make, const petsc::SolverOp
     const StaticsReport expected = solve_statics(serial, lu, exact());
     CHECK(expected.message.empty());
     REQUIRE(expected.status == Status::converged);
-    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, options);
+    petsc::DistributedScene statics(model, PETSC_COMM_WORLD, options);
     const StaticsReport report = statics.solve(exact());
     INFO(report.message);
     INFO(expected.message);
@@ -72,14 +72,14 @@ const std::vector<std::function<Model()>> scenes = {
     [] { return lattice(4); }, [] { return chain(); }, [] { return curved_beam(); },
     [] { return net(); }};
 
-TEST_CASE("DistributedStatics: by MUMPS, any number of processes finds the serial solution",
+TEST_CASE("DistributedScene::solve: by MUMPS, any number of processes finds the serial solution",
           "[petsc]") {
     const std::size_t k = GENERATE(0U, 1U, 2U, 3U);
     // 1e-10 of the scenes' size, one metre; measured: see docs/petsc.md
     same_as_in_series(scenes[k], petsc::SolverOptions::direct(), 1e-10);
 }
 
-TEST_CASE("DistributedStatics: by conjugate gradients it finds the serial solution to 1e-8",
+TEST_CASE("DistributedScene::solve: by conjugate gradients it finds the serial solution to 1e-8",
           "[petsc]") {
     const std::size_t k = GENERATE(0U, 1U, 2U, 3U);
     petsc::SolverOptions options = petsc::SolverOptions::iterative();
@@ -87,14 +87,14 @@ TEST_CASE("DistributedStatics: by conjugate gradients it finds the serial soluti
     same_as_in_series(scenes[k], options, 1e-8);
 }
 
-TEST_CASE("DistributedStatics: the iteration of mixed integration points is the serial one",
+TEST_CASE("DistributedScene::solve: the iteration of mixed integration points is the serial one",
           "[petsc]") {
     Model serial = chain(), model = chain();
     EigenLu lu;
     StaticsOptions options;
     options.newton = NewtonKind::mixed;
     const StaticsReport expected = solve_statics(serial, lu, options);
-    petsc::DistributedStatics statics(model);
+    petsc::DistributedScene statics(model);
     const StaticsReport report = statics.solve(options);
     statics.gather();
     REQUIRE(report.status == Status::converged);
@@ -105,8 +105,9 @@ TEST_CASE("DistributedStatics: the iteration of mixed integration points is the 
     CHECK_THROWS_AS(statics.solve(options), InvalidArgument);
 }
 
-TEST_CASE("DistributedStatics: a scene with multipliers is solved by MUMPS and refused by others",
-          "[petsc]") {
+TEST_CASE(
+    "DistributedScene::solve: a scene with multipliers is solved by MUMPS and refused by others",
+    "[petsc]") {
     const auto pinned = [] {
         Model model = lattice(3);
         const NodeId corner{26};
@@ -115,13 +116,14 @@ TEST_CASE("DistributedStatics: a scene with multipliers is solved by MUMPS and r
     };
     same_as_in_series(pinned, petsc::SolverOptions::direct(), 1e-10);
     Model model = pinned();
-    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
+    petsc::DistributedScene statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
     const StaticsReport report = statics.solve();
     CHECK(report.status == Status::diverged);
     CHECK_THAT(report.message, ContainsSubstring("multipliers"));
 }
 
-TEST_CASE("DistributedStatics: a load with an unsymmetric stiffness is refused by cg", "[petsc]") {
+TEST_CASE("DistributedScene::solve: a load with an unsymmetric stiffness is refused by cg",
+          "[petsc]") {
     const auto followed = [] {
         Model model = lattice(3);
         model.add(FollowerForce(NodeId{26}, Point(0, 0, 30)));
@@ -129,14 +131,15 @@ TEST_CASE("DistributedStatics: a load with an unsymmetric stiffness is refused b
     };
     same_as_in_series(followed, petsc::SolverOptions::direct(), 1e-10);
     Model model = followed();
-    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
+    petsc::DistributedScene statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
     const StaticsReport report = statics.solve();
     CHECK(report.status == Status::diverged);
     CHECK_THAT(report.message, ContainsSubstring("unsymmetric"));
     CHECK_THAT(report.message, ContainsSubstring("cg"));
 }
 
-TEST_CASE("DistributedStatics: processes without elements wait and learn the result", "[petsc]") {
+TEST_CASE("DistributedScene::solve: processes without elements wait and learn the result",
+          "[petsc]") {
     same_as_in_series(petsc_test::short_beam, petsc::SolverOptions::direct(), 1e-10);
     const Model model = petsc_test::short_beam();
     const petsc::detail::Partition partition(model, PETSC_COMM_WORLD);
@@ -147,15 +150,16 @@ TEST_CASE("DistributedStatics: processes without elements wait and learn the res
     CHECK(counts[1] == petsc::Session::ranks() - 1.0);
 }
 
-TEST_CASE("DistributedStatics: a fault in one process ends all with its status and its element",
-          "[petsc]") {
+TEST_CASE(
+    "DistributedScene::solve: a fault in one process ends all with its status and its element",
+    "[petsc]") {
     Model model = lattice(4);
     const int last = model.group<petsc_test::Beam>().size() - 1;
     const NodeId end = model.group<petsc_test::Beam>().connection(last).second;
     // the own slope r_x of one member's end has no length: its element is degenerate
     const int at = model.coordinate(end, Field::r_x);
     for (int k = 0; k < 3; ++k) model.state().q[at + k] = 0.0;
-    petsc::DistributedStatics statics(model);
+    petsc::DistributedScene statics(model);
     const VectorX before = statics.part().state().q;
     const StaticsReport report = statics.solve();
     CHECK(report.status == Status::degenerate);
@@ -177,13 +181,14 @@ struct Thrower {
     void evaluate(const LoadState&, LoadResult&) const { throw std::domain_error("no such load"); }
 };
 
-TEST_CASE("DistributedStatics: what a user's function throws in one process ends all", "[petsc]") {
+TEST_CASE("DistributedScene::solve: what a user's function throws in one process ends all",
+          "[petsc]") {
     Model model = lattice(4);
     model.add(Thrower{NodeId{63}});
-    petsc::DistributedStatics statics(model);
+    petsc::DistributedScene statics(model);
     CHECK_THROWS_AS(statics.solve(), std::exception);
     Model calm = lattice(4);
-    petsc::DistributedStatics other(calm);
+    petsc::DistributedScene other(calm);
     StaticsOptions options;
     options.steps = 3;
     const int rank = petsc::Session::rank();
@@ -193,23 +198,25 @@ TEST_CASE("DistributedStatics: what a user's function throws in one process ends
     CHECK(report.factor == Approx(2.0 / 3.0));
 }
 
-TEST_CASE("DistributedStatics: a KSP that diverges is a status with PETSc's reason", "[petsc]") {
+TEST_CASE("DistributedScene::solve: a KSP that diverges is a status with PETSc's reason",
+          "[petsc]") {
     Model model = lattice(4);
     petsc::SolverOptions options = petsc::SolverOptions::iterative();
     options.options += " -ksp_max_it 2";
-    petsc::DistributedStatics statics(model, PETSC_COMM_WORLD, options);
+    petsc::DistributedScene statics(model, PETSC_COMM_WORLD, options);
     const StaticsReport report = statics.solve();
     CHECK(report.status == Status::diverged);
     CHECK_THAT(report.message, ContainsSubstring("DIVERGED_ITS"));
 }
 
-TEST_CASE("DistributedStatics: a tangent that is singular has that status everywhere", "[petsc]") {
+TEST_CASE("DistributedScene::solve: a tangent that is singular has that status everywhere",
+          "[petsc]") {
     Model model;
     const auto frame = ancf::frame<petsc_test::Beam>(
         model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 40}});
     model.pin(frame.joints.front());  // it turns freely
     model.add(Force<3>(frame.joints.back(), Point(0, 0, -10)));
-    petsc::DistributedStatics statics(model);
+    petsc::DistributedScene statics(model);
     const StaticsReport report = statics.solve();
     CHECK(report.status != Status::converged);
     const double status = static_cast<double>(report.status);

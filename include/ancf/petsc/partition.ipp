@@ -7,36 +7,36 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/petsc/errors.hpp>
 #include <ancf/petsc/partition.hpp>
 
 #include <petscmat.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace ancf::petsc::detail {
 
-/// Returns the part of each vertex of a graph, the same in every process.
-/// @param edges  of this process's share of the vertices, both ways, sorted by the first
-[[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
-    MPI_Comm comm, const std::string& prefix, const std::vector<int>& shares,
-    const std::vector<std::pair<int, int>>& edges) {
-    const int first = shares[at(rank_in(comm))], last = shares[at(rank_in(comm)) + 1];
-    PetscInt *ia = nullptr, *ja = nullptr;  // the matrix takes them over
-    check(PetscMalloc1(static_cast<std::size_t>(last - first) + 1, &ia));
-    check(PetscMalloc1(edges.size(), &ja));
-    std::size_t k = 0;
-    for (int vertex = first; vertex < last; ++vertex) {
-        ia[vertex - first] = static_cast<PetscInt>(k);
-        for (; k < edges.size() && edges[k].first == vertex; ++k) ja[k] = edges[k].second;
-    }
-    ia[last - first] = static_cast<PetscInt>(k);
-    Handle<Mat> graph;
+/// Returns the process of each vertex of a graph, the same in every process.
+/// @param shares  process r gives the edges from the vertices shares[r] to before shares[r + 1]
+/// @param from    first vertex of each of these edges; an edge may come more than once
+/// @param to      second vertex
+[[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(MPI_Comm comm, const std::string& prefix,
+                                                          const std::vector<PetscInt>& shares,
+                                                          std::vector<PetscInt> from,
+                                                          std::vector<PetscInt> to) {
+    const std::size_t rank = Session::rank(comm);
+    const PetscInt own = shares[rank + 1] - shares[rank], all = shares.back();
+    Handle<Mat> edges, graph;
     Handle<MatPartitioning> method;
-    Handle<IS> found;
-    check(MatCreateMPIAdj(comm, last - first, shares.back(), ia, ja, nullptr, graph.fresh()));
+    Handle<IS> found, gathered;
+    check(MatCreate(comm, edges.fresh()));
+    check(MatSetSizes(edges, own, own, all, all));
+    check(MatSetType(edges, MATAIJ));
+    check(MatSetPreallocationCOO(edges, from.size(), from.data(), to.data()));
+    check(MatSetValuesCOO(edges, std::vector<double>(from.size(), 1.0).data(), INSERT_VALUES));
+    check(MatConvert(edges, MATMPIADJ, MAT_INITIAL_MATRIX, graph.fresh()));
     check(MatPartitioningCreate(comm, method.fresh()));
     check(MatPartitioningSetAdjacency(method, graph));
 #if defined(PETSC_HAVE_PTSCOTCH)
@@ -46,261 +46,171 @@ namespace ancf::petsc::detail {
                                       prefix.c_str()));
     check(MatPartitioningSetFromOptions(method));
     check(MatPartitioningApply(method, found.fresh()));
-    const PetscInt* of = nullptr;
-    check(ISGetIndices(found, &of));
-    const std::vector<int> own(of, of + (last - first));
-    check(ISRestoreIndices(found, &of));
-    std::vector<int> all(at(shares.back())), counts;
-    for (std::size_t r = 0; r + 1 < shares.size(); ++r) counts.push_back(shares[r + 1] - shares[r]);
-    MPI_Allgatherv(own.data(), last - first, MPI_INT, all.data(), counts.data(), shares.data(),
-                   MPI_INT, comm);
-    return all;
+    check(ISAllGather(found, gathered.fresh()));
+    const PetscInt* part = nullptr;
+    check(ISGetIndices(gathered, &part));
+    std::vector<int> parts(part, part + all);
+    check(ISRestoreIndices(gathered, &part));
+    return parts;
 }
 
+/// Who has what of a scene, the same in every process.
+struct Division {
+    std::vector<int> follows;      // the node that each node is attached to, -1
+    std::vector<int> node;         // process of each node; -1 without vectors
+    std::vector<char> eliminated;  // of each node: attached, and seen by one element alone
+
+    Division(const Scene& whole, MPI_Comm comm, const std::string& prefix)
+        : follows(whole.nodes(), -1), node(follows.size(), -1), eliminated(follows.size(), 0) {
+        for (const AttachedVector& attachment : whole.attachments())
+            follows[attachment.vector.node.index] = attachment.to.index;
+        divide(whole, comm, prefix);
+        for (const auto& group : whole.groups())
+            for (const Connection& c : group->connections)
+                for (const NodeId end : {c.first, c.second})
+                    if (int& of = node[end.index]; of < 0) of = owner(c);
+        for (int k = 0; k < whole.nodes(); ++k)
+            if (int& of = node[k]; of < 0 && whole.layout().size(k) > 0) of = node[leader({k})];
+        eliminate(whole);
+    }
+
+    /// Returns the node that stands for one: itself, or that at the end of its attachments.
+    [[nodiscard]] int leader(NodeId of) const {
+        int k = of.index;
+        while (follows[k] >= 0) k = follows[k];
+        return k;
+    }
+    [[nodiscard]] int owner(const Connection& c) const { return node[leader(c.first)]; }
+    /// What couples nodes is where its first one is.
+    [[nodiscard]] int owner(const Coupling& coupling) const {
+        return coupling.empty() ? 0 : node[coupling.front().node.index];
+    }
+
+private:
+    void divide(const Scene& whole, MPI_Comm comm, const std::string& prefix) {
+        std::vector<int> vertex(node.size(), -1), leaders;
+        for (int k = 0; k < whole.nodes(); ++k)
+            if (whole.layout().size(k) > 0 && follows[k] < 0) {
+                vertex[k] = static_cast<int>(leaders.size());
+                leaders.push_back(k);
+            }
+        const auto count = static_cast<long>(leaders.size());
+        const int rank = Session::rank(comm), ranks = Session::ranks(comm);
+        std::vector<PetscInt> shares = {0};
+        std::vector<int> parts;
+        for (int r = 0; r < ranks; ++r) {
+            shares.push_back(static_cast<PetscInt>((r + 1) * count / ranks));
+            parts.resize(shares.back(), r);
+        }
+        if (ranks > 1 && count >= 16L * ranks) {
+            std::vector<PetscInt> from, to;
+            const auto append = [&](PetscInt a, PetscInt b) {
+                if (a < shares[rank] || a >= shares[rank + 1]) return;
+                from.push_back(a);
+                to.push_back(b);
+            };
+            for (const auto& group : whole.groups())
+                for (const Connection& c : group->connections) {
+                    const int a = vertex[leader(c.first)], b = vertex[leader(c.second)];
+                    append(a, b);
+                    append(b, a);
+                }
+            parts = parts_of_graph(comm, prefix, shares, std::move(from), std::move(to));
+        }
+        for (std::size_t k = 0; k < leaders.size(); ++k) node[leaders[k]] = parts[k];
+    }
+
+    void eliminate(const Scene& whole) {
+        std::vector<int> seen(node.size(), 0);
+        const auto see = [&](NodeId of) { seen[of.index] += 1; };
+        const auto see_all = [&](const Coupling& coupling) {
+            for (const NodeField& vector : coupling) see(vector.node);
+        };
+        for (const auto& group : whole.groups())
+            for (const Connection& c : group->connections) {
+                see(c.first);
+                if (c.second != c.first) see(c.second);
+            }
+        for (const ScaledLoad& load : whole.loads())
+            if (!load.load.constant()) see_all(load.load.coupling());
+        for (const AnyConstraint& each : whole.constraints()) see_all(each.coupling());
+        for (const AttachedVector& attachment : whole.attachments()) see(attachment.to);
+        for (std::size_t k = 0; k < node.size(); ++k)
+            eliminated[k] = follows[k] >= 0 && seen[k] == 1;
+    }
+};
+
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
-    : whole_(whole),
-      comm_(comm),
-      rank_(rank_in(comm)),
-      ranks_(ranks_in(comm)),
-      owner_(at(whole.nodes()), -1) {
+    : whole_(whole), comm_(comm) {
     const QuietErrors quiet;
-    follow();
-    divide(prefix);
-    assign_elements();
-    eliminate();
+    rank_ = Session::rank(comm);
+    division_ = std::make_unique<const Division>(whole, comm, prefix);
     hold();
-    number_rows();
     connect();
 }
 
 ANCF_INLINE Partition::~Partition() = default;
 
-template <class Visitor>
-void Partition::visit_all(int node, const Visitor& visit) const {
-    visit(node);
-    if (followed_.empty()) return;
-    for (const int other : followed_[at(node)]) visit(other);
-}
-
-ANCF_INLINE void Partition::follow() {
-    if (whole_.attachments().empty()) return;
-    const Layout& layout = whole_.layout();
-    followed_.resize(at(layout.nodes()));
-    const auto append = [&](int from, int to) {
-        std::vector<int>& of = followed_[at(from)];
-        if (std::find(of.begin(), of.end(), to) == of.end()) of.push_back(to);
-    };
-    for (const AttachedVector& attachment : whole_.attachments()) {
-        const int from = attachment.vector.node.index;
-        for (const Dependence::Part& part :
-             whole_.dependence().parts(layout.index(attachment.vector)))
-            append(from, layout.node_of(part.first));
-    }
-    // nodes on the way to those that stand free come with them
-    for (const AttachedVector& attachment : whole_.attachments())
-        append(attachment.vector.node.index, attachment.to.index);
-    for (std::vector<int>& of : followed_)
-        for (std::size_t k = 0; k < of.size(); ++k) {
-            const std::vector<int> further = followed_[at(of[k])];
-            for (const int node : further)
-                if (std::find(of.begin(), of.end(), node) == of.end()) of.push_back(node);
-        }
-}
-
-ANCF_INLINE void Partition::divide(const std::string& prefix) {
-    std::vector<int> vertex(owner_.size(), -1), nodes;
-    for (int node = 0; node < whole_.nodes(); ++node)
-        if (whole_.layout().size(node) > 0 && leader(node) == node) {
-            vertex[at(node)] = static_cast<int>(nodes.size());
-            nodes.push_back(node);
-        }
-    const auto count = static_cast<long>(nodes.size());
-    std::vector<int> shares;
-    for (long r = 0; r <= ranks_; ++r) shares.push_back(static_cast<int>(r * count / ranks_));
-    std::vector<int> part(nodes.size());
-    if (ranks_ == 1 || count < 16L * ranks_) {
-        for (int r = 0; r < ranks_; ++r)
-            std::fill(part.begin() + shares[at(r)], part.begin() + shares[at(r) + 1], r);
-    } else {
-        const int first = shares[at(rank_)], last = shares[at(rank_) + 1];
-        std::vector<std::pair<int, int>> edges;
-        std::vector<int> ends;
-        for (const auto& group : whole_.groups())
-            for (const Connection& c : group->connections) {
-                ends.clear();
-                for (const NodeId node : {c.first, c.second})
-                    visit_all(node.index, [&](int k) {
-                        if (vertex[at(k)] >= 0) ends.push_back(vertex[at(k)]);
-                    });
-                for (const int a : ends)
-                    for (const int b : ends)
-                        if (a != b && a >= first && a < last) edges.emplace_back(a, b);
-            }
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        part = parts_of_graph(comm_, prefix, shares, edges);
-    }
-    for (std::size_t k = 0; k < nodes.size(); ++k) owner_[at(nodes[k])] = part[k];
-}
-
-ANCF_INLINE void Partition::assign_elements() {
-    for (const auto& group : whole_.groups()) {
-        std::vector<int>& own = held_.elements.emplace_back();
-        for (int k = 0; k < group->size(); ++k) {
-            const Connection& c = group->connections[at(k)];
-            const int owner = owner_[at(leader(c.first.index))];
-            if (owner == rank_) own.push_back(k);
-            for (const NodeId node : {c.first, c.second})
-                if (int& of = owner_[at(node.index)]; of < 0) of = owner;
-        }
-    }
-    for (int node = 0; node < whole_.nodes(); ++node)
-        if (int& of = owner_[at(node)]; of < 0 && whole_.layout().size(node) > 0)
-            of = owner_[at(leader(node))];
-}
-
-// An attached node that one element alone sees.
-ANCF_INLINE void Partition::eliminate() {
-    eliminated_.assign(owner_.size(), 0);
-    if (followed_.empty()) return;
-    std::vector<int> seen(owner_.size(), 0);
-    const auto see = [&](NodeId node) { seen[at(node.index)] += 1; };
-    for (const auto& group : whole_.groups())
-        for (const Connection& c : group->connections) {
-            see(c.first);
-            if (c.second != c.first) see(c.second);
-        }
-    for (const ScaledLoad& load : whole_.loads())
-        if (!load.load.constant())
-            for (const NodeField& vector : load.load.coupling()) see(vector.node);
-    for (const AnyConstraint& constraint : whole_.constraints())
-        for (const NodeField& vector : constraint.coupling()) see(vector.node);
-    for (const AttachedVector& attachment : whole_.attachments()) see(attachment.to);
-    for (std::size_t k = 0; k < owner_.size(); ++k)
-        eliminated_[k] = !followed_[k].empty() && seen[k] == 1 ? 1 : 0;
-}
-
 ANCF_INLINE void Partition::hold() {
-    held_.nodes.assign(owner_.size(), 0);
-    const auto take = [&](int node) { visit_all(node, [&](int k) { held_.nodes[at(k)] = 1; }); };
+    const Division& division = *division_;
+    held_.nodes.assign(division.node.size(), 0);
+    const auto take = [&](NodeId of) {  // with those that it follows
+        for (int k = of.index; k >= 0; k = division.follows[k]) held_.nodes[k] = 1;
+    };
+    const auto takes = [&](const Coupling& coupling) {
+        if (division.owner(coupling) != rank_) return false;
+        for (const NodeField& vector : coupling) take(vector.node);
+        return true;
+    };
+    const auto places = [](const auto& list, const auto& wanted) {
+        std::vector<int> result;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (wanted(list[k])) result.push_back(static_cast<int>(k));
+        return result;
+    };
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (owner_[at(node)] == rank_) take(node);
-    for (std::size_t group = 0; group < held_.elements.size(); ++group)
-        for (const int k : held_.elements[group]) {
-            const Connection& c = whole_.groups()[group]->connections[at(k)];
-            take(c.first.index);
-            take(c.second.index);
-        }
-    // what couples nodes is where its first one is
-    const auto owner_of = [&](const Coupling& coupling) {
-        const int owner = coupling.empty() ? 0 : owner_[at(coupling.front().node.index)];
-        if (owner == rank_)
-            for (const NodeField& vector : coupling) take(vector.node.index);
-        return owner;
-    };
-    for (std::size_t k = 0; k < whole_.loads().size(); ++k)
-        if (owner_of(whole_.loads()[k].load.coupling()) == rank_)
-            held_.loads.push_back(static_cast<int>(k));
-    for (std::size_t k = 0; k < whole_.constraints().size(); ++k) {
-        constraint_owner_.push_back(owner_of(whole_.constraints()[k].coupling()));
-        if (constraint_owner_.back() == rank_) held_.constraints.push_back(static_cast<int>(k));
-    }
-    for (std::size_t k = 0; k < whole_.masses().size(); ++k)
-        if (owner_[at(whole_.masses()[k].node.index)] == rank_)
-            held_.masses.push_back(static_cast<int>(k));
+        if (division.node[node] == rank_) take({node});
+    for (const auto& group : whole_.groups())
+        held_.elements.push_back(places(group->connections, [&](const Connection& c) {
+            if (division.owner(c) != rank_) return false;
+            take(c.first);
+            take(c.second);
+            return true;
+        }));
+    held_.loads =
+        places(whole_.loads(), [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
+    held_.constraints = places(whole_.constraints(),
+                               [&](const AnyConstraint& each) { return takes(each.coupling()); });
+    held_.masses = places(
+        whole_.masses(), [&](const auto& each) { return division.node[each.node.index] == rank_; });
 }
 
-ANCF_INLINE void Partition::number_rows() {
-    const Layout& layout = whole_.layout();
-    const Numbering numbering(whole_);
-    const auto is_free = [&](int coordinate) { return numbering.equation(coordinate) >= 0; };
-    const auto keeps = [&](int node) {
-        return numbering.block_sizes()[at(node)] > 0 && eliminated_[at(node)] == 0;
-    };
-    if (whole_.constraints().empty()) {
-        by_node_ = true;
-        block_ = 0;
-        for (int node = 0; node < layout.nodes() && by_node_; ++node) {
-            if (!keeps(node)) continue;
-            if (block_ == 0) block_ = layout.size(node);
-            by_node_ = layout.size(node) == block_;
-        }
-        if (!by_node_ || block_ == 0) block_ = layout.dimension();
-    }
-    const auto rows_of = [&](int node) {
-        if (by_node_) return block_;
-        if (block_ == 1) return numbering.block_sizes()[at(node)];
-        int vectors = 0;
-        for (int at = layout.first(node); at < layout.first(node + 1); at += block_) {
-            bool any = false;
-            for (int k = 0; k < block_; ++k) any = any || is_free(at + k);
-            vectors += any ? 1 : 0;
-        }
-        return vectors * block_;
-    };
-    std::vector<PetscInt> count(at(ranks_) + 1, 0);  // of the ranks before
-    for (int node = 0; node < layout.nodes(); ++node)
-        if (keeps(node)) count[at(owner_[at(node)]) + 1] += rows_of(node);
-    for (std::size_t k = 0; k < constraint_owner_.size(); ++k)
-        count[at(constraint_owner_[k]) + 1] += whole_.constraints()[k].equations();
-    for (std::size_t r = 0; r + 1 < count.size(); ++r) count[r + 1] += count[r];
-    first_row_ = count[at(rank_)];
-    last_row_ = count[at(rank_) + 1];
-    node_row_.assign(owner_.size(), -1);
-    for (int node = 0; node < layout.nodes(); ++node)
-        if (keeps(node)) {
-            PetscInt& next = count[at(owner_[at(node)])];
-            node_row_[at(node)] = next;
-            next += rows_of(node);
-        }
-    for (std::size_t k = 0; k < constraint_owner_.size(); ++k) {
-        PetscInt& next = count[at(constraint_owner_[k])];
-        constraint_row_.push_back(next);
-        next += whole_.constraints()[k].equations();
-    }
-}
-
-// The coordinates that a process owns are roots, those at its rim leaves.
 ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
-    std::vector<PetscInt> first(at(ranks_) + 1, 0), global(owner_.size(), -1);
+    const int ranks = Session::ranks(comm_);
+    std::vector<PetscInt> count(ranks, 0);  // coordinates that each process owns
+    std::vector<PetscSFNode> roots;
     for (int node = 0; node < layout.nodes(); ++node)
-        if (const int of = owner_[at(node)]; of >= 0) first[at(of) + 1] += layout.size(node);
-    for (std::size_t r = 0; r + 1 < first.size(); ++r) first[r + 1] += first[r];
-    const PetscInt all = first.back(), own = first[at(rank_) + 1] - first[at(rank_)];
-    for (int node = 0; node < layout.nodes(); ++node)
-        if (const int of = owner_[at(node)]; of >= 0) {
-            global[at(node)] = first[at(of)];
-            first[at(of)] += layout.size(node);
+        for (int k = 0; k < layout.size(node); ++k) {
+            const int owner = division_->node[node];
+            const PetscInt place = count[owner]++;
+            if (held_.nodes[node] == 0) continue;
+            own_.push_back(owner == rank_);
+            roots.push_back({owner, place});
         }
-    std::vector<PetscInt> remote;
-    int next = 0;  // coordinate of the part
-    for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[at(node)] == 0) continue;
-        const bool mine = owner_[at(node)] == rank_;
-        for (int k = 0; k < layout.size(node); ++k, ++next) {
-            own_.push_back(mine ? 1 : 0);
-            (mine ? mine_ : rim_).push_back(next);
-            if (!mine) remote.push_back(global[at(node)] + k);
-        }
-    }
-    roots_.resize(mine_.size());
-    leaves_.resize(rim_.size());
-    if (ranks_ == 1) return;
-    PetscLayout order = nullptr;
-    check(PetscLayoutCreateFromSizes(comm_, own, all, 1, &order));
+    if (ranks == 1) return;
+    sums_.resize(count[rank_]);
     check(PetscSFCreate(comm_, shared_.fresh()));
-    check(PetscSFSetGraphLayout(shared_, order, static_cast<PetscInt>(remote.size()), nullptr,
-                                PETSC_COPY_VALUES, remote.data()));
-    check(PetscLayoutDestroy(&order));
+    check(PetscSFSetGraph(shared_, count[rank_], static_cast<PetscInt>(roots.size()), nullptr,
+                          PETSC_COPY_VALUES, roots.data(), PETSC_COPY_VALUES));
 }
 
 ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
-    std::size_t at = 0;
-    while (at < held_.elements.size() && whole_.groups()[at].get() != &group) ++at;
-    ancf::detail::require(at < held_.elements.size(),
+    std::size_t k = 0;
+    while (k < held_.elements.size() && whole_.groups()[k].get() != &group) ++k;
+    ancf::detail::require(k < held_.elements.size(),
                           "petsc: the scene had no element of this type when it was divided");
-    const std::vector<int>& own = held_.elements[at];
+    const std::vector<int>& own = held_.elements[k];
     const auto found = std::lower_bound(own.begin(), own.end(), element);
     return found != own.end() && *found == element ? static_cast<int>(found - own.begin()) : -1;
 }
@@ -308,14 +218,11 @@ ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element
 ANCF_INLINE void Partition::add(VectorX& forces) const {
     if (shared_ == nullptr) return;
     const QuietErrors quiet;
-    for (std::size_t k = 0; k < mine_.size(); ++k) roots_[k] = forces[mine_[k]];
-    for (std::size_t k = 0; k < rim_.size(); ++k) leaves_[k] = forces[rim_[k]];
-    check(PetscSFReduceBegin(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
-    check(PetscSFReduceEnd(shared_, MPIU_SCALAR, leaves_.data(), roots_.data(), MPI_SUM));
-    check(PetscSFBcastBegin(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
-    check(PetscSFBcastEnd(shared_, MPIU_SCALAR, roots_.data(), leaves_.data(), MPI_REPLACE));
-    for (std::size_t k = 0; k < mine_.size(); ++k) forces[mine_[k]] = roots_[k];
-    for (std::size_t k = 0; k < rim_.size(); ++k) forces[rim_[k]] = leaves_[k];
+    std::fill(sums_.begin(), sums_.end(), 0.0);
+    check(PetscSFReduceBegin(shared_, MPIU_SCALAR, forces.data(), sums_.data(), MPI_SUM));
+    check(PetscSFReduceEnd(shared_, MPIU_SCALAR, forces.data(), sums_.data(), MPI_SUM));
+    check(PetscSFBcastBegin(shared_, MPIU_SCALAR, sums_.data(), forces.data(), MPI_REPLACE));
+    check(PetscSFBcastEnd(shared_, MPIU_SCALAR, sums_.data(), forces.data(), MPI_REPLACE));
 }
 
 ANCF_INLINE void Partition::sum(double* values, int count) const {
@@ -323,79 +230,91 @@ ANCF_INLINE void Partition::sum(double* values, int count) const {
 }
 
 ANCF_INLINE double Partition::largest(double value) const {
-    // a NaN counts as more than any number
-    if (value != value) value = HUGE_VAL;
+    if (std::isnan(value)) value = HUGE_VAL;  // more than any number
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, comm_);
     return value;
 }
 
 ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
     const Layout& layout = whole_.layout();
-    ancf::detail::require(of_part.size() == static_cast<Eigen::Index>(own_.size()),
-                          "Partition::gather: expected ", own_.size(), " coordinates, got ",
-                          of_part.size());
+    const auto count = static_cast<Eigen::Index>(own_.size());
+    ancf::detail::require(of_part.size() == count, "Partition::gather: expected ", count,
+                          " coordinates, got ", of_part.size());
     VectorX all = VectorX::Zero(layout.size());
-    Eigen::Index next = 0;
+    int next = 0;
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (held_.nodes[at(node)] == 0) continue;
+        if (held_.nodes[node] == 0) continue;
         for (int k = layout.first(node); k < layout.first(node + 1); ++k, ++next)
-            if (owner_[at(node)] == rank_) all[k] = of_part[next];
+            if (owns(next)) all[k] = of_part[next];
+    }
+    sum(all.data(), layout.size());
+    return all;
+}
+
+ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
+    VectorX all = VectorX::Zero(whole_.state().multipliers.size());
+    Eigen::Index place = 0, next = 0;
+    for (const AnyConstraint& each : constraints()) {
+        const bool own = division_->owner(each.coupling()) == rank_;
+        for (int i = 0; i < each.equations(); ++i, ++place)
+            if (own) all[place] = of_part[next++];
     }
     sum(all.data(), static_cast<int>(all.size()));
     return all;
 }
 
-ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
-    std::vector<double> all;
-    Eigen::Index next = 0;
-    for (std::size_t k = 0; k < constraint_owner_.size(); ++k)
-        for (int i = 0; i < whole_.constraints()[k].equations(); ++i)
-            all.push_back(constraint_owner_[k] == rank_ ? of_part[next++] : 0.0);
-    sum(all.data(), static_cast<int>(all.size()));
-    return Eigen::Map<const VectorX>(all.data(), static_cast<Eigen::Index>(all.size()));
-}
-
-ANCF_INLINE Partition::Rows Partition::rows(const Scene& part, const Numbering& numbering) const {
+ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) const {
     const Layout& layout = part.layout();
-    Rows rows;
-    rows.row.reserve(at(numbering.unknowns()));
-    std::vector<char> taken(static_cast<std::size_t>(last_row_ - first_row_), 0);
-    const auto append = [&](PetscInt row) {
-        const bool own = row >= first_row_ && row < last_row_;
-        if (own) taken[static_cast<std::size_t>(row - first_row_)] = 1;
-        rows.row.push_back(row);
-        rows.own.push_back(own ? 1 : 0);
+    const int* const equation = numbering.equations();
+    const auto any_free = [&](int from, int to) {
+        return std::any_of(equation + from, equation + to, [](int e) { return e >= 0; });
     };
+    std::vector<int> own;                 // nodes of this process with rows
+    double most = 0.0, least = HUGE_VAL;  // coordinates of such a node
     for (int node = 0; node < layout.nodes(); ++node) {
-        const PetscInt first = node_row_[at(node)];
-        PetscInt next = 0;  // of the node's rows so far
-        const int step = by_node_ || block_ == 1 ? 1 : block_;
-        for (int at = layout.first(node); at < layout.first(node + 1); at += step) {
-            bool any = false;
-            for (int k = 0; k < step; ++k) {
-                if (numbering.equation(at + k) < 0) continue;
-                any = true;
-                append(first < 0 ? -1 : first + next + k);
-            }
-            if (any || by_node_) next += step;
-        }
+        if (division_->node[node] != rank_ || division_->eliminated[node] != 0 ||
+            !any_free(layout.first(node), layout.first(node + 1)))
+            continue;
+        own.push_back(node);
+        most = std::max<double>(most, layout.size(node));
+        least = std::min<double>(least, layout.size(node));
     }
-    for (const int k : held_.constraints)
-        for (int i = 0; i < whole_.constraints()[at(k)].equations(); ++i)
-            append(constraint_row_[at(k)] + i);
-    for (std::size_t k = 0; k < taken.size(); ++k)
-        if (taken[k] == 0) rows.idle.push_back(first_row_ + static_cast<PetscInt>(k));
-    if (followed_.empty()) return rows;
+    most = largest(most);
+    const bool alike = most == -largest(-least);
+    Rows rows;
+    rows.block = !constraints().empty() ? 1 : alike ? static_cast<int>(most) : layout.dimension();
+
+    // a block has rows where any of its coordinates is free; they count from 1, 0 is none
+    VectorX number = VectorX::Zero(layout.size());
+    PetscInt count = 0;
+    for (const int node : own)
+        for (int k = layout.first(node), end = layout.first(node + 1), next = k; k < end;
+             k = next) {
+            next = std::min(k + rows.block, end);
+            if (!any_free(k, next)) continue;
+            for (; k < next; ++k) {
+                if (equation[k] < 0) rows.idle.push_back(count);
+                number[k] = ++count;
+            }
+        }
+    count += numbering.multipliers();
+    MPI_Scan(&count, &rows.last, 1, MPIU_INT, MPI_SUM, comm_);
+    rows.first = rows.last - count;
+    for (PetscInt& idle : rows.idle) idle += rows.first;
+    for (double& row : number) row += row > 0.0 ? rows.first : 0;
+    add(number);
+    for (int k = 0; k < layout.size(); ++k)
+        if (equation[k] >= 0) rows.row.push_back(static_cast<PetscInt>(number[k]) - 1);
+    for (int k = numbering.multipliers(); k > 0; --k) rows.row.push_back(rows.last - k);
+
+    // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())
         for (const Connection& c : group->connections) {
-            std::vector<int> set;
-            for (const int node : {c.first.index, c.second.index})
-                if (eliminated_[at(node)] != 0)
-                    for (int k = layout.first(node); k < layout.first(node + 1); ++k)
-                        if (const int equation = numbering.equation(k); equation >= 0)
-                            set.push_back(equation);
-            std::sort(set.begin(), set.end());
-            if (!set.empty()) rows.sets.push_back(std::move(set));
+            std::set<int> set;
+            for (const NodeId node : {c.first, c.second})
+                for (int k = layout.first(node.index); k < layout.first(node.index + 1); ++k)
+                    if (equation[k] >= 0 && number[k] == 0.0) set.insert(equation[k]);
+            if (!set.empty()) rows.sets.emplace_back(set.begin(), set.end());
         }
     return rows;
 }

@@ -12,7 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/petsc/errors.hpp>
+#include <ancf/petsc/session.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -21,35 +21,6 @@
 #include <string_view>
 
 namespace ancf::petsc {
-
-/// Starts MPI and PETSc where nobody has, and ends what it started.
-///
-///     int main(int argc, char** argv) {
-///         const ancf::petsc::Session session(&argc, &argv);  // before everything of ancf::petsc
-///
-/// A program that calls PetscInitialize itself needs none. Errors of PETSc inside this library are
-/// statuses or exceptions: they print nothing and abort nothing.
-class Session {
-public:
-    /// Reads PETSc's options from the command line.
-    /// @throws std::runtime_error where PETSc does not start.
-    explicit Session(int* argc = nullptr, char*** argv = nullptr);
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-    ~Session();
-
-    /// Returns the number of this process, from 0.
-    [[nodiscard]] static int rank(MPI_Comm comm = PETSC_COMM_WORLD) {
-        return detail::rank_in(comm);
-    }
-    /// Returns the number of processes.
-    [[nodiscard]] static int ranks(MPI_Comm comm = PETSC_COMM_WORLD) {
-        return detail::ranks_in(comm);
-    }
-
-private:
-    bool own_;
-};
 
 /// What PETSc is asked for.
 struct SolverOptions {
@@ -117,10 +88,7 @@ public:
     [[nodiscard]] int block_size() const noexcept;
 
 private:
-    struct Finish {
-        void operator()(detail::SolverRun* run) const noexcept;
-    };
-    std::unique_ptr<detail::SolverRun, Finish> run_;
+    std::unique_ptr<detail::SolverRun> run_;
     ancf::detail::SolverStage stage_;
 };
 

@@ -6,18 +6,22 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/error.hpp>
-#include <ancf/petsc/condensation.hpp>
 #include <ancf/petsc/partition.hpp>
 #include <ancf/petsc/solver.hpp>
 
 #include <petscksp.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -25,18 +29,8 @@
 
 namespace ancf::petsc {
 
-ANCF_INLINE Session::Session(int* argc, char*** argv) : own_(!detail::petsc_runs()) {
-    if (own_) detail::check(PetscInitialize(argc, argv, nullptr, nullptr));
-}
-
-ANCF_INLINE Session::~Session() {
-    if (own_) static_cast<void>(PetscFinalize());
-}
-
 ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
-    SolverOptions options;
-    options.prefix = std::move(prefix);
-    return options;
+    return {SolverOptions().options, std::move(prefix)};
 }
 
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
@@ -55,33 +49,28 @@ class OptionsInTable {
 public:
     /// @throws InvalidArgument for a text that is no list of options.
     OptionsInTable(const std::string& text, const std::string& prefix) {
+        std::map<std::string, std::string> values;
+        std::string* value = nullptr;  // of the last name
         std::istringstream words(text);
-        std::string word, name;
-        const auto is_name = [](const std::string& w) {
-            return w.size() > 1 && w[0] == '-' && std::isalpha(static_cast<unsigned char>(w[1]));
-        };
-        const auto set = [&](const std::string& value) {
-            if (name.empty()) return;
-            const bool again = std::find(names_.begin(), names_.end(), name) != names_.end();
-            PetscBool given = PETSC_FALSE;  // on the command line
-            if (!again) check(PetscOptionsHasName(nullptr, nullptr, name.c_str(), &given));
-            if (given == PETSC_FALSE) {
-                check(PetscOptionsSetValue(nullptr, name.c_str(), value.c_str()));
-                if (!again) names_.push_back(name);
+        for (std::string word; words >> word;) {
+            PetscBool is_name = PETSC_FALSE;
+            check(PetscOptionsValidKey(word.c_str(), &is_name));
+            if (is_name != PETSC_FALSE) {
+                value = &values["-" + prefix + word.substr(1)];
+                value->clear();
+                continue;
             }
-            name.clear();
-        };
-        while (words >> word) {
-            if (is_name(word)) {
-                set("");
-                name = "-" + prefix + word.substr(1);
-            } else {
-                ancf::detail::require(!name.empty(), "petsc::SolverOptions: \"", word,
-                                      "\" follows no name of an option in \"", text, "\"");
-                set(word);
-            }
+            ancf::detail::require(value != nullptr && value->empty(), "petsc::SolverOptions: \"",
+                                  word, "\" follows no name of an option in \"", text, "\"");
+            *value = word;
         }
-        set("");
+        for (const auto& option : values) {
+            PetscBool given = PETSC_FALSE;  // on the command line
+            check(PetscOptionsHasName(nullptr, nullptr, option.first.c_str(), &given));
+            if (given != PETSC_FALSE) continue;
+            check(PetscOptionsSetValue(nullptr, option.first.c_str(), option.second.c_str()));
+            names_.push_back(option.first);
+        }
     }
     OptionsInTable(const OptionsInTable&) = delete;
     OptionsInTable& operator=(const OptionsInTable&) = delete;
@@ -94,261 +83,235 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Returns a prefix that no other solver of this process has.
-[[nodiscard]] ANCF_INLINE std::string fresh_prefix() {
-    static long count = 0;
-    return "ancf_" + std::to_string(++count) + "_";
+/// Calls visit(i, j, k) for the stored entries k of a matrix in rows[i] and columns[j], ascending.
+template <class Visitor>
+void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
+                 const Eigen::VectorXi& columns, const Visitor& visit) {
+    const int* const inner = matrix.innerIndexPtr();
+    for (Eigen::Index j = 0; j < columns.size(); ++j) {
+        const int* found = inner + matrix.outerIndexPtr()[columns[j]];
+        const int* const end = inner + matrix.outerIndexPtr()[columns[j] + 1];
+        for (Eigen::Index i = 0; i < rows.size(); ++i) {
+            while (found != end && *found < rows[i]) ++found;
+            if (found != end && *found == rows[i]) visit(i, j, found - inner);
+        }
+    }
 }
+
+/// Eliminates sets of unknowns, e, that few others, n, see: S = K_nn - K_ne K_ee^-1 K_en.
+///
+/// Members that end at a joint have a slope r_x of their own there; without it all nodes of a frame
+/// are alike.
+class Condensation {
+public:
+    Condensation() = default;
+
+    /// @param pattern    of full storage; it couples all that a set touches with each other.
+    /// @param sets       ascending, apart, and without entries between two of them.
+    /// @param symmetric  whether values are.
+    Condensation(const SparseMatrix& pattern, const std::vector<std::vector<int>>& sets,
+                 bool symmetric)
+        : symmetric_(symmetric), skipped_(pattern.cols() + 1, 0) {
+        const int* const outer = pattern.outerIndexPtr();
+        const int* const rows = pattern.innerIndexPtr();
+        using Places = Eigen::Map<const Eigen::VectorXi>;
+        for (const std::vector<int>& own : sets) {
+            std::vector<int> others;
+            std::set_difference(rows + outer[own[0]], rows + outer[own[0] + 1], own.begin(),
+                                own.end(), std::back_inserter(others));
+            Set& set = sets_.emplace_back();
+            set.own = Places(own.data(), own.size());
+            set.others = Places(others.data(), others.size());
+            for (const int j : own) skipped_[j + 1] = outer[j + 1] - outer[j];
+        }
+        std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
+    }
+
+    /// Tells whether an unknown is left.
+    [[nodiscard]] bool keeps(int unknown) const {
+        return skipped_[unknown] == skipped_[unknown + 1];
+    }
+
+    /// Writes the columns that are left, one after the other, with S in the rows that are left.
+    /// @return false where a set has no stiffness of its own.
+    [[nodiscard]] bool reduce(const SparseMatrix& matrix, double* values) {
+        const int* const outer = matrix.outerIndexPtr();
+        for (int j = 0; j < matrix.cols(); ++j)
+            if (keeps(j))
+                std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
+                          values + outer[j] - skipped_[j]);
+        const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
+                              MatrixX& to) {
+            to.setZero(rows.size(), columns.size());
+            visit_block(matrix, rows, columns,
+                        [&](auto i, auto j, auto k) { to(i, j) = matrix.valuePtr()[k]; });
+        };
+        MatrixX ee, ne, en, change;
+        for (Set& set : sets_) {
+            copy(set.own, set.own, ee);
+            copy(set.others, set.own, ne);
+            if (symmetric_)
+                en = ne.transpose();
+            else
+                copy(set.own, set.others, en);
+            set.inverse = ee.inverse();
+            if (!set.inverse.allFinite()) return false;
+            set.right.noalias() = set.inverse * en;
+            if (!symmetric_) set.left.noalias() = ne * set.inverse;
+            change.noalias() = ne * set.right;
+            visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
+                values[k - skipped_[set.others[j]]] -= change(i, j);
+            });
+        }
+        return true;
+    }
+
+    /// Returns what the sets add to the right-hand side, -K_ne K_ee^-1 b_e.
+    [[nodiscard]] VectorX shift(const VectorX& b) const {
+        VectorX out = VectorX::Zero(b.size());
+        for (const Set& set : sets_) {
+            const VectorX own = b(set.own);
+            if (symmetric_)
+                out(set.others) -= set.right.transpose() * own;
+            else
+                out(set.others) -= set.left * own;
+        }
+        return out;
+    }
+
+    /// Sets the eliminated entries of a solution.
+    void complete(const VectorX& b, VectorX& x) const {
+        for (const Set& set : sets_)
+            x(set.own) = set.inverse * b(set.own) - set.right * x(set.others);
+    }
+
+private:
+    struct Set {
+        Eigen::VectorXi own, others;   // e and n
+        MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1 unless symmetric
+    };
+
+    bool symmetric_ = false;
+    std::vector<int> skipped_;  // entries of eliminated columns before each column, and the end
+    std::vector<Set> sets_;
+};
 
 /// The objects of PETSc, and how a matrix becomes theirs.
 struct SolverRun {
-    SolverRun(const Scene* of, SolverOptions wanted);
-    SolverRun(const SolverRun&) = delete;
-    SolverRun& operator=(const SolverRun&) = delete;
-    ~SolverRun() = default;
-
-    void analyze(const SparseMatrix& pattern);
-    void set_values(const SparseMatrix& matrix);
-    void set_rigid_motions();
-    [[nodiscard]] std::string refusal();
-    FactorReport factorize(const SparseMatrix& matrix);
-    void solve(const VectorX& right, VectorX& x);
-
     const Scene* scene;
     SolverOptions options;
     MPI_Comm comm = PETSC_COMM_SELF;
     std::unique_ptr<OptionsInTable> table;
     const Partition* partition = nullptr;
     std::unique_ptr<Partition> alone;  // of a whole scene
-    Partition::Rows rows;
-    Condensation condensation;
     Numbering numbering;
-    bool symmetric = false;
+    Rows rows;
+    Condensation condensation;
+    bool symmetric = false, factorises = false;
     PetscInt size = 0;           // rows of all processes
     std::vector<double> values;  // handed over
-    VectorX local, shifted;
     Handle<KSP> ksp;
     Handle<Mat> matrix;
     Handle<Vec> b, x;
-    Handle<Vec> part;  // entries of this process's equations
-    Handle<VecScatter> scatter;
     std::string failure;
     int iterations = 0, most = 0;
-    bool factorises = false;
-};
 
-ANCF_INLINE SolverRun::SolverRun(const Scene* of, SolverOptions wanted)
-    : scene(of), options(std::move(wanted)) {
-    require_session();
-    const QuietErrors quiet;
-    if (options.prefix.empty()) options.prefix = fresh_prefix();
-    table = std::make_unique<OptionsInTable>(options.options, options.prefix);
-    if (scene != nullptr) partition = static_cast<const Partition*>(scene->exchange());
-    if (partition != nullptr) comm = partition->comm();
-    try {
-        check(KSPCreate(comm, ksp.fresh()));
-        check(KSPSetOptionsPrefix(ksp, options.prefix.c_str()));
-        check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
-        check(KSPSetFromOptions(ksp));
-    } catch (const PetscFailure& failed) {
-        ksp.reset();
-        ancf::detail::reject("petsc::SolverOptions \"", options.options, "\": ", failed.what());
+    SolverRun(const Scene* of, SolverOptions wanted) : scene(of), options(std::move(wanted)) {
+        const QuietErrors quiet;
+        static long count = 0;
+        if (options.prefix.empty()) options.prefix = "ancf_" + std::to_string(++count) + "_";
+        table = std::make_unique<OptionsInTable>(options.options, options.prefix);
+        if (scene != nullptr) partition = static_cast<const Partition*>(scene->exchange());
+        if (partition != nullptr) comm = partition->comm();
+        try {
+            check(KSPCreate(comm, ksp.fresh()));
+            check(KSPSetOptionsPrefix(ksp, options.prefix.c_str()));
+            check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
+            check(KSPSetFromOptions(ksp));
+        } catch (const std::runtime_error& failed) {
+            ancf::detail::reject("petsc::SolverOptions \"", options.options, "\": ", failed.what());
+        }
+        PC pc = nullptr;
+        PetscBool direct = PETSC_FALSE;
+        check(KSPGetPC(ksp, &pc));
+        check(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(pc), &direct, PCLU,
+                                        PCCHOLESKY, ""));
+        factorises = direct != PETSC_FALSE;
     }
-    PC pc = nullptr;
-    check(KSPGetPC(ksp, &pc));
-    PetscBool lu = PETSC_FALSE, cholesky = PETSC_FALSE;
-    check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCLU, &lu));
-    check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &cholesky));
-    factorises = lu != PETSC_FALSE || cholesky != PETSC_FALSE;
-}
 
-ANCF_INLINE void SolverRun::analyze(const SparseMatrix& pattern) {
-    check(KSPReset(ksp));
-    PetscInt first = 0, last = static_cast<PetscInt>(pattern.rows());
-    symmetric = false;
-    int block = 1;
-    if (scene == nullptr) {
+    void analyze(const SparseMatrix& pattern) {
+        check(KSPReset(ksp));
         rows = {};
-        for (PetscInt k = 0; k < last; ++k) rows.row.push_back(k);
-        rows.own.assign(rows.row.size(), 1);
-    } else {
-        numbering = Numbering(*scene);
-        ancf::detail::require(pattern.rows() == numbering.unknowns(),
-                              "petsc::Solver: the scene has ", numbering.unknowns(),
-                              " unknowns, the matrix ", pattern.rows());
-        if (scene->exchange() == nullptr) {  // it may have changed
-            alone.reset();
-            alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
-            partition = alone.get();
+        if (scene == nullptr) {
+            rows.last = static_cast<PetscInt>(pattern.rows());
+            for (PetscInt k = 0; k < rows.last; ++k) rows.row.push_back(k);
+        } else {
+            numbering = Numbering(*scene);
+            ancf::detail::require(pattern.rows() == numbering.unknowns(),
+                                  "petsc::Solver: the scene has ", numbering.unknowns(),
+                                  " unknowns, the matrix ", pattern.rows());
+            if (scene->exchange() == nullptr) {  // it may have changed
+                alone = std::make_unique<Partition>(*scene, PETSC_COMM_SELF);
+                partition = alone.get();
+            }
+            rows = partition->rows(*scene, numbering);
+            const auto& loads = partition->whole().loads();
+            symmetric = std::all_of(loads.begin(), loads.end(),
+                                    [](const ScaledLoad& load) { return load.load.symmetric(); });
         }
-        rows = partition->rows(*scene, numbering);
-        first = partition->first_row();
-        last = partition->last_row();
-        block = partition->block_size();
-        const auto& loads = partition->whole().loads();
-        symmetric = std::all_of(loads.begin(), loads.end(),
-                                [](const ScaledLoad& load) { return load.load.symmetric(); });
-    }
-    condensation = Condensation(pattern, std::move(rows.sets), symmetric);
+        condensation = Condensation(pattern, rows.sets, symmetric);
 
-    std::vector<PetscInt> is, js;  // of each value
-    is.reserve(condensation.entries() + rows.idle.size());
-    js.reserve(is.capacity());
-    for (int j = 0; j < pattern.cols(); ++j) {
-        if (!condensation.keeps(j)) continue;
-        for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
-            const int i = pattern.innerIndexPtr()[k];
-            if (!condensation.keeps(i)) continue;
-            is.push_back(rows.row[at(i)]);
-            js.push_back(rows.row[at(j)]);
-        }
-    }
-    is.insert(is.end(), rows.idle.begin(), rows.idle.end());
-    js.insert(js.end(), rows.idle.begin(), rows.idle.end());
-    values.resize(is.size());
-
-    check(MatCreate(comm, matrix.fresh()));
-    check(MatSetSizes(matrix, last - first, last - first, PETSC_DETERMINE, PETSC_DETERMINE));
-    check(MatSetType(matrix, MATAIJ));
-    check(MatSetBlockSize(matrix, block));
-    check(MatSetPreallocationCOO(matrix, static_cast<PetscCount>(is.size()), is.data(), js.data()));
-    Mat own = nullptr;  // PETSc 3.18 forgets the blocks of this process's part
-    check(MatGetDiagonalBlock(matrix, &own));
-    check(MatSetBlockSize(own, block));
-    if (symmetric) {
-        check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
-        check(MatSetOption(matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
-    }
-    check(MatGetSize(matrix, &size, nullptr));
-    check(MatCreateVecs(matrix, x.fresh(), b.fresh()));
-
-    std::vector<PetscInt> to, from;  // rows, and the equations that have them
-    for (std::size_t k = 0; k < rows.row.size(); ++k)
-        if (rows.row[k] >= 0) {
-            to.push_back(rows.row[k]);
-            from.push_back(static_cast<PetscInt>(k));
-        }
-    check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(rows.row.size()), part.fresh()));
-    Handle<IS> is_rows, is_equations;
-    const auto count = static_cast<PetscInt>(to.size());
-    check(ISCreateGeneral(comm, count, to.data(), PETSC_COPY_VALUES, is_rows.fresh()));
-    check(ISCreateGeneral(PETSC_COMM_SELF, count, from.data(), PETSC_COPY_VALUES,
-                          is_equations.fresh()));
-    check(VecScatterCreate(x, is_rows, part, is_equations, scatter.fresh()));
-}
-
-ANCF_INLINE void SolverRun::set_values(const SparseMatrix& from) {
-    double failed = condensation.reduce(from, values.data()) ? 0.0 : 1.0;
-    double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
-    if (!rows.idle.empty() || partition != nullptr) {
-        for (int j = 0; j < from.cols(); ++j) {
+        std::vector<PetscInt> is, js;  // PETSc leaves out entries in rows of -1
+        for (int j = 0; j < pattern.cols(); ++j) {
             if (!condensation.keeps(j)) continue;
-            const double entry = std::abs(from.coeff(j, j));
-            if (!std::isfinite(entry)) continue;
-            mean[0] += entry;
-            mean[1] += 1.0;
-        }
-        if (partition != nullptr) {
-            partition->sum(mean, 2);
-            failed = partition->largest(failed);
-        }
-        const double idle = mean[0] > 0.0 ? mean[0] / mean[1] : 1.0;
-        std::fill(values.end() - static_cast<std::ptrdiff_t>(rows.idle.size()), values.end(), idle);
-    }
-    if (failed > 0.0) throw std::domain_error("the slope r_x of a member's end has no stiffness");
-    check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
-}
-
-// Translations of positions, and w x v of positions and slopes, where the scene stands now. Where
-// nodes differ, or have positions alone, a few of them cannot hold six motions: PETSc's own choice
-// of three, a constant in each direction, stays.
-ANCF_INLINE void SolverRun::set_rigid_motions() {
-    if (scene == nullptr || size == 0 || !partition->blocks_are_nodes()) return;
-    const Layout& layout = scene->layout();
-    const VectorX& q = scene->state().q;
-    const int dimension = layout.dimension(), turns = dimension == 3 ? 3 : 1;
-    std::vector<Handle<Vec>> modes;
-    for (int m = 0; m < dimension + turns; ++m) {
-        check(VecDuplicate(x, modes.emplace_back().fresh()));
-        const Vec mode = modes.back();
-        PetscScalar* entry = nullptr;
-        check(VecGetArray(mode, &entry));
-        for (int node = 0; node < layout.nodes(); ++node)
-            for (int k = layout.first(node); k < layout.first(node + 1); k += dimension) {
-                double v[3] = {};
-                if (m < dimension) {
-                    v[m] = k == layout.first(node) ? 1.0 : 0.0;  // a node's position comes first
-                } else {
-                    const int a = dimension == 3 ? (m - dimension + 1) % 3 : 0;
-                    const int c = dimension == 3 ? (m - dimension + 2) % 3 : 1;
-                    v[a] = -q[k + c];
-                    v[c] = q[k + a];
-                }
-                for (int i = 0; i < dimension; ++i) {
-                    const int equation = numbering.equation(k + i);
-                    if (equation < 0 || rows.own[at(equation)] == 0) continue;
-                    entry[rows.row[at(equation)] - partition->first_row()] = v[i];
-                }
+            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
+                is.push_back(rows.row[pattern.innerIndexPtr()[k]]);
+                js.push_back(rows.row[j]);
             }
-        check(VecRestoreArray(mode, &entry));
-        for (int sweep = 0; sweep < 2; ++sweep)
-            for (std::size_t k = 0; k + 1 < modes.size(); ++k) {
-                PetscScalar share = 0.0;
-                check(VecDot(mode, modes[k], &share));
-                check(VecAXPY(mode, -share, modes[k]));
-            }
-        PetscReal length = 0.0;
-        check(VecNormalize(mode, &length));
-        if (length <= 1e-12) modes.pop_back();
-    }
-    const std::vector<Vec> all(modes.begin(), modes.end());
-    Handle<MatNullSpace> space;
-    check(MatNullSpaceCreate(comm, PETSC_FALSE, static_cast<PetscInt>(all.size()), all.data(),
-                             space.fresh()));
-    check(MatSetNearNullSpace(matrix, space));
-}
+        }
+        is.insert(is.end(), rows.idle.begin(), rows.idle.end());
+        js.insert(js.end(), rows.idle.begin(), rows.idle.end());
+        values.resize(is.size());
 
-/// Says why a kind of solver does not suit the scene; empty where it does.
-ANCF_INLINE std::string SolverRun::refusal() {
-    if (scene == nullptr || factorises) return {};
-    if (!partition->whole().constraints().empty())
-        return "a scene with multipliers needs a direct solver: -pc_type lu "
-               "-pc_factor_mat_solver_type mumps";
-    KSPType type = nullptr;
-    check(KSPGetType(ksp, &type));
-    const std::string name = type != nullptr ? type : "";
-    const bool needs_symmetry = name.find("cg") != std::string::npos && name.find("bcgs") != 0 &&
-                                name != "cgs" && name != "cgne";
-    if (!symmetric && (needs_symmetry || name == "minres" || name == "symmlq"))
-        return "a load has an unsymmetric stiffness, which " + name +
-               " cannot solve: take gmres or a direct solver";
-    return {};
-}
+        const PetscInt own = rows.last - rows.first;
+        check(MatCreate(comm, matrix.fresh()));
+        check(MatSetSizes(matrix, own, own, PETSC_DETERMINE, PETSC_DETERMINE));
+        check(MatSetType(matrix, MATAIJ));
+        check(MatSetBlockSize(matrix, rows.block));
+        check(MatSetPreallocationCOO(matrix, is.size(), is.data(), js.data()));
+        Mat diagonal = nullptr;  // PETSc 3.18 forgets the blocks of this process's part
+        check(MatGetDiagonalBlock(matrix, &diagonal));
+        check(MatSetBlockSize(diagonal, rows.block));
+        if (symmetric) {
+            check(MatSetOption(matrix, MAT_SYMMETRIC, PETSC_TRUE));
+            check(MatSetOption(matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+        }
+        check(MatGetSize(matrix, &size, nullptr));
+        check(MatCreateVecs(matrix, x.fresh(), b.fresh()));
+    }
 
-ANCF_INLINE FactorReport SolverRun::factorize(const SparseMatrix& from) {
-    failure.clear();
-    iterations = 0;
-    FactorReport report;
-    if (size == 0) {
-        report.status =
-            condensation.reduce(from, values.data()) ? Status::converged : Status::singular;
+    FactorReport factorize(const SparseMatrix& from) {
+        failure.clear();
+        iterations = 0;
+        FactorReport report;
+        try {
+            report.status = prepare(from);
+        } catch (const std::runtime_error& failed) {
+            report.status = Status::diverged;
+            failure = failed.what();
+        }
         return report;
     }
-    double finite = 1.0;
-    for (Eigen::Index k = 0; k < from.nonZeros() && finite > 0.0; ++k)
-        finite = std::isfinite(from.valuePtr()[k]) ? 1.0 : 0.0;
-    if (partition != nullptr) finite = -partition->largest(-finite);
-    if (finite == 0.0) {
-        report.status = Status::not_finite;
-        return report;
-    }
-    failure = refusal();
-    if (!failure.empty()) {
-        report.status = Status::diverged;
-        return report;
-    }
-    try {
-        set_values(from);
+
+    Status prepare(const SparseMatrix& from) {
+        if (largest(ancf::detail::all_finite(from) ? 0 : 1) > 0) return Status::not_finite;
+        if (size > 0) failure = refusal();
+        if (!failure.empty()) return Status::diverged;
+        if (!set_values(from)) {
+            failure = "the slope r_x of a member's end has no stiffness";
+            return Status::singular;
+        }
+        if (size == 0) return Status::converged;
         if (!factorises) set_rigid_motions();
         check(KSPSetOperators(ksp, matrix, matrix));
         check(KSPSetUp(ksp));
@@ -356,46 +319,113 @@ ANCF_INLINE FactorReport SolverRun::factorize(const SparseMatrix& from) {
         PCFailedReason reason = PC_NOERROR;
         check(KSPGetPC(ksp, &pc));
         check(PCGetFailedReason(pc, &reason));
-        double worst = static_cast<double>(reason);
-        if (partition != nullptr) worst = partition->largest(worst);
-        if (worst != 0.0) {
-            const auto code = static_cast<PCFailedReason>(static_cast<int>(worst));
-            const bool pivot =
-                code == PC_FACTOR_NUMERIC_ZEROPIVOT || code == PC_FACTOR_STRUCT_ZEROPIVOT;
-            report.status = pivot ? Status::singular : Status::diverged;
-            failure = std::string("PETSc: the preconditioner failed: ") + PCFailedReasons[code];
-        }
-    } catch (const std::domain_error& singular) {
-        report.status = Status::singular;
-        failure = singular.what();
-    } catch (const PetscFailure& failed) {
-        report.status = Status::diverged;
-        failure = failed.what();
+        reason = static_cast<PCFailedReason>(largest(reason));
+        if (reason == PC_NOERROR) return Status::converged;
+        failure = std::string("PETSc: the preconditioner failed: ") + PCFailedReasons[reason];
+        const bool pivot =
+            reason == PC_FACTOR_NUMERIC_ZEROPIVOT || reason == PC_FACTOR_STRUCT_ZEROPIVOT;
+        return pivot ? Status::singular : Status::diverged;
     }
-    return report;
-}
 
-ANCF_INLINE void SolverRun::solve(const VectorX& right, VectorX& out) {
-    const auto count = static_cast<std::size_t>(right.size());
-    failure.clear();
-    condensation.shift(right, shifted);
-    local = right;  // b and x may be the same vector
-    out.resize(right.size());
-    if (size == 0) {
-        condensation.complete(local, out);
-        return;
+    /// Hands over the condensed values; false where the condensation failed in some process.
+    [[nodiscard]] bool set_values(const SparseMatrix& from) {
+        if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) return false;
+        double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
+        for (int j = 0; j < from.cols(); ++j)
+            if (rows.row[j] >= 0) {
+                mean[0] += std::abs(from.coeff(j, j));
+                mean[1] += 1.0;
+            }
+        MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
+        std::fill(values.end() - rows.idle.size(), values.end(),
+                  mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
+        if (size > 0) check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
+        return true;
     }
-    try {
-        PetscScalar* entry = nullptr;
-        check(VecGetArray(part, &entry));
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto i = static_cast<Eigen::Index>(k);
-            entry[k] = (rows.own[k] != 0 ? local[i] : 0.0) + shifted[i];
+
+    /// Returns the largest of the numbers that the processes give.
+    [[nodiscard]] int largest(int value) const {
+        MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT, MPI_MAX, comm);
+        return value;
+    }
+
+    /// Says why a kind of solver does not suit the scene; empty where it does.
+    [[nodiscard]] std::string refusal() const {
+        if (scene == nullptr || factorises) return {};
+        if (!partition->whole().constraints().empty())
+            return "a scene with multipliers needs a direct solver: -pc_type lu "
+                   "-pc_factor_mat_solver_type mumps";
+        KSPType type = nullptr;
+        check(KSPGetType(ksp, &type));
+        const std::string name = type != nullptr ? type : "";
+        const bool needs_symmetry = name.find("cg") != std::string::npos &&
+                                    name.find("bcgs") != 0 && name != "cgs" && name != "cgne";
+        if (!symmetric && (needs_symmetry || name == "minres" || name == "symmlq"))
+            return "a load has an unsymmetric stiffness, which " + name +
+                   " cannot solve: take gmres or a direct solver";
+        return {};
+    }
+
+    /// Gives PETSc translations of positions, and w x v of positions and slopes, where the scene
+    /// stands now. Where nodes differ, or have positions alone, a few of them cannot hold six
+    /// motions: PETSc's own choice of three, a constant in each direction, stays.
+    void set_rigid_motions() {
+        if (scene == nullptr || rows.block <= scene->dimension()) return;
+        const Layout& layout = scene->layout();
+        const VectorX& q = scene->state().q;
+        const int dimension = layout.dimension(), turns = dimension == 3 ? 3 : 1;
+        VectorX motion(q.size()), free;
+        std::vector<Handle<Vec>> modes;
+        for (int m = 0; m < dimension + turns; ++m) {
+            motion.setZero();
+            const int a = turns == 1 ? 0 : (m + 1) % 3, c = (a + 1) % 3;  // a turn from a to c
+            for (int node = 0; node < layout.nodes(); ++node)
+                for (int k = layout.first(node); k < layout.first(node + 1); k += dimension)
+                    if (m >= dimension) {
+                        motion[k + a] = -q[k + c];
+                        motion[k + c] = q[k + a];
+                    } else if (k == layout.first(node)) {  // its position
+                        motion[k + m] = 1.0;
+                    }
+            numbering.gather_free(motion, free);
+            check(VecDuplicate(x, modes.emplace_back().fresh()));
+            const Vec mode = modes.back();
+            write(free, mode);
+            for (int sweep = 0; sweep < 2; ++sweep)
+                for (std::size_t k = 0; k + 1 < modes.size(); ++k) {
+                    PetscScalar share = 0.0;
+                    check(VecDot(mode, modes[k], &share));
+                    check(VecAXPY(mode, -share, modes[k]));
+                }
+            PetscReal length = 0.0;
+            check(VecNormalize(mode, &length));
+            if (length <= 1e-12) modes.pop_back();
         }
-        check(VecRestoreArray(part, &entry));
-        check(VecSet(b, 0.0));
-        check(VecScatterBegin(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
-        check(VecScatterEnd(scatter, part, b, ADD_VALUES, SCATTER_REVERSE));
+        const std::vector<Vec> all(modes.begin(), modes.end());
+        Handle<MatNullSpace> space;
+        check(MatNullSpaceCreate(comm, PETSC_FALSE, static_cast<PetscInt>(all.size()), all.data(),
+                                 space.fresh()));
+        check(MatSetNearNullSpace(matrix, space));
+    }
+
+    void solve(const VectorX& right, VectorX& out) {
+        failure.clear();
+        const VectorX given = right;  // b and x may be the same vector
+        out.resize(given.size());
+        try {
+            if (size == 0 || solve_rows(given, out)) condensation.complete(given, out);
+        } catch (const std::runtime_error& failed) {
+            failure = failed.what();
+        }
+        if (!failure.empty()) out.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+
+    /// Sets the entries of all equations that are left.
+    [[nodiscard]] bool solve_rows(const VectorX& right, VectorX& out) {
+        out = condensation.shift(right);
+        for_own([&](auto k, auto) { out[k] += right[k]; });
+        sum(out);
+        write(out, b);
         check(KSPSolve(ksp, b, x));
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         PetscInt taken = 0;
@@ -406,30 +436,51 @@ ANCF_INLINE void SolverRun::solve(const VectorX& right, VectorX& out) {
         if (reason < 0) {
             failure = std::string("PETSc: ") + KSPConvergedReasons[reason] + " after " +
                       std::to_string(taken) + " iterations";
-        } else {
-            check(VecScatterBegin(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
-            check(VecScatterEnd(scatter, x, part, INSERT_VALUES, SCATTER_FORWARD));
-            const PetscScalar* solved = nullptr;
-            check(VecGetArrayRead(part, &solved));
-            std::copy_n(solved, count, out.data());
-            check(VecRestoreArrayRead(part, &solved));
-            condensation.complete(local, out);
+            return false;
         }
-    } catch (const PetscFailure& failed) {
-        failure = failed.what();
+        const PetscScalar* entry = nullptr;
+        check(VecGetArrayRead(x, &entry));
+        out.setZero();
+        for_own([&](auto k, auto row) { out[k] = entry[row]; });
+        check(VecRestoreArrayRead(x, &entry));
+        sum(out);
+        return true;
     }
-    if (!failure.empty()) out.setConstant(std::numeric_limits<double>::quiet_NaN());
-}
+
+    /// Calls visit(equation, row) for the own rows, which it counts from 0.
+    template <class Visitor>
+    void for_own(const Visitor& visit) const {
+        for (std::size_t k = 0; k < rows.row.size(); ++k)
+            if (rows.own(rows.row[k])) visit(k, rows.row[k] - rows.first);
+    }
+
+    /// Writes entries of equations to a vector of PETSc.
+    void write(const VectorX& from, Vec to) const {
+        PetscScalar* entry = nullptr;
+        check(VecSet(to, 0.0));
+        check(VecGetArray(to, &entry));
+        for_own([&](auto k, auto row) { entry[row] = from[k]; });
+        check(VecRestoreArray(to, &entry));
+    }
+
+    /// Replaces entries of equations by their sums over all processes.
+    void sum(VectorX& entries) const {
+        if (partition == nullptr) return;
+        VectorX all = VectorX::Zero(numbering.coordinates()), free;
+        numbering.add_free_force(entries, 1.0, all);
+        partition->add(all);
+        numbering.gather_free(all, free);
+        entries.head(free.size()) = free;
+    }
+};
 
 }  // namespace detail
 
-ANCF_INLINE void Solver::Finish::operator()(detail::SolverRun* run) const noexcept { delete run; }
-
 ANCF_INLINE Solver::Solver(SolverOptions options)
-    : run_(new detail::SolverRun(nullptr, std::move(options))) {}
+    : run_(std::make_unique<detail::SolverRun>(nullptr, std::move(options))) {}
 
 ANCF_INLINE Solver::Solver(const Scene& scene, SolverOptions options)
-    : run_(new detail::SolverRun(&scene, std::move(options))) {}
+    : run_(std::make_unique<detail::SolverRun>(&scene, std::move(options))) {}
 
 ANCF_INLINE Solver::~Solver() = default;
 
@@ -458,8 +509,6 @@ ANCF_INLINE bool Solver::iterative() const noexcept { return !run_->factorises; 
 ANCF_INLINE int Solver::iterations() const noexcept { return run_->iterations; }
 ANCF_INLINE int Solver::most_iterations() const noexcept { return run_->most; }
 ANCF_INLINE long Solver::rows() const noexcept { return static_cast<long>(run_->size); }
-ANCF_INLINE int Solver::block_size() const noexcept {
-    return run_->partition != nullptr ? run_->partition->block_size() : 1;
-}
+ANCF_INLINE int Solver::block_size() const noexcept { return run_->rows.block; }
 
 }  // namespace ancf::petsc

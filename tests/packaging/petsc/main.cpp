@@ -5,7 +5,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/petsc/statics.hpp>
+#include <ancf/petsc/distributed_scene.hpp>
 #include <ancf/section/profiles.hpp>
 
 #include <cstdio>
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     model.clamp(rope.first());
     model.add(ancf::Force<3>(rope.last(), {0, 0, -1}));
 
-    ancf::petsc::DistributedStatics statics(model, PETSC_COMM_WORLD);
+    ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD);
     const auto report = statics.solve();
     statics.gather();
 
