@@ -16,6 +16,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/constraints.hpp>
@@ -50,6 +51,12 @@ using Engineering =
     ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
 using Quintic = ancf::QuinticBeam<>;
 using QuinticEngineering = ancf::QuinticBeam<ancf::EngineeringMeasure>;
+using ancf::TorsionBeam;
+
+/// What holds a beam without shear is its slope too.
+template <class Element>
+inline constexpr ancf::Clamp clamp_of =
+    std::is_same_v<Element, TorsionBeam> ? ancf::Clamp::full : ancf::Clamp::free_slope;
 
 /// A scene that waits for its solution, and its loaded end.
 struct Problem {
@@ -80,6 +87,7 @@ template <class Element>
 std::string measure() {
     if (std::is_same_v<Element, Engineering>) return "engineering";
     if (std::is_same_v<Element, QuinticEngineering>) return "quintic, engineering";
+    if (std::is_same_v<Element, TorsionBeam>) return "torsion beam";
     return std::is_same_v<Element, Quintic> ? "quintic" : "green";
 }
 
@@ -91,7 +99,7 @@ Problem cantilever(double height, int elements, const Point& force, const Point&
     const auto beam = ancf::straight_beam<Element>(
         p.scene, ancf::Material::isotropic(young, 0.3, 1.0), ancf::rectangle(height, height),
         {0, 0, 0}, {1, 0, 0}, elements, Element::Options::best());
-    p.scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    p.scene.clamp(beam.first(), clamp_of<Element>);
     if (force.norm() > 0.0) p.scene.add(ancf::Force<3>(beam.last(), force));
     if (moment.norm() > 0.0) p.scene.add(ancf::Moment(beam.last(), moment));
     p.end = beam.last();
@@ -131,7 +139,7 @@ void add_bends(std::vector<Row>& rows, const std::string& what,
                         p.scene, ancf::Material::from_moduli(1e7, 5e6, 1.0),
                         ancf::rectangle(1.0, 1.0).with_shear_correction(1.0, 1.0), {0, 0, 0},
                         {1, 0, 0}, {0, 1, 0}, 100.0, 0.25 * pi, elements, options);
-                    p.scene.clamp(beam.first(), ancf::Clamp::free_slope);
+                    p.scene.clamp(beam.first(), clamp_of<Element>);
                     p.scene.add(ancf::Force<3>(beam.last(), {0, 0, 600}));
                     p.end = beam.last();
                     return p;
@@ -189,7 +197,7 @@ void add_helix(std::vector<Row>& rows, int elements) {
              const auto beam = ancf::straight_beam<Element>(
                  p.scene, ancf::Material::from_moduli(1e4, 1e4, 1.0), section, {0, 0, 0},
                  {10, 0, 0}, elements, Element::Options::best());
-             p.scene.clamp(beam.first(), ancf::Clamp::free_slope);
+             p.scene.clamp(beam.first(), clamp_of<Element>);
              p.scene.add(ancf::Moment(beam.last(), {0, 0, 200.0 * pi}));
              p.scene.add(ancf::Force<3>(beam.last(), {0, 0, 50.0}));
              p.end = beam.last();
@@ -241,6 +249,10 @@ std::vector<Row> all_rows() {
     add_helix<QuinticEngineering>(rows, 50);
     add_frame<Green>(rows);
     add_frame<Engineering>(rows);
+    add_elastica<TorsionBeam>(rows);
+    add_bends<TorsionBeam>(rows);
+    add_circle<TorsionBeam>(rows);
+    add_frame<TorsionBeam>(rows);
     return rows;
 }
 

@@ -8,6 +8,7 @@
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>
@@ -18,6 +19,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace newton_test {
@@ -249,7 +251,8 @@ ancf::NodeId straight(ancf::Model& scene, double height) {
     const auto beam = ancf::straight_beam<Beam>(
         scene, ancf::Material::isotropic(12.0 / std::pow(height, 4), 0.3, 1.0),
         ancf::rectangle(height, height), {0, 0, 0}, {1, 0, 0}, 32, Beam::Options::best());
-    scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    const bool shears = !std::is_same_v<Beam, ancf::TorsionBeam>;
+    scene.clamp(beam.first(), shears ? ancf::Clamp::free_slope : ancf::Clamp::full);
     return beam.last();
 }
 
@@ -258,7 +261,7 @@ using Engineering =
     ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
 
 TEMPLATE_TEST_CASE("statics: a force off the section's axes takes one load step by default",
-                   "[statics][newton]", Green, Engineering) {
+                   "[statics][newton]", Green, Engineering, ancf::TorsionBeam) {
     for (const double height : {1e-1, 1e-2, 1e-3}) {
         INFO(height);
         ancf::Model scene;
@@ -269,7 +272,7 @@ TEMPLATE_TEST_CASE("statics: a force off the section's axes takes one load step 
         REQUIRE(report.status == Status::converged);
         CHECK(report.steps.size() == 1);
         CHECK(report.steps.front().newton == NewtonKind::automatic);
-        CHECK(report.iterations() <= 8);  // measured 6 and 7; mixed ones fail
+        CHECK(report.iterations() <= 8);  // measured 5 and 6; mixed ones take ten or fail
         CHECK(report.stability == ancf::Stability::stable);
         if (height < 2e-2)  // of the elastica
             CHECK(scene.position(end)[0] == Approx(0.445004402246).margin(3e-4));

@@ -6,6 +6,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/turning.hpp>
@@ -22,27 +23,28 @@ namespace turning_test {
 using namespace ancf;
 
 /// A clamped beam of three elements, bent, twisted and strained at random.
+template <class Element>
 struct Bent {
     Model model;
     VectorX q;
 
     explicit Bent(test::Random& random) {
         const auto beam =
-            straight_beam<CrossSectionBeam<3>>(model, Material::isotropic(2e7, 0.3, 1000.0),
-                                               rectangle(0.2, 0.1), {0, 0, 0}, {1.5, 0.6, -0.3}, 3);
+            straight_beam<Element>(model, Material::isotropic(2e7, 0.3, 1000.0),
+                                   rectangle(0.2, 0.1), {0, 0, 0}, {1.5, 0.6, -0.3}, 3);
         model.clamp(beam.first());
         q = model.state().q + 0.1 * random.vector(static_cast<int>(model.state().q.size()));
     }
 };
 
-TEST_CASE("Turning: its curvature is the second derivative of the turned coordinates",
-          "[solver][turning]") {
+TEMPLATE_TEST_CASE("Turning: its curvature is the second derivative of the turned coordinates",
+                   "[solver][turning]", CrossSectionBeam<3>, TorsionBeam) {
     const bool chords = GENERATE(true, false);
     const Storage storage = GENERATE(Storage::full, Storage::lower);
     double worst = 0.0, largest = 0.0;
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
         test::Random random(seed);
-        const Bent scene(random);
+        const Bent<TestType> scene(random);
         const Assembly assembly(scene.model, storage);
         const Numbering& numbering = assembly.numbering();
         Turning turning(scene.model, numbering);

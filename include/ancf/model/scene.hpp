@@ -201,7 +201,8 @@ public:
 
     // Loads, constraints, masses --------------------------------------------------------------
 
-    /// Adds a load; `amplitude` scales it over time (over the load factor in statics).
+    /// Adds a load; `amplitude` scales it over time (over the load factor in statics). Without one
+    /// it grows with the load factor in statics, and acts in full from the start of a motion.
     /// @throws InvalidArgument for a node that does not exist, a load of another dimension or a
     ///         force of another size.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>

@@ -62,7 +62,7 @@ private:
     struct Slopes {
         int first;   // coordinate
         int count;   // of vectors
-        bool whole;  // a frame, all of it free
+        bool whole;  // a frame, or one less r_z, all of it free
     };
 
     // What ties the same component of all positions together.

@@ -130,32 +130,72 @@ ANCF_INLINE void keep_tangent_part(const SlopeFrame& frame, SlopeFrame& skew) {
     }
 }
 
-/// Writes the spin of a node's frame G in space, the axial vector of the skew part of dG G^-1:
-/// half the sum of g_k x dG_k, g_k the columns of G^-T.
-/// @return false where the frame has no inverse
-[[nodiscard]] ANCF_INLINE bool frame_spin(const double* before, const double* change,
-                                          double* spin) {
-    SlopeFrame G{3}, inverse{3};
-    std::copy_n(before, 9, G.entry);
-    if (!invert(G, inverse)) return false;
+/// Adds a x b to a third of a frame's columns: where a node has two slopes, r_x x r_y stands for
+/// the third.
+ANCF_INLINE void add_product(const double* a, const double* b, SlopeFrame& frame) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        spin[k] = 0.0;
-        for (int m = 0; m < 3; ++m)
-            spin[k] +=
-                0.5 * (inverse(m, i) * change[3 * m + j] - inverse(m, j) * change[3 * m + i]);
+        frame(k, 2) += a[i] * b[j] - a[j] * b[i];
     }
+}
+
+/// Returns the frame of a node from its slopes, as many as the dimension or one less in space.
+[[nodiscard]] ANCF_INLINE SlopeFrame frame_of(const double* slopes, int count, int dimension) {
+    SlopeFrame G{dimension};
+    std::copy_n(slopes, count * dimension, G.entry);
+    if (count < dimension) add_product(slopes, slopes + 3, G);
+    return G;
+}
+
+/// Returns the change of that frame, to first order.
+[[nodiscard]] ANCF_INLINE SlopeFrame change_of_frame(const double* slopes, const double* change,
+                                                     int count, int dimension) {
+    SlopeFrame dG{dimension};
+    std::copy_n(change, count * dimension, dG.entry);
+    if (count < dimension) {
+        add_product(change, slopes + 3, dG);
+        add_product(slopes, change + 3, dG);
+    }
+    return dG;
+}
+
+/// Moves a derivative by dG to the slopes of a node, in place: adds what the third column of dG
+/// has of the two others where a node has two slopes.
+/// @param stride  between the entries
+ANCF_INLINE void pull_back(const double* slopes, int count, int stride, double* derivative) {
+    if (count == 3) return;
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const double of_i = derivative[(6 + i) * stride], of_j = derivative[(6 + j) * stride];
+        derivative[k * stride] += slopes[3 + i] * of_j - slopes[3 + j] * of_i;
+        derivative[(3 + k) * stride] += slopes[j] * of_i - slopes[i] * of_j;
+    }
+}
+
+/// Writes the derivative of u . spin by the slopes of a node in space, 9 entries. The spin of a
+/// frame G is the axial vector of the skew part of dG G^-1: half the sum of g_k x dG_k, g_k the
+/// columns of G^-T.
+/// @return false where the frame has no inverse
+[[nodiscard]] ANCF_INLINE bool spin_about(const double* unit, const double* slopes, int count,
+                                          double* derivative) {
+    SlopeFrame inverse{3};
+    if (!invert(frame_of(slopes, count, 3), inverse)) return false;
+    for (int k = 0; k < 9; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        derivative[k] = 0.5 * (unit[i] * inverse(k / 3, j) - unit[j] * inverse(k / 3, i));
+    }
+    pull_back(slopes, count, 1, derivative);
     return true;
 }
 
 /// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
 /// @param tangent_only  W keeps the part about r_x
 /// @param by            tangent: exp takes atan of the angle of W instead of the angle
-ANCF_INLINE void turn_frame(const double* before, const double* change, int dimension,
+ANCF_INLINE void turn_frame(const double* before, const double* change, int count, int dimension,
                             bool tangent_only, TurnBy by, double* after) {
-    SlopeFrame G{dimension}, dG{dimension}, inverse{dimension}, skew{dimension};
-    std::copy_n(before, dimension * dimension, G.entry);
-    std::copy_n(change, dimension * dimension, dG.entry);
+    const SlopeFrame G = frame_of(before, count, dimension);
+    const SlopeFrame dG = change_of_frame(before, change, count, dimension);
+    SlopeFrame inverse{dimension}, skew{dimension};
     if (!invert(G, inverse)) return;
     SlopeFrame rate = product(dG, inverse);
     for (int j = 0; j < dimension; ++j)
@@ -167,7 +207,7 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int dime
     if (by == TurnBy::tangent && angle > 1e-8)
         for (double& entry : skew.entry) entry *= std::atan(angle) / angle;
     const SlopeFrame result = product(rotation(skew), product(rate, G));
-    std::copy_n(result.entry, dimension * dimension, after);
+    std::copy_n(result.entry, count * dimension, after);
 }
 
 /// Writes the second derivative of rho . exp(W) (I + D) G by dG, 9 x 9. With the columns g_k of
@@ -202,7 +242,8 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int dime
 }
 
 /// Adds a symmetric block to the values of a matrix, where its pattern has entries.
-ANCF_INLINE void add_symmetric(const double* block, const int* equations, int size,
+/// @param stride  between the columns of the block
+ANCF_INLINE void add_symmetric(const double* block, const int* equations, int size, int stride,
                                const SparseMatrix& pattern, double* values) {
     const int* const rows = pattern.innerIndexPtr();
     for (int j = 0; j < size; ++j) {
@@ -210,7 +251,7 @@ ANCF_INLINE void add_symmetric(const double* block, const int* equations, int si
         const int* const last = rows + pattern.outerIndexPtr()[equations[j] + 1];
         for (int i = 0; i < size; ++i) {
             const int* const at = std::lower_bound(first, last, equations[i]);
-            if (at != last && *at == equations[i]) values[at - rows] += block[size * j + i];
+            if (at != last && *at == equations[i]) values[at - rows] += block[stride * j + i];
         }
     }
 }
@@ -238,7 +279,7 @@ ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
     for (const Field rate : {Field::r_xx, Field::r_xy})  // which are no slopes
         if (const int at = layout_.index({{node}, rate}); at >= 0) last = at;
     const int count = (last - first) / dimension_;
-    bool whole = count == dimension_;
+    bool whole = count == dimension_ || (count == 2 && dimension_ == 3);
     for (int k = first; k < first + count * dimension_; ++k)
         whole = whole && numbering_.equation(k) >= 0;
     return {first, count, whole};
@@ -248,8 +289,8 @@ ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, Ve
     if (dimension_ < 3) return;
     for (int node = 0; node < layout_.nodes(); ++node)
         if (const Slopes at = slopes(node); at.whole)
-            detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_, true,
-                               TurnBy::angle, q.data() + at.first);
+            detail::turn_frame(before.data() + at.first, change.data() + at.first, at.count,
+                               dimension_, true, TurnBy::angle, q.data() + at.first);
     numbering_.dependence().complete(q);
 }
 
@@ -278,16 +319,19 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
         if (!at.whole) continue;
-        detail::SlopeFrame G{3}, rho{3};
+        const double* const slopes = q.data() + at.first;
+        detail::SlopeFrame rho{3};
         int equations[9];
         double curvature[81];
-        for (int k = 0; k < 9; ++k) {
+        for (int k = 0; k < 3 * at.count; ++k) {
             equations[k] = numbering_.equation(at.first + k);
-            G.entry[k] = q[at.first + k];
             rho.entry[k] = residual[equations[k]];
         }
-        if (detail::frame_curvature(G, rho, curvature))
-            detail::add_symmetric(curvature, equations, 9, pattern, values);
+        if (!detail::frame_curvature(detail::frame_of(slopes, at.count, 3), rho, curvature))
+            continue;
+        for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 9, curvature + k);
+        for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 1, curvature + 9 * k);
+        detail::add_symmetric(curvature, equations, 3 * at.count, 9, pattern, values);
     }
     if (!chords) return;
     factorize();
@@ -328,14 +372,11 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
             across[count++][k] += sign;
         }
         const Slopes at = slopes(node);
-        detail::SlopeFrame G{3}, inverse{3};
-        if (!at.whole) continue;
-        std::copy_n(q.data() + at.first, 9, G.entry);
-        if (!detail::invert(G, inverse)) continue;
-        for (int k = 0; k < 9; ++k) {  // u . spin
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
+        double spin[9];
+        if (!at.whole || !detail::spin_about(unit, q.data() + at.first, at.count, spin)) continue;
+        for (int k = 0; k < 3 * at.count; ++k) {
             equations[count] = numbering_.equation(at.first + k);
-            twist[count++] = 0.25 * (unit[i] * inverse(k / 3, j) - unit[j] * inverse(k / 3, i));
+            twist[count++] = 0.5 * spin[k];
         }
     }
     double block[24 * 24];
@@ -347,7 +388,7 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
                                        length +
                                    0.5 * (twist[i] * detail::inner(turn, across[j], 3) +
                                           twist[j] * detail::inner(turn, across[i], 3));
-    detail::add_symmetric(block, equations, count, pattern, values);
+    detail::add_symmetric(block, equations, count, count, pattern, values);
 }
 
 /// Returns the forces of the chords whose resultants at the nodes are the residual of positions, in
@@ -408,8 +449,8 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
         if (at.whole) {
-            detail::turn_frame(before.data() + at.first, change.data() + at.first, dimension_,
-                               false, by, q.data() + at.first);
+            detail::turn_frame(before.data() + at.first, change.data() + at.first, at.count,
+                               dimension_, false, by, q.data() + at.first);
             continue;
         }
         for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
@@ -437,19 +478,20 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
 ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX& before,
                                   const VectorX& change) const {
     if (dimension_ < 3) return 0.0;
-    double mean[3] = {}, along[3];
+    double unit[3], mean = 0.0;
+    for (int k = 0; k < 3; ++k)
+        unit[k] = before[layout_.first(chord[1]) + k] - before[layout_.first(chord[0]) + k];
+    const double length = std::sqrt(detail::inner(unit, unit, 3));
+    if (!(length > 0.0)) return 0.0;
+    for (double& entry : unit) entry /= length;
     for (const int node : chord) {
         const Slopes at = slopes(node);
-        double spin[3];
-        if (at.count < 3 ||
-            !detail::frame_spin(before.data() + at.first, change.data() + at.first, spin))
+        double spin[9];
+        if (at.count < 2 || !detail::spin_about(unit, before.data() + at.first, at.count, spin))
             continue;
-        for (int k = 0; k < 3; ++k) mean[k] += 0.5 * spin[k];
+        for (int k = 0; k < 3 * at.count; ++k) mean += 0.5 * spin[k] * change[at.first + k];
     }
-    for (int k = 0; k < 3; ++k)
-        along[k] = before[layout_.first(chord[1]) + k] - before[layout_.first(chord[0]) + k];
-    const double length = std::sqrt(detail::inner(along, along, 3));
-    return length > 0.0 ? detail::inner(mean, along, 3) / length : 0.0;
+    return mean;
 }
 
 /// Moves a component of the positions towards what the chords want.

@@ -93,6 +93,18 @@ public:
         return kernel_.evaluate(e);
     }
 
+    /// Returns the same with a tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
+    /// unknowns".
+    /// @param before  where the last tangent was taken, 18 x 1
+    /// @param change  the correction that it gave, 18 x 1
+    template <class S>
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
+
     /// Returns the constant mass matrix, 18 x 18; kg, kg m and kg m^2 by block.
     ///
     /// r_y carries the polar moment of the section, which is exact for spin about the axis. For the

@@ -14,6 +14,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
+#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/rate.hpp>
@@ -22,6 +23,7 @@
 #include <ancf/element/vec3.hpp>
 #include <ancf/types.hpp>
 
+#include <type_traits>
 #include <vector>
 
 namespace ancf::detail {
@@ -31,6 +33,20 @@ struct TorsionAxialStation {
     double p[3];             ///< of (D, g1, g2) in p = r0'
     double reference = 0.0;  ///< eps of the stress-free state
     double stiffness;        ///< EA times weight and length
+
+    /// Returns r0' of nodal vectors (D, g1, g2, ...).
+    template <class S, int Count>
+    [[nodiscard]] Vec3<S> slope(const Vec3<S> (&vector)[Count]) const noexcept {
+        Vec3<S> sum{};
+        for (int a = 0; a < 3; ++a) add(sum, p[a], vector[a]);
+        return sum;
+    }
+
+    /// Returns eps of a slope r0' without that of the stress-free state.
+    template <class S>
+    [[nodiscard]] S strain(const Vec3<S>& slope) const noexcept {
+        return deformation(S(0.5 * (dot(slope, slope) - 1.0)), reference);
+    }
 };
 
 /// Where bending and torsion are integrated.
@@ -38,12 +54,34 @@ struct TorsionStation {
     StationShape<double> shape;
     double reference[3] = {};  ///< kap, chi, om of the stress-free state
     double stiffness[3][3];    ///< of (kap, chi, om), times weight and length
+
+    /// Writes the strains (kap, chi, om) without those of the stress-free state, and their
+    /// stresses.
+    template <class S>
+    void stresses(const Invariants<S>& w, S (&strain)[3], S (&stress)[3]) const noexcept {
+        strain[0] = deformation(w.kap, reference[0]);
+        strain[1] = deformation(w.chi, reference[1]);
+        strain[2] = deformation(w.om, reference[2]);
+        for (int i = 0; i < 3; ++i)
+            stress[i] = stiffness[i][0] * strain[0] + stiffness[i][1] * strain[1] +
+                        stiffness[i][2] * strain[2];
+    }
 };
 
 /// What holds r_y normal to the tangent and of unit length at a node.
 struct TorsionHold {
     double square = 1.0, along = 0.0;      ///< r_y.r_y and r_y.r_x of the stress-free state
     double stretching = 0.0, shear = 0.0;  ///< EA and k G A times half of the length
+
+    /// Writes the strains of length and lean, and their stresses.
+    template <class S>
+    void stresses(const Vec3<S>& g, const Vec3<S>& a, S (&strain)[2],
+                  S (&stress)[2]) const noexcept {
+        strain[0] = 0.5 * deformation(S(dot(a, a)), square);
+        strain[1] = deformation(S(dot(a, g)), along);
+        stress[0] = stretching * strain[0];
+        stress[1] = shear * strain[1];
+    }
 };
 
 /// Places of the five nodal vectors that the energy depends on.
@@ -73,6 +111,15 @@ struct TorsionNodes {
     Vec3<S> vector[torsion_vectors];
     NodalDirector<S> y[2];
 };
+
+/// No state before a correction.
+struct NoState {};
+
+/// Replaces stresses by those of a state before, linearised along its correction.
+template <class S, int Count>
+inline void predict(const Dual<S> (&before)[Count], S (&stress)[Count]) noexcept {
+    for (int i = 0; i < Count; ++i) stress[i] = before[i].value + before[i].rate;
+}
 
 template <class S>
 inline void torsion_nodes(const Vector<S, 18>& e, TorsionNodes<S>& nodes) noexcept {
@@ -208,6 +255,12 @@ struct TorsionKernel {
     [[nodiscard]] Vector<S, 18> force(const Vector<S, 18>& e) const noexcept;
     template <class S>
     [[nodiscard]] Evaluation<S, 18> evaluate(const Vector<S, 18>& e) const noexcept;
+    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
+    /// state before.
+    template <class S>
+    [[nodiscard]] MixedEvaluation<S, 18> evaluate(const Vector<S, 18>& e,
+                                                  const Vector<S, 18>& before,
+                                                  const Vector<S, 18>& change) const noexcept;
 
 private:
     template <class S>
@@ -215,14 +268,23 @@ private:
     template <class S>
     using LocalMatrix = Matrix<S, torsion_local>;
 
-    template <bool WithTangent, class S>
-    S walk(const TorsionNodes<S>& nodes, Local<S>& force, LocalMatrix<S>& tangent) const noexcept;
-    template <bool WithTangent, class S>
-    S add_axial(const TorsionNodes<S>& nodes, Local<S>& force,
+    /// Adds the forces and tangents of all stations and nodes; returns the energy.
+    /// @param before  NoState, or the nodes of a state before as Dual numbers along its correction:
+    ///                forces and tangents have its stresses then
+    template <bool WithTangent, class S, class Before>
+    S walk(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
+           LocalMatrix<S>& tangent) const noexcept;
+    template <bool WithTangent, class S, class Before>
+    S add_axial(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                 LocalMatrix<S>& tangent) const noexcept;
-    template <bool WithTangent, class S>
-    S add_holds(const TorsionNodes<S>& nodes, Local<S>& force,
+    template <bool WithTangent, class S, class Before>
+    S add_holds(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                 LocalMatrix<S>& tangent) const noexcept;
+    /// Writes what an element returns.
+    template <class S>
+    static void expand(const Local<S>& local, Vector<S, 18>& force) noexcept;
+    template <class S>
+    static void expand(const LocalMatrix<S>& local, Matrix<S, 18>& tangent) noexcept;
     /// Adds the force, and writes the variations of the nodes' spins.
     template <class S>
     static void add_spins(const TorsionNodes<S>& nodes, const TorsionRow<S>& force,
@@ -261,16 +323,19 @@ inline void TorsionKernel::set_reference(const Vector<double, 18>& e) noexcept {
     }
 }
 
-template <bool WithTangent, class S>
-S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, Local<S>& force,
+template <bool WithTangent, class S, class Before>
+S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                            LocalMatrix<S>& tangent) const noexcept {
     S energy(0.0);
     for (const TorsionAxialStation& station : axial) {
-        Vec3<S> p{};
-        for (int a = 0; a < 3; ++a) add(p, station.p[a], nodes.vector[a]);
-        const S strain = deformation(S(0.5 * (dot(p, p) - 1.0)), station.reference);
-        const S stress = station.stiffness * strain;
+        const Vec3<S> p = station.slope(nodes.vector);
+        const S strain = station.strain(p);
+        S stress = station.stiffness * strain;
         energy += 0.5 * stress * strain;
+        if constexpr (!std::is_same_v<Before, NoState>) {
+            const auto earlier = station.strain(station.slope(before.vector));
+            stress = station.stiffness * (earlier.value + earlier.rate);
+        }
         for (int a = 0; a < 3; ++a)
             for (int i = 0; i < 3; ++i) force[3 * a + i] += station.p[a] * stress * p[i];
         if constexpr (WithTangent) {
@@ -287,18 +352,24 @@ S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, Local<S>& force,
     return energy;
 }
 
-template <bool WithTangent, class S>
-S TorsionKernel::add_holds(const TorsionNodes<S>& nodes, Local<S>& force,
+template <bool WithTangent, class S, class Before>
+S TorsionKernel::add_holds(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                            LocalMatrix<S>& tangent) const noexcept {
     S energy(0.0);
     for (int node = 0; node < 2; ++node) {
         const TorsionHold& hold = holds[node];
         const int g_at = 3 * (tv_g1 + node), a_at = 3 * (tv_a1 + node);
         const Vec3<S>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
-        const S stretch = 0.5 * deformation(S(dot(a, a)), hold.square),
-                shear = deformation(S(dot(a, g)), hold.along);
-        const S N = hold.stretching * stretch, Q = hold.shear * shear;
-        energy += 0.5 * (N * stretch + Q * shear);
+        S strain[2], stress[2];
+        hold.stresses(g, a, strain, stress);
+        energy += 0.5 * (stress[0] * strain[0] + stress[1] * strain[1]);
+        if constexpr (!std::is_same_v<Before, NoState>) {
+            Dual<S> earlier[2], of_earlier[2];
+            hold.stresses(before.vector[tv_g1 + node], before.vector[tv_a1 + node], earlier,
+                          of_earlier);
+            predict(of_earlier, stress);
+        }
+        const S N = stress[0], Q = stress[1];
         for (int i = 0; i < 3; ++i) {
             force[a_at + i] += N * a[i] + Q * g[i];
             force[g_at + i] += Q * a[i];
@@ -365,27 +436,29 @@ void TorsionKernel::add_spin_tangent(const TorsionNodes<S>& nodes, const Torsion
     }
 }
 
-template <bool WithTangent, class S>
-S TorsionKernel::walk(const TorsionNodes<S>& nodes, Local<S>& force,
+template <bool WithTangent, class S, class Before>
+S TorsionKernel::walk(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                       LocalMatrix<S>& tangent) const noexcept {
-    S energy = add_axial<WithTangent>(nodes, force, tangent) +
-               add_holds<WithTangent>(nodes, force, tangent);
+    S energy = add_axial<WithTangent>(nodes, before, force, tangent) +
+               add_holds<WithTangent>(nodes, before, force, tangent);
     TorsionRow<S> sum = TorsionRow<S>::Zero();
     [[maybe_unused]] TorsionMatrix<S> K;
     if constexpr (WithTangent) K.setZero();
     for (const TorsionStation& station : stations) {
         TorsionState<S> at;
         torsion_state(station.shape, nodes, at);
-        const S strain[3] = {deformation(at.w.kap, station.reference[0]),
-                             deformation(at.w.chi, station.reference[1]),
-                             deformation(at.w.om, station.reference[2])};
-        S U[3];
-        for (int i = 0; i < 3; ++i) {
-            U[i] = station.stiffness[i][0] * strain[0] + station.stiffness[i][1] * strain[1] +
-                   station.stiffness[i][2] * strain[2];
-            energy += 0.5 * U[i] * strain[i];
-            sum += U[i] * at.rate[i];
+        S strain[3], U[3];
+        station.stresses(at.w, strain, U);
+        for (int i = 0; i < 3; ++i) energy += 0.5 * U[i] * strain[i];
+        if constexpr (!std::is_same_v<Before, NoState>) {
+            CarriedFrame<Dual<S>> f;
+            Invariants<Dual<S>> w;
+            Dual<S> earlier[3], of_earlier[3];
+            torsion_frame(station.shape, before, f, w);
+            station.stresses(w, earlier, of_earlier);
+            predict(of_earlier, U);
         }
+        for (int i = 0; i < 3; ++i) sum += U[i] * at.rate[i];
         if constexpr (WithTangent) {
             // kap and chi are coupled, om stands alone
             const TorsionRow<S> moment[3] = {
@@ -413,17 +486,15 @@ S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
     torsion_nodes(e, nodes);
     Local<S> force = Local<S>::Zero();
     LocalMatrix<S> unused;
-    S sum = add_axial<false>(nodes, force, unused) + add_holds<false>(nodes, force, unused);
+    S sum = add_axial<false>(nodes, NoState(), force, unused) +
+            add_holds<false>(nodes, NoState(), force, unused);
     for (const TorsionStation& station : stations) {
         CarriedFrame<S> f;
         Invariants<S> w;
         torsion_frame(station.shape, nodes, f, w);
-        const S strain[3] = {deformation(w.kap, station.reference[0]),
-                             deformation(w.chi, station.reference[1]),
-                             deformation(w.om, station.reference[2])};
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                sum += 0.5 * station.stiffness[i][j] * strain[i] * strain[j];
+        S strain[3], stress[3];
+        station.stresses(w, strain, stress);
+        for (int i = 0; i < 3; ++i) sum += 0.5 * stress[i] * strain[i];
     }
     return sum;
 }
@@ -434,10 +505,9 @@ Vector<S, 18> TorsionKernel::force(const Vector<S, 18>& e) const noexcept {
     torsion_nodes(e, nodes);
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> unused;
-    (void)walk<false>(nodes, local, unused);
+    (void)walk<false>(nodes, NoState(), local, unused);
     Vector<S, 18> result;
-    for (int i = 0; i < torsion_local; ++i) result[torsion_place[i]] = local[i];
-    for (int k = 0; k < 3; ++k) result[k] = -local[k];
+    expand(local, result);
     return result;
 }
 
@@ -448,21 +518,49 @@ Evaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e) const noexcept
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
     Evaluation<S, 18> result;
-    result.energy = walk<true>(nodes, local, tangent);
-    for (int i = 0; i < torsion_local; ++i) {
-        result.force[torsion_place[i]] = local[i];
-        for (int j = 0; j < torsion_local; ++j)
-            result.tangent(torsion_place[i], torsion_place[j]) = tangent(i, j);
-    }
-    for (int k = 0; k < 3; ++k) {
-        result.force[k] = -local[k];
-        for (int i = 0; i < torsion_local; ++i) {
-            result.tangent(k, torsion_place[i]) = -tangent(k, i);
-            result.tangent(torsion_place[i], k) = -tangent(i, k);
-        }
-        for (int j = 0; j < 3; ++j) result.tangent(k, j) = tangent(k, j);
-    }
+    result.energy = walk<true>(nodes, NoState(), local, tangent);
+    expand(local, result.force);
+    expand(tangent, result.tangent);
     return result;
+}
+
+template <class S>
+MixedEvaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e, const Vector<S, 18>& before,
+                                               const Vector<S, 18>& change) const noexcept {
+    TorsionNodes<S> nodes;
+    TorsionNodes<Dual<S>> along;
+    Vector<Dual<S>, 18> moving;
+    for (int k = 0; k < 18; ++k) moving[k] = Dual<S>(before[k], change[k]);
+    torsion_nodes(e, nodes);
+    torsion_nodes(moving, along);
+    Local<S> local = Local<S>::Zero();
+    LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
+    MixedEvaluation<S, 18> result;
+    result.energy = walk<true>(nodes, along, local, tangent);
+    result.force = force(e);
+    expand(local, result.predicted);
+    expand(tangent, result.tangent);
+    return result;
+}
+
+template <class S>
+void TorsionKernel::expand(const Local<S>& local, Vector<S, 18>& force) noexcept {
+    for (int i = 0; i < torsion_local; ++i) force[torsion_place[i]] = local[i];
+    for (int k = 0; k < 3; ++k) force[k] = -local[k];
+}
+
+template <class S>
+void TorsionKernel::expand(const LocalMatrix<S>& local, Matrix<S, 18>& tangent) noexcept {
+    for (int i = 0; i < torsion_local; ++i)
+        for (int j = 0; j < torsion_local; ++j)
+            tangent(torsion_place[i], torsion_place[j]) = local(i, j);
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < torsion_local; ++i) {
+            tangent(k, torsion_place[i]) = -local(k, i);
+            tangent(torsion_place[i], k) = -local(i, k);
+        }
+        for (int j = 0; j < 3; ++j) tangent(k, j) = local(k, j);
+    }
 }
 
 }  // namespace ancf::detail
