@@ -17,6 +17,7 @@
 #include <cmath>
 #include <complex>
 
+extern template class ancf::KelvinVoigt<ancf::Cable<2>>;
 extern template class ancf::KelvinVoigt<ancf::Cable<3>>;
 
 namespace kelvin_voigt_cable_space_test {

@@ -84,4 +84,39 @@ TEMPLATE_TEST_CASE("Turning: its curvature is the second derivative of the turne
     CHECK(worst <= 1e-4 * largest);  // 1.4e-6: differences err by second order in h
 }
 
+TEST_CASE("Turning: rates of slopes turn with the tangent, and agree with the sum to first order",
+          "[solver][turning]") {
+    test::Random random(6);
+    const Bent<QuinticBeam<>> scene(random);
+    const Assembly assembly(scene.model, Storage::full);
+    Turning turning(scene.model, assembly.numbering());
+    VectorX change = VectorX::Zero(scene.q.size());
+    assembly.numbering().add_free(random.vector(assembly.numbering().free_coordinates()), 1.0,
+                                  change);
+    const auto off = [&](double h) {  // from the sum
+        VectorX turned = scene.q + h * change;
+        turning.turn(scene.q, h * change, turned);
+        return (turned - scene.q - h * change).norm();
+    };
+    CHECK(off(1e-3) / off(5e-4) == Approx(4.0).epsilon(0.01));
+
+    // a correction that turns all about Z by 1 rad: r_xx keeps its length and its angle with r_x
+    const VectorX& q = scene.q;
+    for (int k = 0; k < q.size(); k += 3) {
+        change[k] = -q[k + 1];
+        change[k + 1] = q[k];
+        change[k + 2] = 0.0;
+    }
+    VectorX turned = q + change;
+    turning.turn(q, change, turned);
+    for (const int node : {1, 2, 3}) {
+        const int tangent = scene.model.coordinate({node}, Field::r_x),
+                  rate = scene.model.coordinate({node}, Field::r_xx);
+        const Vector<double, 3> before = q.segment<3>(rate), after = turned.segment<3>(rate);
+        CHECK(after.norm() == Approx(before.norm()).epsilon(0.1));  // the sum makes 1.41 of it
+        CHECK(std::abs(after.dot(turned.segment<3>(tangent)) - before.dot(q.segment<3>(tangent))) <=
+              1e-12);
+    }
+}
+
 }  // namespace turning_test

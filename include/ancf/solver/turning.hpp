@@ -39,8 +39,8 @@ public:
     /// @param q              before + change on entry
     void twist(const VectorX& before, const VectorX& change, VectorX& q) const;
 
-    /// Turns slopes by their rotation and the chords of elements by theirs; positions follow the
-    /// chords as well as they can, in least squares.
+    /// Turns slopes by their rotation, their rates along the line with the tangent, and the chords
+    /// of elements by theirs; positions follow the chords as well as they can, in least squares.
     void turn(const VectorX& before, const VectorX& change, VectorX& q, TurnBy by = TurnBy::angle);
 
     /// Adds what turning instead of adding makes of the tangent: residual . d2q/dx2, where q
@@ -72,7 +72,10 @@ private:
         detail::SparseLdlt factors;
     };
 
+    static constexpr Field slope_rates[] = {Field::r_xx, Field::r_xy};
+
     [[nodiscard]] Slopes slopes(int node) const;
+    [[nodiscard]] bool is_free(int first) const;  // a vector, by its first coordinate
     [[nodiscard]] double twist(const std::array<int, 2>& chord, const VectorX& before,
                                const VectorX& change) const;
     void add_curvature_of_chord(const std::array<int, 2>& chord, const double* force,

@@ -210,6 +210,35 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int coun
     std::copy_n(result.entry, count * dimension, after);
 }
 
+/// Writes rate + change, the rate of a slope along the line, with what turns it as the tangent
+/// turned: R (rate + change - w x rate), R the smallest rotation from t to the new tangent's
+/// direction and w = t x dt its spin, t = r_x/|r_x|.
+/// @param before,after  r_x
+/// @param change        of r_x
+ANCF_INLINE void turn_rate(const double* before, const double* change, const double* after,
+                           const double* rate, const double* rate_change, int dimension,
+                           double* out) {
+    Vector<double, 3> t = Vector<double, 3>::Zero(), dt = t, to = t, v = t, dv = t;
+    for (int k = 0; k < dimension; ++k) {
+        t[k] = before[k];
+        dt[k] = change[k];
+        to[k] = after[k];
+        v[k] = rate[k];
+        dv[k] = rate_change[k];
+    }
+    const double length = t.norm();
+    t /= length;
+    to /= to.norm();
+    dt /= length;
+    const double cosine = t.dot(to);
+    if (!(cosine > -0.9)) return;  // where that rotation is not unique
+    const Vector<double, 3> spin = cross(t, dt), axis = cross(t, to);
+    v += dv - cross(spin, v);
+    const Vector<double, 3> turned =
+        cosine * v + cross(axis, v) + axis.dot(v) / (1.0 + cosine) * axis;
+    std::copy_n(turned.data(), dimension, out);
+}
+
 /// Writes the second derivative of rho . exp(W) (I + D) G by dG, 9 x 9. With the columns g_k of
 /// G^-T and M = rho G^T, the entry of dG_ik and dG_jl is an eighth of
 ///
@@ -276,13 +305,19 @@ ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
     const int first =
         layout_.first(node) + (layout_.fields(node).contains(Field::r) ? dimension_ : 0);
     int last = layout_.first(node + 1);
-    for (const Field rate : {Field::r_xx, Field::r_xy})  // which are no slopes
+    for (const Field rate : slope_rates)
         if (const int at = layout_.index({{node}, rate}); at >= 0) last = at;
     const int count = (last - first) / dimension_;
     bool whole = count == dimension_ || (count == 2 && dimension_ == 3);
-    for (int k = first; k < first + count * dimension_; ++k)
-        whole = whole && numbering_.equation(k) >= 0;
+    for (int slope = 0; slope < count; ++slope)
+        whole = whole && is_free(first + slope * dimension_);
     return {first, count, whole};
+}
+
+ANCF_INLINE bool Turning::is_free(int first) const {
+    for (int k = first; k < first + dimension_; ++k)
+        if (numbering_.equation(k) < 0) return false;
+    return true;
 }
 
 ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, VectorX& q) const {
@@ -448,13 +483,18 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
                                TurnBy by) {
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
-        if (at.whole) {
+        if (at.whole)
             detail::turn_frame(before.data() + at.first, change.data() + at.first, at.count,
                                dimension_, false, by, q.data() + at.first);
-            continue;
-        }
-        for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
-            detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by, q.data() + k);
+        else
+            for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
+                detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by,
+                               q.data() + k);
+        for (const Field rate : slope_rates)
+            if (const int k = layout_.index({{node}, rate}); k >= 0 && is_free(k))
+                detail::turn_rate(before.data() + at.first, change.data() + at.first,
+                                  q.data() + at.first, before.data() + k, change.data() + k,
+                                  dimension_, q.data() + k);
     }
     factorize();
     // wanted: how far each chord ends from where the linear sum ends it
