@@ -86,6 +86,25 @@ TEST_CASE("petsc::Solver: a unsymmetric tangent is condensed with both of its si
     CHECK(residual(a, x, b) < 1e-9);
 }
 
+TEST_CASE("petsc::Solver: a tangent without its zeros is condensed as with them", "[petsc]") {
+    const double turning = GENERATE(0.0, 30000.0);  // N; an unsymmetric tangent, if any
+    Model model = lattice(3);
+    if (turning > 0.0) model.add(FollowerForce(NodeId{26}, Point(0, 0, turning)));
+    const SparseMatrix full = tangent_of(model);
+    SparseMatrix a = full;
+    a.prune([&](auto, auto, double value) { return value != 0.0; });
+    a.makeCompressed();
+    REQUIRE(a.nonZeros() < full.nonZeros() / 2);
+    const VectorX b = waves(a.cols());
+    petsc::Solver solver(model);
+    solver.analyze(a);
+    REQUIRE(solver.factorize(a).status == Status::converged);
+    VectorX x;
+    solver.solve(b, x);
+    CHECK(residual(a, x, b) < 1e-9);
+    CHECK(solver.rows() == 18 * 12);
+}
+
 TEST_CASE("petsc::Solver: statics by multigrid is statics by a factorisation", "[petsc]") {
     Model expected = lattice(5), model = lattice(5);
     EigenLu lu;

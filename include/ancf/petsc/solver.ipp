@@ -22,6 +22,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -83,7 +84,8 @@ private:
     std::vector<std::string> names_;
 };
 
-/// Calls visit(i, j, k) for the stored entries k of a matrix in rows[i] and columns[j], ascending.
+/// Calls visit(i, j, k) for the entries of a matrix in rows[i] and columns[j], ascending; k is the
+/// place of the stored entry, -1 where there is none.
 template <class Visitor>
 void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
                  const Eigen::VectorXi& columns, const Visitor& visit) {
@@ -93,7 +95,7 @@ void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
         const int* const end = inner + matrix.outerIndexPtr()[columns[j] + 1];
         for (Eigen::Index i = 0; i < rows.size(); ++i) {
             while (found != end && *found < rows[i]) ++found;
-            if (found != end && *found == rows[i]) visit(i, j, found - inner);
+            visit(i, j, found != end && *found == rows[i] ? found - inner : -1);
         }
     }
 }
@@ -106,23 +108,33 @@ class Condensation {
 public:
     Condensation() = default;
 
-    /// @param pattern    of full storage; it couples all that a set touches with each other.
+    /// @param pattern    of full storage.
     /// @param sets       ascending, apart, and without entries between two of them.
     /// @param symmetric  whether values are.
     Condensation(const SparseMatrix& pattern, const std::vector<std::vector<int>>& sets,
                  bool symmetric)
         : symmetric_(symmetric), skipped_(pattern.cols() + 1, 0) {
         const int* const outer = pattern.outerIndexPtr();
-        const int* const rows = pattern.innerIndexPtr();
+        SparseMatrix sum;  // with the entries of both sides
+        if (!symmetric) sum = pattern + SparseMatrix(pattern.transpose());
+        const SparseMatrix& both = symmetric ? pattern : sum;
         using Places = Eigen::Map<const Eigen::VectorXi>;
         for (const std::vector<int>& own : sets) {
+            std::set<int> seen;
             std::vector<int> others;
-            std::set_difference(rows + outer[own[0]], rows + outer[own[0] + 1], own.begin(),
-                                own.end(), std::back_inserter(others));
+            for (const int j : own) {
+                seen.insert(both.innerIndexPtr() + both.outerIndexPtr()[j],
+                            both.innerIndexPtr() + both.outerIndexPtr()[j + 1]);
+                skipped_[j + 1] = outer[j + 1] - outer[j];
+            }
+            std::set_difference(seen.begin(), seen.end(), own.begin(), own.end(),
+                                std::back_inserter(others));
             Set& set = sets_.emplace_back();
             set.own = Places(own.data(), own.size());
             set.others = Places(others.data(), others.size());
-            for (const int j : own) skipped_[j + 1] = outer[j + 1] - outer[j];
+            visit_block(pattern, set.others, set.others, [&](auto i, auto j, auto k) {
+                if (k < 0) filled_.emplace_back(others[i], others[j]);
+            });
         }
         std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
     }
@@ -132,7 +144,11 @@ public:
         return skipped_[unknown] == skipped_[unknown + 1];
     }
 
-    /// Writes the columns that are left, one after the other, with S in the rows that are left.
+    /// Returns row and column of the entries of S that the pattern lacks.
+    [[nodiscard]] const std::vector<std::pair<int, int>>& filled() const { return filled_; }
+
+    /// Writes the columns that are left, one after the other, with S in the rows that are left, and
+    /// the entries of filled() after them.
     /// @return false where a set has no stiffness of its own.
     [[nodiscard]] bool reduce(const SparseMatrix& matrix, double* values) {
         const int* const outer = matrix.outerIndexPtr();
@@ -140,11 +156,13 @@ public:
             if (keeps(j))
                 std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
                           values + outer[j] - skipped_[j]);
+        double* fill = values + outer[matrix.cols()] - skipped_.back();
         const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
                               MatrixX& to) {
             to.setZero(rows.size(), columns.size());
-            visit_block(matrix, rows, columns,
-                        [&](auto i, auto j, auto k) { to(i, j) = matrix.valuePtr()[k]; });
+            visit_block(matrix, rows, columns, [&](auto i, auto j, auto k) {
+                if (k >= 0) to(i, j) = matrix.valuePtr()[k];
+            });
         };
         MatrixX ee, ne, en, change;
         for (Set& set : sets_) {
@@ -160,7 +178,10 @@ public:
             if (!symmetric_) set.left.noalias() = ne * set.inverse;
             change.noalias() = ne * set.right;
             visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
-                values[k - skipped_[set.others[j]]] -= change(i, j);
+                if (k >= 0)
+                    values[k - skipped_[set.others[j]]] -= change(i, j);
+                else
+                    *fill++ = -change(i, j);
             });
         }
         return true;
@@ -194,6 +215,7 @@ private:
     bool symmetric_ = false;
     std::vector<int> skipped_;  // entries of eliminated columns before each column, and the end
     std::vector<Set> sets_;
+    std::vector<std::pair<int, int>> filled_;
 };
 
 /// The objects of PETSc, and how a matrix becomes theirs.
@@ -268,6 +290,10 @@ struct SolverRun {
                 is.push_back(rows.row[pattern.innerIndexPtr()[k]]);
                 js.push_back(rows.row[j]);
             }
+        }
+        for (const auto& entry : condensation.filled()) {
+            is.push_back(rows.row[entry.first]);
+            js.push_back(rows.row[entry.second]);
         }
         is.insert(is.end(), rows.idle.begin(), rows.idle.end());
         js.insert(js.end(), rows.idle.begin(), rows.idle.end());
