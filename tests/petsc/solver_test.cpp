@@ -174,6 +174,8 @@ TEST_CASE("petsc::Solver: an error of PETSc is a status with its words", "[petsc
     CHECK_THAT(solver.failure(), ContainsSubstring("PETSc"));
     CHECK_THROWS_AS(petsc::Solver({"-ksp_type nosuch", ""}), InvalidArgument);
     CHECK_THROWS_AS(petsc::Solver({"cg -ksp_type", ""}), InvalidArgument);
+    CHECK_THROWS_AS(petsc::Solver({"--ksp_type cg", ""}), InvalidArgument);
+    CHECK_THROWS_AS(petsc::Solver({"-ksp_monitor --ksp_type", ""}), InvalidArgument);
     petsc::Solver next(model);  // as if nothing had been
     next.analyze(a);
     CHECK(next.factorize(a).status == Status::converged);

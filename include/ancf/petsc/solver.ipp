@@ -54,15 +54,17 @@ public:
         std::string* value = nullptr;  // of the last name
         std::istringstream words(text);
         for (std::string word; words >> word;) {
-            PetscBool is_name = PETSC_FALSE;
+            PetscBool is_name = PETSC_FALSE;  // PETSc takes two dashes for one
             check(PetscOptionsValidKey(word.c_str(), &is_name));
-            if (is_name != PETSC_FALSE) {
+            const bool doubled = word.compare(0, 2, "--") == 0;
+            if (is_name != PETSC_FALSE && !doubled) {
                 value = &values["-" + prefix + word.substr(1)];
                 value->clear();
                 continue;
             }
-            ancf::detail::require(value != nullptr && value->empty(), "petsc::SolverOptions: \"",
-                                  word, "\" follows no name of an option in \"", text, "\"");
+            ancf::detail::require(!doubled && value != nullptr && value->empty(),
+                                  "petsc::SolverOptions: \"", word,
+                                  "\" is no name of an option, nor follows one, in \"", text, "\"");
             *value = word;
         }
         for (const auto& option : values) {
