@@ -347,8 +347,11 @@ struct SolverRun {
         PCFailedReason reason = PC_NOERROR;
         check(KSPGetPC(ksp, &pc));
         check(PCGetFailedReason(pc, &reason));
-        reason = static_cast<PCFailedReason>(largest(reason));
-        if (reason == PC_NOERROR) return Status::converged;
+        const int error =
+            std::numeric_limits<int>::max();  // PC_SETUP_ERROR is less than PC_NOERROR
+        const int worst = largest(reason < 0 ? error : reason);
+        if (worst == PC_NOERROR) return Status::converged;
+        reason = worst == error ? PC_SETUP_ERROR : static_cast<PCFailedReason>(worst);
         failure = std::string("PETSc: the preconditioner failed: ") + PCFailedReasons[reason];
         const bool pivot =
             reason == PC_FACTOR_NUMERIC_ZEROPIVOT || reason == PC_FACTOR_STRUCT_ZEROPIVOT;
