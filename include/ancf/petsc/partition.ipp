@@ -252,7 +252,9 @@ ANCF_INLINE VectorX Partition::gather(const VectorX& of_part) const {
 }
 
 ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const {
-    VectorX all = VectorX::Zero(whole_.state().multipliers.size());
+    Eigen::Index count = 0;
+    for (const AnyConstraint& each : constraints()) count += each.equations();
+    VectorX all = VectorX::Zero(count);
     Eigen::Index place = 0, next = 0;
     for (const AnyConstraint& each : constraints()) {
         const bool own = division_->owner(each.coupling()) == rank_;
