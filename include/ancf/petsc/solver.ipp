@@ -253,6 +253,7 @@ struct SolverRun {
             check(KSPSetErrorIfNotConverged(ksp, PETSC_FALSE));
             check(KSPSetFromOptions(ksp));
         } catch (const std::runtime_error& failed) {
+            static_cast<void>(ksp.fresh());  // while errors are quiet
             ancf::detail::reject("petsc::SolverOptions \"", options.options, "\": ", failed.what());
         }
         PC pc = nullptr;
