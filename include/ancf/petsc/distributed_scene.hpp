@@ -44,10 +44,11 @@ struct Run {
 /// One scene, divided between processes. All calls are collective but part(), solver(),
 /// partition() and runs().
 ///
-/// Reports are the same in every process, with three exceptions: reactions and memory are of this
-/// process's part, and a fault has its element, by its number in the whole scene, where that is
-/// held. Users' functions see the state of the part. Where one of them throws in one process, or a
-/// `progress` says stop, all end: others throw std::runtime_error, or return Status::stopped.
+/// Reports are the same in every process, with these exceptions: reactions and memory are of this
+/// process's part; a fault has its element, by its number in the whole scene, where that is held;
+/// `softened` is set where such an element is held. Users' functions see the state of the part.
+/// Where one of them throws in one process, or a `progress` says stop, all end: others throw
+/// std::runtime_error, or return Status::stopped.
 class DistributedScene {
 public:
     /// Divides the scene, which outlives this and is the same in every process.
