@@ -66,9 +66,10 @@ public:
     ///         its corrections tie all nodes of the scene.
     [[nodiscard]] StaticsReport solve(const StaticsOptions& options = {});
 
-    /// Integrates from the parts' state to the schedule's end. `observe` sees the whole scene's
-    /// energies, and may call gathered(). M alone is solved by stabilised bi-conjugate gradients,
-    /// whose options have the prefix and "mass_".
+    /// Integrates from the parts' state to the schedule's end; solve leaves its factor as the time,
+    /// so set part().state().time to the start of the motion after it. `observe` sees the energies
+    /// of the whole scene, and may call gathered(). M alone is solved by stabilised bi-conjugate
+    /// gradients, whose options have the prefix and "mass_".
     /// @param memory  of a run of the scene divided in the same way.
     /// @throws InvalidArgument for a scene with constraints, and as GeneralizedAlpha::integrate.
     [[nodiscard]] DynamicsReport integrate(const Schedule& schedule,
