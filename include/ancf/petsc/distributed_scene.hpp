@@ -71,7 +71,8 @@ public:
     /// of the whole scene, and may call gathered(). M alone is solved by stabilised bi-conjugate
     /// gradients, whose options have the prefix and "mass_".
     /// @param memory  of a run of the scene divided in the same way.
-    /// @throws InvalidArgument for a scene with constraints, and as GeneralizedAlpha::integrate.
+    /// @throws InvalidArgument for a scene with constraints, for options of the solver of M that
+    ///         PETSc refuses, and as GeneralizedAlpha::integrate.
     [[nodiscard]] DynamicsReport integrate(const Schedule& schedule,
                                            const GeneralizedAlphaOptions& options = {},
                                            const Memory& memory = {});
