@@ -144,6 +144,7 @@ TEST_CASE("DistributedScene::integrate: it starts from the equilibrium that solv
     REQUIRE(scene.solve(exact).status == Status::converged);
     scene.part().state().time = 0.0;
     const VectorX before = scene.part().state().q;
+    CHECK(largest(scene.gathered(before) - model.state().q) > 1e-3);
     Schedule schedule;
     schedule.end = 0.01;
     REQUIRE(scene.integrate(schedule, of_step(1e-3)).status == Status::converged);
