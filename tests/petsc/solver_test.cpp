@@ -163,6 +163,30 @@ TEST_CASE("petsc::Solver: it says singular, not finite or why it diverged", "[pe
     CHECK_THAT(short_of_steps.failure(), ContainsSubstring("DIVERGED_ITS"));
 }
 
+TEST_CASE("petsc::Solver: it solves and refuses where the condensation leaves no rows", "[petsc]") {
+    Model model;
+    const auto frame = ancf::frame<petsc_test::Beam>(
+        model, {{steel, bar()}}, {Point(0, 0, 0), Point(1, 0, 0)}, {{0, 1, 0, 1}});
+    model.clamp(frame.joints.front());
+    model.clamp(frame.joints.back());
+    SparseMatrix a = tangent_of(model);
+    const VectorX b = waves(a.cols());
+    REQUIRE(a.cols() == 6);  // the slopes r_x of both ends
+    petsc::Solver solver(model);
+    solver.analyze(a);
+    CHECK(solver.rows() == 0);
+    REQUIRE(solver.factorize(a).status == Status::converged);
+    VectorX x;
+    solver.solve(b, x);
+    CHECK(residual(a, x, b) < 1e-9);
+    a.coeffRef(5, 5) = std::nan("");
+    CHECK(solver.factorize(a).status == Status::not_finite);
+    CHECK(solver.failure().empty());
+    a.coeffs().setZero();
+    CHECK(solver.factorize(a).status == Status::singular);
+    CHECK_THAT(solver.failure(), ContainsSubstring("r_x"));
+}
+
 TEST_CASE("petsc::Solver: an error of PETSc is a status with its words", "[petsc][refused]") {
     const Model model = lattice(2);
     const SparseMatrix a = tangent_of(model);
