@@ -231,7 +231,7 @@ struct SolverRun {
     Numbering numbering;
     Rows rows;
     Condensation condensation;
-    bool symmetric = false, factorises = false;
+    bool symmetric = false, factorises = false, has_idle = false;
     PetscInt size = 0;           // rows of all processes
     std::vector<double> values;  // handed over
     Handle<KSP> ksp;
@@ -285,6 +285,7 @@ struct SolverRun {
                                     [](const ScaledLoad& load) { return load.load.symmetric(); });
         }
         condensation = Condensation(pattern, rows.sets, symmetric);
+        has_idle = largest(rows.idle.empty() ? 0 : 1) > 0;
 
         std::vector<PetscInt> is, js;  // PETSc leaves out entries in rows of -1
         for (int j = 0; j < pattern.cols(); ++j) {
@@ -362,15 +363,17 @@ struct SolverRun {
     /// Hands over the condensed values; false where the condensation failed in some process.
     [[nodiscard]] bool set_values(const SparseMatrix& from) {
         if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) return false;
-        double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
-        for (int j = 0; j < from.cols(); ++j)
-            if (rows.row[j] >= 0) {
-                mean[0] += std::abs(from.coeff(j, j));
-                mean[1] += 1.0;
-            }
-        MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
-        std::fill(values.end() - rows.idle.size(), values.end(),
-                  mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
+        if (has_idle) {
+            double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
+            for (int j = 0; j < from.cols(); ++j)
+                if (rows.row[j] >= 0) {
+                    mean[0] += std::abs(from.coeff(j, j));
+                    mean[1] += 1.0;
+                }
+            MPI_Allreduce(MPI_IN_PLACE, mean, 2, MPI_DOUBLE, MPI_SUM, comm);
+            std::fill(values.end() - rows.idle.size(), values.end(),
+                      mean[0] > 0.0 ? mean[0] / mean[1] : 1.0);
+        }
         if (size > 0) check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
         return true;
     }
