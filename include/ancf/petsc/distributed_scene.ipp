@@ -24,8 +24,8 @@ ANCF_INLINE DistributedScene::DistributedScene(Scene& model, MPI_Comm comm,
 ANCF_INLINE StaticsReport DistributedScene::solve(const StaticsOptions& options) {
     options.check();
     ancf::detail::require(options.newton != NewtonKind::turned,
-                          "petsc::DistributedScene: NewtonKind::turned ties all nodes of a "
-                          "scene; take mixed or plain");
+                          "petsc::DistributedScene::solve: NewtonKind::turned ties all nodes of "
+                          "a scene; take mixed or plain");
     StaticsOptions own = options;
     if (options.progress)
         own.progress = [&](double factor, const State& state) {
@@ -42,8 +42,8 @@ ANCF_INLINE DynamicsReport DistributedScene::integrate(const Schedule& schedule,
                                                        const GeneralizedAlphaOptions& options,
                                                        const Memory& memory) {
     ancf::detail::require(model_.constraints().empty(),
-                          "petsc::DistributedScene: the scene has constraints; GeneralizedAlpha "
-                          "with a petsc::Solver moves it in one process");
+                          "petsc::DistributedScene::integrate: the scene has constraints; "
+                          "GeneralizedAlpha with a petsc::Solver moves it in one process");
     // blocks of M are nearly alike: some thirty iterations at any size
     Solver mass_solver(*part_, {"-ksp_type bcgs -ksp_rtol 1e-13 -ksp_max_it 1000 -pc_type pbjacobi",
                                 prefix_.empty() ? prefix_ : prefix_ + "mass_"});
