@@ -82,9 +82,9 @@ public:
     [[nodiscard]] int iterations() const noexcept;
     /// Returns the most iterations that a solution took so far.
     [[nodiscard]] int most_iterations() const noexcept;
-    /// Returns the number of rows that PETSc sees, over all processes.
+    /// Returns the number of rows that PETSc sees, over all processes; 0 before analyze.
     [[nodiscard]] long rows() const noexcept;
-    /// Returns the number of rows of a block.
+    /// Returns the number of rows of a block; 1 before analyze.
     [[nodiscard]] int block_size() const noexcept;
 
 private:
