@@ -26,7 +26,7 @@ namespace detail {
 inline void check(PetscErrorCode code) {
     if (code == 0) return;
     const char* kind = nullptr;
-    char* words = nullptr;  // of the place where it arose
+    char* words = nullptr;  // of the last error that began anywhere, as a rule this one
     static_cast<void>(PetscErrorMessage(code, &kind, &words));
     std::string text = std::string("PETSc: ") + (kind != nullptr ? kind : "error");
     if (words != nullptr && *words != '\0') text.append(": ").append(words);
