@@ -20,7 +20,7 @@ namespace ancf::petsc::detail {
 
 /// Returns the process of each vertex of a graph, the same in every process.
 /// @param shares  process r gives the edges from the vertices shares[r] to before shares[r + 1]
-/// @param from    first vertex of each of these edges; an edge may come more than once
+/// @param from    first vertex of each of these edges; repeated edges add up
 /// @param to      second vertex
 [[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(MPI_Comm comm, const std::string& prefix,
                                                           const std::vector<PetscInt>& shares,
@@ -105,7 +105,7 @@ private:
         if (ranks > 1 && count >= 16L * ranks) {
             std::vector<PetscInt> from, to;
             const auto append = [&](PetscInt a, PetscInt b) {
-                if (a < shares[rank] || a >= shares[rank + 1]) return;
+                if (a == b || a < shares[rank] || a >= shares[rank + 1]) return;
                 from.push_back(a);
                 to.push_back(b);
             };
