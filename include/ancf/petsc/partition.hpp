@@ -30,7 +30,7 @@ struct Division;
 
 /// The rows of the equations of a part in the system of all parts.
 struct Rows {
-    PetscInt first = 0, last = 0;        ///< this process has the rows from one to before the other
+    PetscInt first = 0, last = 0;        ///< its rows are first to last - 1
     int block = 1;                       ///< how many rows form a block
     std::vector<PetscInt> row;           ///< of each equation; -1 of one that is eliminated
     std::vector<std::vector<int>> sets;  ///< of equations that are eliminated together, ascending
@@ -73,7 +73,8 @@ public:
         return whole_.constraints();
     }
 
-    /// Returns the number in this part of an element of a group of the whole scene; -1 of others'.
+    /// Returns an element's number in this part; -1 where another process has it. `element` is its
+    /// number in the whole scene.
     /// @throws InvalidArgument for a group that the scene gained after it was divided.
     [[nodiscard]] int number_in_part(const ElementGroup& group, int element) const;
 
@@ -96,8 +97,9 @@ private:
     int rank_ = 0;
     std::unique_ptr<const Division> division_;
     ScenePart held_;
-    std::vector<char> own_;   // of each coordinate of the part
-    Handle<PetscSF> shared_;  // leaves: the coordinates of each part; roots: those that it owns
+    std::vector<char> own_;  // of each coordinate of the part
+    // leaves: the coordinates of each part; roots: the coordinates that each process owns
+    Handle<PetscSF> shared_;
     mutable std::vector<double> sums_;
 };
 
