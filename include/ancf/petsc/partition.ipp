@@ -57,20 +57,21 @@ namespace ancf::petsc::detail {
 /// Who has what of a scene, the same in every process.
 struct Division {
     std::vector<int> follows;      // the node that each node is attached to, -1
-    std::vector<int> node;         // process of each node; -1 without vectors
+    std::vector<int> process;      // of each node; -1 without vectors
     std::vector<char> eliminated;  // of each node: attached, and seen by one element alone
 
     Division(const Scene& whole, MPI_Comm comm, const std::string& prefix)
-        : follows(whole.nodes(), -1), node(follows.size(), -1), eliminated(follows.size(), 0) {
+        : follows(whole.nodes(), -1), process(follows.size(), -1), eliminated(follows.size(), 0) {
         for (const AttachedVector& attachment : whole.attachments())
             follows[attachment.vector.node.index] = attachment.to.index;
         divide(whole, comm, prefix);
         for (const auto& group : whole.groups())
             for (const Connection& c : group->connections)
                 for (const NodeId end : {c.first, c.second})
-                    if (int& of = node[end.index]; of < 0) of = owner(c);
+                    if (int& of = process[end.index]; of < 0) of = owner(c);
         for (int k = 0; k < whole.nodes(); ++k)
-            if (int& of = node[k]; of < 0 && whole.layout().size(k) > 0) of = node[leader({k})];
+            if (int& of = process[k]; of < 0 && whole.layout().size(k) > 0)
+                of = process[leader({k})];
         eliminate(whole);
     }
 
@@ -80,15 +81,15 @@ struct Division {
         while (follows[k] >= 0) k = follows[k];
         return k;
     }
-    [[nodiscard]] int owner(const Connection& c) const { return node[leader(c.first)]; }
+    [[nodiscard]] int owner(const Connection& c) const { return process[leader(c.first)]; }
     /// What couples nodes is where its first one is.
     [[nodiscard]] int owner(const Coupling& coupling) const {
-        return coupling.empty() ? 0 : node[coupling.front().node.index];
+        return coupling.empty() ? 0 : process[coupling.front().node.index];
     }
 
 private:
     void divide(const Scene& whole, MPI_Comm comm, const std::string& prefix) {
-        std::vector<int> vertex(node.size(), -1), leaders;
+        std::vector<int> vertex(process.size(), -1), leaders;
         for (int k = 0; k < whole.nodes(); ++k)
             if (whole.layout().size(k) > 0 && follows[k] < 0) {
                 vertex[k] = static_cast<int>(leaders.size());
@@ -117,11 +118,11 @@ private:
                 }
             parts = parts_of_graph(comm, prefix, shares, std::move(from), std::move(to));
         }
-        for (std::size_t k = 0; k < leaders.size(); ++k) node[leaders[k]] = parts[k];
+        for (std::size_t k = 0; k < leaders.size(); ++k) process[leaders[k]] = parts[k];
     }
 
     void eliminate(const Scene& whole) {
-        std::vector<int> seen(node.size(), 0);
+        std::vector<int> seen(process.size(), 0);
         const auto see = [&](NodeId of) { seen[of.index] += 1; };
         const auto see_all = [&](const Coupling& coupling) {
             for (const NodeField& vector : coupling) see(vector.node);
@@ -135,7 +136,7 @@ private:
             if (!load.load.constant()) see_all(load.load.coupling());
         for (const AnyConstraint& each : whole.constraints()) see_all(each.coupling());
         for (const AttachedVector& attachment : whole.attachments()) see(attachment.to);
-        for (std::size_t k = 0; k < node.size(); ++k)
+        for (std::size_t k = 0; k < process.size(); ++k)
             eliminated[k] = follows[k] >= 0 && seen[k] == 1;
     }
 };
@@ -153,7 +154,7 @@ ANCF_INLINE Partition::~Partition() = default;
 
 ANCF_INLINE void Partition::hold() {
     const Division& division = *division_;
-    held_.nodes.assign(division.node.size(), 0);
+    held_.nodes.assign(division.process.size(), 0);
     const auto take = [&](NodeId of) {  // with those that it follows
         for (int k = of.index; k >= 0; k = division.follows[k]) held_.nodes[k] = 1;
     };
@@ -169,7 +170,7 @@ ANCF_INLINE void Partition::hold() {
         return result;
     };
     for (int node = 0; node < whole_.nodes(); ++node)
-        if (division.node[node] == rank_) take({node});
+        if (division.process[node] == rank_) take({node});
     for (const auto& group : whole_.groups())
         held_.elements.push_back(places(group->connections, [&](const Connection& c) {
             if (division.owner(c) != rank_) return false;
@@ -181,8 +182,9 @@ ANCF_INLINE void Partition::hold() {
         places(whole_.loads(), [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
     held_.constraints = places(whole_.constraints(),
                                [&](const AnyConstraint& each) { return takes(each.coupling()); });
-    held_.masses = places(
-        whole_.masses(), [&](const auto& each) { return division.node[each.node.index] == rank_; });
+    held_.masses = places(whole_.masses(), [&](const auto& each) {
+        return division.process[each.node.index] == rank_;
+    });
 }
 
 ANCF_INLINE void Partition::connect() {
@@ -192,7 +194,7 @@ ANCF_INLINE void Partition::connect() {
     std::vector<PetscSFNode> roots;
     for (int node = 0; node < layout.nodes(); ++node)
         for (int k = 0; k < layout.size(node); ++k) {
-            const int owner = division_->node[node];
+            const int owner = division_->process[node];
             const PetscInt place = count[owner]++;
             if (held_.nodes[node] == 0) continue;
             own_.push_back(owner == rank_);
@@ -274,7 +276,7 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     std::vector<int> own;                 // nodes of this process with rows
     double most = 0.0, least = HUGE_VAL;  // coordinates of such a node
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (division_->node[node] != rank_ || division_->eliminated[node] != 0 ||
+        if (division_->process[node] != rank_ || division_->eliminated[node] != 0 ||
             !any_free(layout.first(node), layout.first(node + 1)))
             continue;
         own.push_back(node);
