@@ -32,7 +32,7 @@ struct Division;
 struct Rows {
     PetscInt first = 0, last = 0;        ///< its rows are first to last - 1
     int block = 1;                       ///< how many rows form a block
-    std::vector<PetscInt> row;           ///< of each equation; -1 of one that is eliminated
+    std::vector<PetscInt> of_equation;   ///< row of each one; -1 of one that is eliminated
     std::vector<std::vector<int>> sets;  ///< of equations that are eliminated together, ascending
     std::vector<PetscInt> idle;          ///< own rows without an equation
 

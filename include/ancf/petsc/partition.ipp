@@ -308,8 +308,8 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     for (double& row : number) row += row > 0.0 ? rows.first : 0;
     add(number);
     for (int k = 0; k < layout.size(); ++k)
-        if (equation[k] >= 0) rows.row.push_back(static_cast<PetscInt>(number[k]) - 1);
-    for (int k = numbering.multipliers(); k > 0; --k) rows.row.push_back(rows.last - k);
+        if (equation[k] >= 0) rows.of_equation.push_back(static_cast<PetscInt>(number[k]) - 1);
+    for (int k = numbering.multipliers(); k > 0; --k) rows.of_equation.push_back(rows.last - k);
 
     // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())

@@ -269,7 +269,7 @@ struct SolverRun {
         rows = {};
         if (scene == nullptr) {
             rows.last = static_cast<PetscInt>(pattern.rows());
-            for (PetscInt k = 0; k < rows.last; ++k) rows.row.push_back(k);
+            for (PetscInt k = 0; k < rows.last; ++k) rows.of_equation.push_back(k);
         } else {
             numbering = Numbering(*scene);
             ancf::detail::require(pattern.rows() == numbering.unknowns(),
@@ -291,13 +291,13 @@ struct SolverRun {
         for (int j = 0; j < pattern.cols(); ++j) {
             if (!condensation.keeps(j)) continue;
             for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
-                is.push_back(rows.row[pattern.innerIndexPtr()[k]]);
-                js.push_back(rows.row[j]);
+                is.push_back(rows.of_equation[pattern.innerIndexPtr()[k]]);
+                js.push_back(rows.of_equation[j]);
             }
         }
         for (const auto& entry : condensation.filled()) {
-            is.push_back(rows.row[entry.first]);
-            js.push_back(rows.row[entry.second]);
+            is.push_back(rows.of_equation[entry.first]);
+            js.push_back(rows.of_equation[entry.second]);
         }
         is.insert(is.end(), rows.idle.begin(), rows.idle.end());
         js.insert(js.end(), rows.idle.begin(), rows.idle.end());
@@ -366,7 +366,7 @@ struct SolverRun {
         if (has_idle) {
             double mean[2] = {0.0, 0.0};  // of the diagonal: what rows without an equation get
             for (int j = 0; j < from.cols(); ++j)
-                if (rows.row[j] >= 0) {
+                if (rows.of_equation[j] >= 0) {
                     mean[0] += std::abs(from.coeff(j, j));
                     mean[1] += 1.0;
                 }
@@ -485,8 +485,8 @@ struct SolverRun {
     /// Calls visit(equation, row) for the own rows, which it counts from 0.
     template <class Visitor>
     void for_own(const Visitor& visit) const {
-        for (std::size_t k = 0; k < rows.row.size(); ++k)
-            if (rows.own(rows.row[k])) visit(k, rows.row[k] - rows.first);
+        for (std::size_t k = 0; k < rows.of_equation.size(); ++k)
+            if (rows.own(rows.of_equation[k])) visit(k, rows.of_equation[k] - rows.first);
     }
 
     /// Writes entries of equations to a vector of PETSc.
