@@ -134,9 +134,9 @@ struct Times {
 };
 
 /// Compares an assembly by all processes with one by the first alone, in turn.
-void assemble(ancf::Model& model, ancf::petsc::DistributedScene& statics, int pairs) {
+void assemble(ancf::Model& model, ancf::petsc::DistributedScene& scene, int pairs) {
     const bool first = ancf::petsc::Session::rank() == 0;
-    AssemblyTask together(statics.part());
+    AssemblyTask together(scene.part());
     const std::unique_ptr<AssemblyTask> alone =
         first ? std::make_unique<AssemblyTask>(model) : nullptr;
     Times by_all, by_one, elements, in_threads;
@@ -171,20 +171,20 @@ void assemble(ancf::Model& model, ancf::petsc::DistributedScene& statics, int pa
 
 /// Lets the lattice go in ten steps.
 void move(ancf::Model& model) {
-    ancf::petsc::DistributedScene motion(model, PETSC_COMM_WORLD,
-                                         ancf::petsc::SolverOptions::iterative("lattice_"));
+    ancf::petsc::DistributedScene scene(model, PETSC_COMM_WORLD,
+                                        ancf::petsc::SolverOptions::iterative("lattice_"));
     ancf::GeneralizedAlphaOptions options;
     options.step = 1e-3;
     ancf::Schedule schedule;
     schedule.end = 1e-2;
-    const ancf::DynamicsReport report = motion.integrate(schedule, options);
+    const ancf::DynamicsReport report = scene.integrate(schedule, options);
     if (ancf::petsc::Session::rank() == 0)
         std::printf(
             "%d processes, %d members, motion: %s, %ld steps, %ld linear systems, at most %d "
             "iterations each, %.1f s, %.2f GB in process 0 %s\n",
             ancf::petsc::Session::ranks(), model.group<Beam>().size(),
             std::string(to_string(report.status)).c_str(), report.steps, report.iterations,
-            motion.solver().most_iterations(), report.seconds, memory(), report.message.c_str());
+            scene.solver().most_iterations(), report.seconds, memory(), report.message.c_str());
 }
 
 /// Prints how many entries the factor L of the tangent has, in CHOLMOD's best order.
@@ -232,20 +232,20 @@ int main(int argc, char** argv) {
         move(model);
         return 0;
     }
-    ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD,
-                                          ancf::petsc::SolverOptions::iterative("lattice_"));
+    ancf::petsc::DistributedScene scene(model, PETSC_COMM_WORLD,
+                                        ancf::petsc::SolverOptions::iterative("lattice_"));
     if (what == "assembly") {
-        assemble(model, statics, argc > 3 ? std::atoi(argv[3]) : 15);
+        assemble(model, scene, argc > 3 ? std::atoi(argv[3]) : 15);
         return 0;
     }
     const double begin = now();
-    const ancf::StaticsReport report = statics.solve();
+    const ancf::StaticsReport report = scene.solve();
     if (ancf::petsc::Session::rank() == 0)
         std::printf(
             "%d processes, %d^3 joints, %d members, %ld rows: %s, %d linear systems, at most "
             "%d iterations each, %.1f s, %.2f GB in process 0\n",
-            ancf::petsc::Session::ranks(), n, members, statics.solver().rows(),
+            ancf::petsc::Session::ranks(), n, members, scene.solver().rows(),
             std::string(to_string(report.status)).c_str(), report.iterations(),
-            statics.solver().most_iterations(), now() - begin, memory());
+            scene.solver().most_iterations(), now() - begin, memory());
     return report.status == ancf::Status::converged ? 0 : 1;
 }

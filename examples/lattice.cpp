@@ -162,10 +162,10 @@ void write_lines(const std::string& file, const ancf::Model& model,
 ancf::StaticsReport solve(ancf::Model& model, const Lattice& lattice) {
 #if ANCF_WITH_PETSC
     if (lattice.petsc) {
-        ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD,
-                                              ancf::petsc::SolverOptions::iterative("lattice_"));
-        ancf::StaticsReport report = statics.solve(lattice.solver.statics);
-        statics.gather();
+        ancf::petsc::DistributedScene scene(model, PETSC_COMM_WORLD,
+                                            ancf::petsc::SolverOptions::iterative("lattice_"));
+        ancf::StaticsReport report = scene.solve(lattice.solver.statics);
+        scene.gather();
         return report;
     }
 #endif

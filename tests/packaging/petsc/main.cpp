@@ -19,9 +19,9 @@ int main(int argc, char** argv) {
     model.clamp(rope.first());
     model.add(ancf::Force<3>(rope.last(), {0, 0, -1}));
 
-    ancf::petsc::DistributedScene statics(model, PETSC_COMM_WORLD);
-    const auto report = statics.solve();
-    statics.gather();
+    ancf::petsc::DistributedScene scene(model, PETSC_COMM_WORLD);
+    const auto report = scene.solve();
+    scene.gather();
 
     // P l^3 / (3 E I) = 2 mm
     const double sag = model.position(rope.last())[2];
