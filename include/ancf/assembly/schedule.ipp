@@ -36,7 +36,8 @@ ANCF_INLINE ElementSchedule::ElementSchedule(const detail::Records<Connection>& 
     }
     if (sequential_) {
         most = 1;
-        colour_of.assign(static_cast<std::size_t>((count + run_length - 1) / run_length), 0);
+        const std::size_t length{run_length};
+        colour_of.assign((connections.size() + length - 1) / length, 0);
     }
     for (std::size_t colour = 0; colour < most; ++colour) {
         int first = 0;
