@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Counts by gdb which instructions an evaluation of the cross-section beam executes, by class.
 
-    gdb -batch -nx -x bench/instruction_mix.py build/release/bench/instruction_mix
+    gdb -batch -nx -x bench/instruction_mix.py build/release/bench/instruction_mix    (Debian: apt install gdb)
 
 The processor itself takes the steps, so any instructions that it knows are counted; it takes ten seconds. Bounds are
 shares of the peak: what would be reached if a core did nothing but start two products, fused or not, two loads or one
