@@ -9,12 +9,14 @@
 ///     one_step --case elastica         the scenes whose names begin so
 ///     one_step --iterates              strains and pivots of the iterates of one load step
 ///     one_step --random 400            random cantilevers instead, each against sixty small steps
+///     one_step --random 400 --continuum    the same, of continuum beams
 ///
 /// Iterations count rejected steps. `error` is the distance of the loaded end from theory, or from
 /// a run in many small steps, over the length; nothing where neither is there.
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -52,11 +54,21 @@ using Engineering =
 using Quintic = ancf::QuinticBeam<>;
 using QuinticEngineering = ancf::QuinticBeam<ancf::EngineeringMeasure>;
 using ancf::TorsionBeam;
+using Continuum = ancf::ContinuumBeam<3>;
 
 /// What holds a beam without shear is its slope too.
 template <class Element>
 inline constexpr ancf::Clamp clamp_of =
     std::is_same_v<Element, TorsionBeam> ? ancf::Clamp::full : ancf::Clamp::free_slope;
+
+/// The best options of an element that has some, else the usual ones.
+template <class Element>
+typename Element::Options best_options() {
+    if constexpr (std::is_same_v<Element, Continuum>)
+        return {};
+    else
+        return Element::Options::best();
+}
 
 /// A scene that waits for its solution, and its loaded end.
 struct Problem {
@@ -88,6 +100,7 @@ std::string measure() {
     if (std::is_same_v<Element, Engineering>) return "engineering";
     if (std::is_same_v<Element, QuinticEngineering>) return "quintic, engineering";
     if (std::is_same_v<Element, TorsionBeam>) return "torsion beam";
+    if (std::is_same_v<Element, Continuum>) return "continuum beam";
     return std::is_same_v<Element, Quintic> ? "quintic" : "green";
 }
 
@@ -98,7 +111,7 @@ Problem cantilever(double height, int elements, const Point& force, const Point&
     const double young = 12.0 / std::pow(height, 4);  // E I = 1
     const auto beam = ancf::straight_beam<Element>(
         p.scene, ancf::Material::isotropic(young, 0.3, 1.0), ancf::rectangle(height, height),
-        {0, 0, 0}, {1, 0, 0}, elements, Element::Options::best());
+        {0, 0, 0}, {1, 0, 0}, elements, best_options<Element>());
     p.scene.clamp(beam.first(), clamp_of<Element>);
     if (force.norm() > 0.0) p.scene.add(ancf::Force<3>(beam.last(), force));
     if (moment.norm() > 0.0) p.scene.add(ancf::Moment(beam.last(), moment));
@@ -113,7 +126,9 @@ void add_elastica(std::vector<Row>& rows) {
         for (const double height : {1e-1, 1e-2, 1e-3})
             for (const int steps : {1, 5, 20}) {
                 // Green's strain has no equilibrium there: the clamp is crushed
-                if (load > 50.0 && height > 0.05 && std::is_same_v<Element, Green>) continue;
+                constexpr bool green =
+                    std::is_same_v<Element, Green> || std::is_same_v<Element, Continuum>;
+                if (green && load > 50.0 && height > 0.05) continue;
                 const Point across(0.0, std::cos(0.6), std::sin(0.6));
                 Row row{"elastica " + std::to_string(std::lround(load)) + ", h/L 1/" +
                             std::to_string(std::lround(1.0 / height)) + ", " + measure<Element>(),
@@ -219,7 +234,7 @@ void add_frame(std::vector<Row>& rows) {
                         for (int leg = 0; leg < 3; ++leg) {
                             const auto beam = ancf::straight_beam<Element>(
                                 p.scene, steel, section, corners[leg], corners[leg + 1], 8,
-                                Element::Options::best());
+                                best_options<Element>());
                             if (leg == 0)
                                 p.scene.clamp(beam.first());
                             else
@@ -253,6 +268,9 @@ std::vector<Row> all_rows() {
     add_bends<TorsionBeam>(rows);
     add_circle<TorsionBeam>(rows);
     add_frame<TorsionBeam>(rows);
+    add_elastica<Continuum>(rows);
+    add_circle<Continuum>(rows);
+    add_frame<Continuum>(rows);
     return rows;
 }
 
@@ -277,9 +295,9 @@ void print(const Row& row, const std::string& newton, const ancf::StaticsReport&
     std::cout << " |" << std::endl;
 }
 
-/// A cantilever that a seed draws: straight or an arc, of either measure, under a force, a moment
-/// or both.
-Problem random_problem(unsigned seed, std::string& name) {
+/// A cantilever that a seed draws: straight or an arc, of either measure or of continuum beams,
+/// under a force, a moment or both.
+Problem random_problem(unsigned seed, bool continuum, std::string& name) {
     std::mt19937 source(seed);
     const auto uniform = [&source](double low, double high) {
         // not std::uniform_real_distribution, which differs between standard libraries
@@ -306,7 +324,7 @@ Problem random_problem(unsigned seed, std::string& name) {
         const auto material = ancf::Material::isotropic(young, 0.3, 1.0);
         const auto section = ancf::rectangle(width, height);
         using Type = typename Element::type;
-        const auto best = Type::Options::best();
+        const auto best = best_options<Type>();
         const auto beam = curved ? ancf::arc<Type>(p.scene, material, section, {0, 0, 0}, {1, 0, 0},
                                                    {0, 1, 0}, 1.0 / angle, angle, elements, best)
                                  : ancf::straight_beam<Type>(p.scene, material, section, {0, 0, 0},
@@ -320,15 +338,22 @@ Problem random_problem(unsigned seed, std::string& name) {
     struct OfEngineering {
         using type = Engineering;
     };
-    if (engineering)
+    struct OfContinuum {
+        using type = Continuum;
+    };
+    if (continuum)
+        build(OfContinuum());
+    else if (engineering)
         build(OfEngineering());
     else
         build(OfGreen());
     if ((loads & 1) != 0) p.scene.add(ancf::Force<3>(p.end, force * force_along));
     if ((loads & 2) != 0) p.scene.add(ancf::Moment(p.end, moment * moment_about));
-    name = (engineering ? "engineering" : "green") + std::string(curved ? " arc" : " line") +
-           ", n " + std::to_string(elements) + ", h " + std::to_string(height) + ", b/h " +
-           std::to_string(width / height) +
+    name = (continuum     ? "continuum"
+            : engineering ? "engineering"
+                          : "green") +
+           std::string(curved ? " arc" : " line") + ", n " + std::to_string(elements) + ", h " +
+           std::to_string(height) + ", b/h " + std::to_string(width / height) +
            ((loads & 1) != 0 ? ", force " + std::to_string(force) : "") +
            ((loads & 2) != 0 ? ", moment " + std::to_string(moment) : "");
     return p;
@@ -389,14 +414,15 @@ void print_attempts(const ancf::StaticsReport& report) {
     }
 }
 
-int run_random(int count, unsigned seed, const std::string& only, bool check, bool verbose) {
+int run_random(int count, unsigned seed, bool continuum, const std::string& only, bool check,
+               bool verbose) {
     int wrong = 0, solved = 0;
     std::vector<std::vector<double>> iterations(kinds().size());
     std::vector<int> elsewhere(kinds().size());
     for (int k = 0; k < count; ++k) {
         std::string name;
         const unsigned own = seed + static_cast<unsigned>(k);
-        Problem slow = random_problem(own, name);
+        Problem slow = random_problem(own, continuum, name);
         bool followed = false;
         if (check)
             followed =
@@ -408,7 +434,7 @@ int run_random(int count, unsigned seed, const std::string& only, bool check, bo
         ++solved;
         for (std::size_t n = 0; n < kinds().size(); ++n) {
             if (!only.empty() && only != kinds()[n].first) continue;
-            Problem p = random_problem(own, name);
+            Problem p = random_problem(own, continuum, name);
             const auto report = solve(p.scene, kinds()[n].second, 1, false);
             if (report.status == ancf::Status::converged)
                 iterations[n].push_back(report.iterations());
@@ -452,17 +478,18 @@ int main(int argc, char** argv) {
     std::string newton, name;
     int random = 0;
     unsigned seed = 1;
-    bool iterates = false, no_check = false, verbose = false, quick = false;
+    bool continuum = false, iterates = false, no_check = false, verbose = false, quick = false;
     app.add_option("--newton", newton, "plain, mixed, turned or automatic; none: all");
     app.add_option("--case", name, "beginning of a name");
     app.add_flag("--iterates", iterates, "of one load step");
     app.add_option("--random", random, "number of random cantilevers");
+    app.add_flag("--continuum", continuum, "of continuum beams");
     app.add_option("--seed", seed, "of the first of them");
     app.add_flag("--no-check", no_check, "do not compare them with sixty small steps");
     app.add_flag("--verbose", verbose, "print each of them, and the corrections of each attempt");
     app.add_flag("--quick", quick, "a few of all");
     CLI11_PARSE(app, argc, argv);
-    if (random > 0) return run_random(random, seed, newton, !no_check, verbose);
+    if (random > 0) return run_random(random, seed, continuum, newton, !no_check, verbose);
     if (iterates) {
         std::cout
             << "| corrections | tangent | iterate | axial | e_yy | 2e_yz | negative pivots |\n"

@@ -216,17 +216,23 @@ private:
         return attempt(factor, NewtonKind::plain);
     }
 
-    /// The iteration asked for, or the plain one where no element has another.
+    /// The iteration asked for, or the plain one: where no element has the mixed tangent that it
+    /// takes, and for `automatic` no section either that corrections could turn.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
-        const auto& groups = model_.groups();
-        const bool evaluates_mixed =
-            any(std::any_of(groups.begin(), groups.end(), [](const auto& group) {
-                return group->evaluates_mixed() && group->size() > 0;
+        if (wanted == NewtonKind::plain || wanted == NewtonKind::turned) return wanted;
+        const auto some = [&](const auto& holds) {
+            const auto& groups = model_.groups();
+            return any(std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+                return group->size() > 0 && holds(*group);
             }));
-        const bool turns = wanted == NewtonKind::turned || wanted == NewtonKind::plain;
-        if (!turns && !evaluates_mixed) return NewtonKind::plain;
-        // slopes are turned by a system of the whole scene
-        return wanted == NewtonKind::automatic && exchange_ != nullptr ? NewtonKind::mixed : wanted;
+        };
+        if (some([](const ElementGroup& of) { return of.evaluates_mixed(); }))
+            // slopes are turned by a system of the whole scene
+            return exchange_ != nullptr ? NewtonKind::mixed : wanted;
+        const bool turns =
+            wanted == NewtonKind::automatic && exchange_ == nullptr &&
+            some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); });
+        return turns ? wanted : NewtonKind::plain;
     }
 
     /// Whether something holds here, or in any part of the scene.
