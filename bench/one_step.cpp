@@ -9,13 +9,15 @@
 ///     one_step --case elastica         the scenes whose names begin so
 ///     one_step --iterates              strains and pivots of the iterates of one load step
 ///     one_step --random 400            random cantilevers instead, each against sixty small steps
-///     one_step --random 400 --continuum    the same, of continuum beams
+///     one_step --random 400 --element continuum    the same of continuum beams, or `cable`;
+///                                  `rope`: a cable between two pins, under a force or a weight
 ///
 /// Iterations count rejected steps. `error` is the distance of the loaded end from theory, or from
 /// a run in many small steps, over the length; nothing where neither is there.
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
@@ -55,16 +57,19 @@ using Quintic = ancf::QuinticBeam<>;
 using QuinticEngineering = ancf::QuinticBeam<ancf::EngineeringMeasure>;
 using ancf::TorsionBeam;
 using Continuum = ancf::ContinuumBeam<3>;
+using Cable = ancf::Cable<3>;
 
 /// What holds a beam without shear is its slope too.
 template <class Element>
 inline constexpr ancf::Clamp clamp_of =
-    std::is_same_v<Element, TorsionBeam> ? ancf::Clamp::full : ancf::Clamp::free_slope;
+    std::is_same_v<Element, TorsionBeam> || std::is_same_v<Element, Cable>
+        ? ancf::Clamp::full
+        : ancf::Clamp::free_slope;
 
 /// The best options of an element that has some, else the usual ones.
 template <class Element>
 typename Element::Options best_options() {
-    if constexpr (std::is_same_v<Element, Continuum>)
+    if constexpr (std::is_same_v<Element, Continuum> || std::is_same_v<Element, Cable>)
         return {};
     else
         return Element::Options::best();
@@ -101,6 +106,7 @@ std::string measure() {
     if (std::is_same_v<Element, QuinticEngineering>) return "quintic, engineering";
     if (std::is_same_v<Element, TorsionBeam>) return "torsion beam";
     if (std::is_same_v<Element, Continuum>) return "continuum beam";
+    if (std::is_same_v<Element, Cable>) return "cable";
     return std::is_same_v<Element, Quintic> ? "quintic" : "green";
 }
 
@@ -126,8 +132,9 @@ void add_elastica(std::vector<Row>& rows) {
         for (const double height : {1e-1, 1e-2, 1e-3})
             for (const int steps : {1, 5, 20}) {
                 // Green's strain has no equilibrium there: the clamp is crushed
-                constexpr bool green =
-                    std::is_same_v<Element, Green> || std::is_same_v<Element, Continuum>;
+                constexpr bool green = std::is_same_v<Element, Green> ||
+                                       std::is_same_v<Element, Continuum> ||
+                                       std::is_same_v<Element, Cable>;
                 if (green && load > 50.0 && height > 0.05) continue;
                 const Point across(0.0, std::cos(0.6), std::sin(0.6));
                 Row row{"elastica " + std::to_string(std::lround(load)) + ", h/L 1/" +
@@ -271,6 +278,7 @@ std::vector<Row> all_rows() {
     add_elastica<Continuum>(rows);
     add_circle<Continuum>(rows);
     add_frame<Continuum>(rows);
+    add_elastica<Cable>(rows);
     return rows;
 }
 
@@ -295,9 +303,12 @@ void print(const Row& row, const std::string& newton, const ancf::StaticsReport&
     std::cout << " |" << std::endl;
 }
 
-/// A cantilever that a seed draws: straight or an arc, of either measure or of continuum beams,
-/// under a force, a moment or both.
-Problem random_problem(unsigned seed, bool continuum, std::string& name) {
+/// A cantilever that a seed draws: straight or an arc, under a force, a moment or both. A cable is
+/// straight, since a curved one spins freely, has a square section and takes a force. A rope is a
+/// cable between two pins, under a force somewhere or a force per length.
+/// @param element  "continuum", "cable", "rope", or else either measure of beams with sections
+Problem random_problem(unsigned seed, const std::string& element, std::string& name) {
+    const bool rope = element == "rope", cable = element == "cable" || rope;
     std::mt19937 source(seed);
     const auto uniform = [&source](double low, double high) {
         // not std::uniform_real_distribution, which differs between standard libraries
@@ -311,9 +322,12 @@ Problem random_problem(unsigned seed, bool continuum, std::string& name) {
         const double r = std::sqrt(1.0 - z * z);
         return Point(z, r * std::cos(angle), r * std::sin(angle));
     };
-    const bool engineering = uniform(0.0, 1.0) < 0.5, curved = uniform(0.0, 1.0) < 0.4;
-    const int elements = pick({8, 12, 16, 24, 32}), loads = pick({1, 1, 2, 3});
-    const double height = std::pow(10.0, uniform(-3.0, -1.0)), width = height * uniform(1.0, 3.0);
+    const bool engineering = uniform(0.0, 1.0) < 0.5;
+    const bool curved = uniform(0.0, 1.0) < 0.4 && !cable;
+    const int elements = pick({8, 12, 16, 24, 32}), drawn = pick({1, 1, 2, 3});
+    const int loads = cable ? 1 : drawn;
+    const double height = std::pow(10.0, uniform(-3.0, -1.0)), factor = uniform(1.0, 3.0);
+    const double width = cable ? height : height * factor;
     const double angle = uniform(0.2, 1.5);
     const double young = 12.0 / (width * height * height * height);  // the smaller E I = 1
     const double force = std::pow(10.0, uniform(-0.3, 1.5)), moment = uniform(0.3, 4.0);
@@ -329,8 +343,18 @@ Problem random_problem(unsigned seed, bool continuum, std::string& name) {
                                                    {0, 1, 0}, 1.0 / angle, angle, elements, best)
                                  : ancf::straight_beam<Type>(p.scene, material, section, {0, 0, 0},
                                                              {1, 0, 0}, elements, best);
-        p.scene.clamp(beam.first(), ancf::Clamp::free_slope);
         p.end = beam.last();
+        if (!rope) {
+            p.scene.clamp(beam.first(), clamp_of<Type>);
+            return;
+        }
+        p.scene.pin(beam.first());
+        p.scene.pin(beam.last());
+        p.end = beam.node(1 + static_cast<int>(uniform(0.0, elements - 1.0)));
+        if (engineering) add_line_load(p.scene, beam, Point(force * force_along));
+    };
+    struct OfCable {
+        using type = Cable;
     };
     struct OfGreen {
         using type = Green;
@@ -341,19 +365,21 @@ Problem random_problem(unsigned seed, bool continuum, std::string& name) {
     struct OfContinuum {
         using type = Continuum;
     };
-    if (continuum)
+    if (element == "continuum")
         build(OfContinuum());
+    else if (cable)
+        build(OfCable());
     else if (engineering)
         build(OfEngineering());
     else
         build(OfGreen());
-    if ((loads & 1) != 0) p.scene.add(ancf::Force<3>(p.end, force * force_along));
+    const bool along = rope && engineering;  // a force per length
+    if ((loads & 1) != 0 && !along) p.scene.add(ancf::Force<3>(p.end, force * force_along));
     if ((loads & 2) != 0) p.scene.add(ancf::Moment(p.end, moment * moment_about));
-    name = (continuum     ? "continuum"
-            : engineering ? "engineering"
-                          : "green") +
-           std::string(curved ? " arc" : " line") + ", n " + std::to_string(elements) + ", h " +
-           std::to_string(height) + ", b/h " + std::to_string(width / height) +
+    const std::string measured = engineering ? "engineering" : "green";
+    name = (element.empty() ? measured : element) + std::string(curved ? " arc" : " line") +
+           ", n " + std::to_string(elements) + ", h " + std::to_string(height) + ", b/h " +
+           std::to_string(width / height) +
            ((loads & 1) != 0 ? ", force " + std::to_string(force) : "") +
            ((loads & 2) != 0 ? ", moment " + std::to_string(moment) : "");
     return p;
@@ -414,15 +440,15 @@ void print_attempts(const ancf::StaticsReport& report) {
     }
 }
 
-int run_random(int count, unsigned seed, bool continuum, const std::string& only, bool check,
-               bool verbose) {
+int run_random(int count, unsigned seed, const std::string& element, const std::string& only,
+               bool check, bool verbose) {
     int wrong = 0, solved = 0;
     std::vector<std::vector<double>> iterations(kinds().size());
     std::vector<int> elsewhere(kinds().size());
     for (int k = 0; k < count; ++k) {
         std::string name;
         const unsigned own = seed + static_cast<unsigned>(k);
-        Problem slow = random_problem(own, continuum, name);
+        Problem slow = random_problem(own, element, name);
         bool followed = false;
         if (check)
             followed =
@@ -434,7 +460,7 @@ int run_random(int count, unsigned seed, bool continuum, const std::string& only
         ++solved;
         for (std::size_t n = 0; n < kinds().size(); ++n) {
             if (!only.empty() && only != kinds()[n].first) continue;
-            Problem p = random_problem(own, continuum, name);
+            Problem p = random_problem(own, element, name);
             const auto report = solve(p.scene, kinds()[n].second, 1, false);
             if (report.status == ancf::Status::converged)
                 iterations[n].push_back(report.iterations());
@@ -475,21 +501,21 @@ int run_random(int count, unsigned seed, bool continuum, const std::string& only
 
 int main(int argc, char** argv) {
     CLI::App app("Iterations to equilibrium in one call.");
-    std::string newton, name;
+    std::string newton, name, element;
     int random = 0;
     unsigned seed = 1;
-    bool continuum = false, iterates = false, no_check = false, verbose = false, quick = false;
+    bool iterates = false, no_check = false, verbose = false, quick = false;
     app.add_option("--newton", newton, "plain, mixed, turned or automatic; none: all");
     app.add_option("--case", name, "beginning of a name");
     app.add_flag("--iterates", iterates, "of one load step");
     app.add_option("--random", random, "number of random cantilevers");
-    app.add_flag("--continuum", continuum, "of continuum beams");
+    app.add_option("--element", element, "continuum, cable or rope; none: beams with sections");
     app.add_option("--seed", seed, "of the first of them");
     app.add_flag("--no-check", no_check, "do not compare them with sixty small steps");
     app.add_flag("--verbose", verbose, "print each of them, and the corrections of each attempt");
     app.add_flag("--quick", quick, "a few of all");
     CLI11_PARSE(app, argc, argv);
-    if (random > 0) return run_random(random, seed, continuum, newton, !no_check, verbose);
+    if (random > 0) return run_random(random, seed, element, newton, !no_check, verbose);
     if (iterates) {
         std::cout
             << "| corrections | tangent | iterate | axial | e_yy | 2e_yz | negative pivots |\n"

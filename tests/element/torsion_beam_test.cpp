@@ -7,6 +7,7 @@
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/section.hpp>
 
+#include <element/mixed_checks.hpp>
 #include <element/property_checks.hpp>
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdint>
 #include <vector>
 
@@ -155,38 +155,7 @@ TEST_CASE("torsion beam: uniform bending about any axis and uniform twist are ex
 
 TEST_CASE("torsion beam: the mixed tangent has the stresses of linearised strains",
           "[element][torsion][tangent]") {
-    using Complex = std::complex<double>;
-    using ComplexVector = Vector<Complex, 18>;
-    const auto element = sample();
-    const Vector<double, 18> none = Vector<double, 18>::Zero();
-    const ComplexVector still = none.cast<Complex>();
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        test::Random random(seed);
-        const Vector<double, 18> e = test::random_state(element, random);
-        const Vector<double, 18> before = test::random_state(element, random);
-        const Vector<double, 18> change = 0.1 * (test::random_state(element, random) - before);
-        const auto plain = element.evaluate(e);
-        // no step: the stresses are those of e; measured 1e-15
-        const auto here = element.evaluate(e, e, none);
-        CHECK(test::relative_error(here.tangent, plain.tangent) <= 1e-13);
-        CHECK(test::relative_error(here.predicted, plain.force) <= 1e-13);
-
-        // stresses enter linearly, and those of a step are the derivative along it
-        const auto step = element.evaluate(e, before, change);
-        const auto start = element.evaluate(e, before, none);
-        const ComplexVector probe =
-            before.cast<Complex>() + Complex(0.0, test::complex_step) * change;
-        const auto moved = element.evaluate(ComplexVector(e.cast<Complex>()), probe, still);
-        const Matrix<double, 18> tangent =
-            start.tangent + moved.tangent.imag() / test::complex_step;
-        const Vector<double, 18> predicted =
-            start.predicted + moved.predicted.imag() / test::complex_step;
-        CHECK((tangent - start.tangent).norm() >= 1e-4 * start.tangent.norm());
-        CHECK(test::relative_error(step.tangent, tangent) <= 1e-13);
-        CHECK(test::relative_error(step.predicted, predicted) <= 1e-13);
-        CHECK(test::relative_error(step.force, plain.force) <= 1e-15);
-        CHECK(step.energy == plain.energy);
-    }
+    test::check_mixed_tangent(sample());
 }
 
 TEST_CASE("torsion beam: places, their derivatives and velocities agree", "[element][torsion]") {

@@ -6,6 +6,7 @@
 
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/constants.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
@@ -37,7 +38,7 @@ using Point = Vector<double, 3>;
 
 template <class Element>
 typename Element::Options options() {
-    if constexpr (std::is_same_v<Element, Continuum>)
+    if constexpr (std::is_same_v<Element, Continuum> || std::is_same_v<Element, Cable<3>>)
         return {};
     else
         return Element::Options::best();
@@ -196,7 +197,7 @@ NodeId cantilever(Model& scene, double height) {
     const auto beam = straight_beam<Element>(
         scene, Material::isotropic(12.0 / std::pow(height, 4), 0.3, 1.0), rectangle(height, height),
         {0, 0, 0}, {1, 0, 0}, 32, options<Element>());
-    const bool shears = !std::is_same_v<Element, TorsionBeam>;
+    const bool shears = !std::is_same_v<Element, TorsionBeam> && !std::is_same_v<Element, Cable<3>>;
     scene.clamp(beam.first(), shears ? Clamp::free_slope : Clamp::full);
     return beam.last();
 }
@@ -215,7 +216,7 @@ TEMPLATE_TEST_CASE("statics: one default step off the axes closes a thick circle
 }
 
 TEMPLATE_TEST_CASE("statics: one default step bends a beam off its axes by a hundred E I/L^2",
-                   "[statics][turning]", Engineering, TorsionBeam) {
+                   "[statics][turning]", Engineering, TorsionBeam, Cable<3>) {
     for (const double height : {1e-2, 1e-3}) {
         INFO(height);
         Model scene;
@@ -225,7 +226,7 @@ TEMPLATE_TEST_CASE("statics: one default step bends a beam off its axes by a hun
         const auto report = solve_statics(scene, solver);
         REQUIRE(report.status == Status::converged);
         CHECK(report.steps.size() == 1);
-        CHECK(report.iterations() <= 10);  // measured 6 for both
+        CHECK(report.iterations() <= 10);  // measured 6, 6 and 7
         CHECK(report.stability == Stability::stable);
     }
 }
@@ -310,6 +311,56 @@ TEST_CASE("statics: one call solves forty random cantilevers of continuum beams"
     CHECK(iterations[36] <= 30);     // measured 13
     CHECK(iterations.back() <= 60);  // measured 28
     CHECK(one_step >= 32);           // measured 38
+}
+
+TEST_CASE("statics: a straight rope between pins takes one call", "[statics][turning]") {
+    std::vector<int> iterations;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        INFO("seed " << seed);
+        Random random(seed);
+        Model scene;
+        const double height = std::pow(10.0, random.uniform(-3.0, -1.0));
+        const auto rope = straight_beam<Cable<3>>(
+            scene, Material::isotropic(12.0 / std::pow(height, 4), 0.3, 1.0),
+            rectangle(height, height), {0, 0, 0}, {1, 0, 0}, 16);
+        scene.pin(rope.first());
+        scene.pin(rope.last());
+        const Point force =
+            std::pow(10.0, random.uniform(-0.3, 1.5)) * Point(random.direction<3>());
+        if (seed % 2 == 0)
+            scene.add(Force<3>(rope.node(5), force));
+        else
+            add_line_load(scene, rope, force);
+        EigenLu solver;
+        const auto report = solve_statics(scene, solver);
+        CHECK(report.status == Status::converged);
+        iterations.push_back(report.iterations());
+    }
+    std::sort(iterations.begin(), iterations.end());
+    CAPTURE(iterations);
+    CHECK(iterations[20] <= 9);      // measured 7
+    CHECK(iterations.back() <= 25);  // measured 18
+}
+
+TEST_CASE("statics: a line that hangs loose is iterated plainly", "[statics][turning]") {
+    // an unstretched arc under its weight, E A = 1e6 and E I = 1e-6 weights
+    Moments moments;
+    moments.area = 1.0;
+    moments.yy = moments.zz = 1e-12;
+    const double radius = 0.6, half = std::asin(0.5 / radius);
+    PlanarModel scene;
+    const auto chain =
+        arc<Cable<2>>(scene, Material::isotropic(1e6, 0.3, 1.0), Section::from_moments(moments),
+                      {0, 0}, {std::cos(half), -std::sin(half)}, radius, 2.0 * half, 16);
+    scene.pin(chain.first());
+    scene.pin(chain.last());
+    scene.set_gravity(Vector<double, 2>(0.0, -1.0));
+    EigenLu solver;
+    const auto report = solve_statics(scene, solver);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.steps.size() == 2);
+    CHECK(report.steps[0].iterations == 1);
+    CHECK(report.steps[1].newton == NewtonKind::plain);
 }
 
 TEST_CASE("statics: a step under force and moment that ends on another branch is taken again",

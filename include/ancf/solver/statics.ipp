@@ -55,6 +55,7 @@ public:
           turning_(model, assembly_.numbering()),
           exchange_(model.exchange()),
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
+          lines_(!some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
           newton_(possible(options.newton)),
           potential_(std::all_of(model.loads().begin(), model.loads().end(),
                                  [](const ScaledLoad& load) { return load.load.symmetric(); })) {
@@ -164,6 +165,10 @@ private:
             turn_share_ = 0.5 * turn / largest_driven_turn;
             return true;
         }
+        if (slack(failed) && may_retry(failed)) {
+            way_ = Way::plain;
+            return true;
+        }
         part_size_ = share_after(failed) * size;
         if (!jumped_ && report_.factor != options_.first_factor &&
             newton_ == NewtonKind::automatic && wanders(failed)) {
@@ -220,19 +225,19 @@ private:
     /// takes, and for `automatic` no section either that corrections could turn.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
         if (wanted == NewtonKind::plain || wanted == NewtonKind::turned) return wanted;
-        const auto some = [&](const auto& holds) {
-            const auto& groups = model_.groups();
-            return any(std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
-                return group->size() > 0 && holds(*group);
-            }));
-        };
         if (some([](const ElementGroup& of) { return of.evaluates_mixed(); }))
             // slopes are turned by a system of the whole scene
             return exchange_ != nullptr ? NewtonKind::mixed : wanted;
-        const bool turns =
-            wanted == NewtonKind::automatic && exchange_ == nullptr &&
-            some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); });
+        const bool turns = wanted == NewtonKind::automatic && exchange_ == nullptr && !lines_;
         return turns ? wanted : NewtonKind::plain;
+    }
+
+    /// Whether something holds for some type of the scene's elements.
+    [[nodiscard]] bool some(bool (*holds)(const ElementGroup&)) const {
+        const auto& groups = model_.groups();
+        return any(std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+            return group->size() > 0 && holds(*group);
+        }));
     }
 
     /// Whether something holds here, or in any part of the scene.
@@ -521,10 +526,17 @@ private:
     }
 
     /// Whether corrections are too large for an iteration that would converge, or wander.
-    [[nodiscard]] static bool hopeless(const LoadStep& step) {
+    [[nodiscard]] bool hopeless(const LoadStep& step) const {
         const std::size_t count = step.corrections.size();
-        return step.newton == NewtonKind::automatic && !step.damped && count >= 2 &&
-               (step.corrections.back() > (count == 2 ? 2.0 : 1.2) || wanders(step));
+        if (step.newton != NewtonKind::automatic || step.damped) return false;
+        return slack(step) || (count >= 2 && (step.corrections.back() > (count == 2 ? 2.0 : 1.2) ||
+                                              wanders(step)));
+    }
+
+    /// Whether nothing but its small bending stiffness holds a line at first: parts of the load do
+    /// no better, and plain iteration takes a third off each correction.
+    [[nodiscard]] bool slack(const LoadStep& step) const {
+        return lines_ && !step.corrections.empty() && step.corrections.front() > 100.0;
     }
 
     /// Whether five corrections in a row have not halved the smallest before them.
@@ -591,6 +603,7 @@ private:
     Turning turning_;
     const detail::Exchange* exchange_;               // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
+    bool lines_;                                     // all elements are lines without sections
     NewtonKind newton_;
     bool potential_;  // of all loads
     static constexpr int none_failed = 2;

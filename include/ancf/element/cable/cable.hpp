@@ -117,6 +117,15 @@ public:
     template <class Scalar>
     [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
 
+    /// Returns the same with a tangent of mixed integration points: its geometric part has the
+    /// axial forces of an earlier state, linearised. docs/theory-statics.md, "Stresses as unknowns".
+    /// @param before  where the last tangent was taken
+    /// @param change  the correction that it gave
+    template <class Scalar>
+    [[nodiscard]] MixedEvaluation<Scalar, dofs> evaluate(
+        const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
+        const Vector<Scalar, dofs>& change) const noexcept;
+
     /// Returns the constant mass matrix int rho A s^T s ds, kg, kg m and kg m^2 by block; no rotary
     /// inertia.
     [[nodiscard]] Matrix<double, dofs> mass() const {
@@ -217,6 +226,10 @@ private:
     template <class Scalar>
     [[nodiscard]] Gradient<Scalar> gradient(
         const detail::LineVector<Scalar, Dimension>& line) const noexcept;
+    template <class Scalar>
+    [[nodiscard]] Gradient<Scalar> gradient(
+        const detail::LineVector<Scalar, Dimension>& line,
+        detail::LineHessian<Scalar, Dimension>& hessian) const noexcept;
 
     ReferenceLine<Dimension> line_;
     Coordinates reference_;

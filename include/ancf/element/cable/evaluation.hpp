@@ -206,19 +206,50 @@ Vector<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measure>::force
 
 template <int Dimension, class Measure>
 template <class Scalar>
-Evaluation<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measure>::evaluate(
-    const Vector<Scalar, dofs>& e) const noexcept {
-    const auto line = detail::line_of<Dimension>(e);
+detail::LineGradient<Scalar, Dimension> Cable<Dimension, Measure>::gradient(
+    const detail::LineVector<Scalar, Dimension>& line,
+    detail::LineHessian<Scalar, Dimension>& hessian) const noexcept {
     const double softening = 1.0 - options_.compression;
     Gradient<Scalar> sum;
-    detail::LineHessian<Scalar, Dimension> hessian;
     for (const auto& at : axial_)
         detail::add_axial<true, Measure, Dimension>(at, softening, line, sum, &hessian);
     for (const auto& at : bending_) detail::add_bending<true, Dimension>(at, line, sum, &hessian);
     for (const auto& at : natural_) detail::add_natural<true>(at, bending_, line, sum, &hessian);
+    return sum;
+}
+
+template <int Dimension, class Measure>
+template <class Scalar>
+Evaluation<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measure>::evaluate(
+    const Vector<Scalar, dofs>& e) const noexcept {
+    detail::LineHessian<Scalar, Dimension> hessian;
+    const Gradient<Scalar> sum = gradient(detail::line_of<Dimension>(e), hessian);
     Evaluation<Scalar, dofs> result;
     result.energy = sum.energy + natural_energy_;
     result.force = detail::nodal_force<Dimension>(sum.vector);
+    detail::write_tangent<Dimension>(hessian, result.tangent);
+    return result;
+}
+
+template <int Dimension, class Measure>
+template <class Scalar>
+MixedEvaluation<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measure>::evaluate(
+    const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
+    const Vector<Scalar, dofs>& change) const noexcept {
+    const auto line = detail::line_of<Dimension>(e);
+    Vector<Dual<Scalar>, dofs> moving;
+    for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
+    const auto earlier = detail::line_of<Dimension>(moving);
+    detail::LineHessian<Scalar, Dimension> hessian;
+    const Gradient<Scalar> sum = gradient(line, hessian);
+    detail::LineVector<Scalar, Dimension> predicted = sum.vector;
+    for (const auto& at : axial_)
+        detail::foresee_axial<Measure, Dimension>(at, 1.0 - options_.compression, line, earlier,
+                                                  predicted, hessian);
+    MixedEvaluation<Scalar, dofs> result;
+    result.energy = sum.energy + natural_energy_;
+    result.force = detail::nodal_force<Dimension>(sum.vector);
+    result.predicted = detail::nodal_force<Dimension>(predicted);
     detail::write_tangent<Dimension>(hessian, result.tangent);
     return result;
 }

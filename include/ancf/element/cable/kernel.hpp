@@ -12,6 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/cable/axial.hpp>
+#include <ancf/element/dual.hpp>
 #include <ancf/types.hpp>
 
 namespace ancf::detail {
@@ -175,6 +176,30 @@ inline void add_axial(const CableAxialStation& station, double soft, const Vecto
         hessian->add(k, u);
         hessian->add_identity(n, station.p, station.p);
     }
+}
+
+/// Replaces a station's axial force in the Hessian by the one of an earlier line, linearised along
+/// the correction that followed: docs/theory-statics.md, "Stresses as unknowns".
+/// @param earlier  that line plus eps times its correction
+/// @param gain     of the gradient that the Hessian has then, to add to
+template <class Measure, int D, class S>
+inline void foresee_axial(const CableAxialStation& station, double soft,
+                          const LineVector<S, D>& line, const LineVector<Dual<S>, D>& earlier,
+                          LineVector<S, D>& gain, LineHessian<S, D>& hessian) noexcept {
+    const Vector<S, D> p = interpolated<D>(station.p, line);
+    const Vector<Dual<S>, D> moving = interpolated<D>(station.p, earlier);
+    const S square = product(p, p), strain = Measure::strain(square), stiffness(station.stiffness);
+    const Dual<S> foreseen = Measure::strain(product(moving, moving));
+    const AxialResponse<S> now = axial_response(stiffness, soft, strain);
+    const AxialResponse<S> then =
+        axial_response(stiffness, soft, S(foreseen.value + foreseen.rate));
+    S n, k, n_then, k_then;
+    Measure::resultants(now.force, now.stiffness, square, strain, n, k);
+    Measure::resultants(then.force, now.stiffness, square, strain, n_then, k_then);
+    const LineVector<S, D> u = spread(station.p, p);
+    gain += (n_then - n) * u;
+    hessian.add(k_then - k, u);
+    hessian.add_identity(n_then - n, station.p, station.p);
 }
 
 /// Adds EI kappa^2/2 = s k.k/2 at a station, s = EI/A^2, A = p.p, k = v - eta p, eta = p.v/A, q =
