@@ -22,6 +22,13 @@ TEMPLATE_TEST_CASE("Cable: the mixed tangent has the forces of linearised strain
         test::straight_cable<TestType>(CableOptions{test::cable_rule_of(0), 1.0}));
 }
 
+TEST_CASE("Cable: the mixed tangent of a curved cable has its natural curvature",
+          "[element][cable][tangent]") {
+    const test::Helix arc{0.5, 0.0};
+    test::check_mixed_tangent(
+        Cable<2>(test::cable_material(), test::cable_section(), arc.coordinates<2>(0.0, 0.7), 0.7));
+}
+
 TEST_CASE("Cable: the force that a rope's mixed tangent has is that of its law",
           "[element][cable][tangent]") {
     const auto rope = test::straight_cable<Cable<3>>(CableOptions{test::cable_rule_of(0), 0.25});

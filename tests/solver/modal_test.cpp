@@ -8,10 +8,12 @@
 #include <ancf/solver/modal.hpp>
 
 #include <ancf/element/cable/cable.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -20,6 +22,7 @@
 
 #include <support/catch.hpp>
 #include <support/dense.hpp>
+#include <support/unmixed.hpp>
 
 #include <Eigen/LU>
 
@@ -28,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -341,6 +345,31 @@ TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {
     }
 }
 
+/// Returns the first load factor of a clamped arch, pinned at its other end, under a force.
+template <class Element>
+double arch_load() {
+    ancf::PlanarModel scene;
+    typename Element::Options options;
+    constexpr bool line = Element::fields.count() == 2;
+    if constexpr (std::is_same_v<Element, ancf::CrossSectionBeam<2>>)
+        options = Element::Options::best();
+    const auto beam = ancf::arc<Element>(scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0},
+                                         {1, 0}, 1.0, 2.2, 32, options);
+    scene.pin(beam.first());
+    if (line)
+        scene.fix(beam.first(), ancf::Field::r_x, 1);
+    else
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+    scene.pin(beam.last());
+    scene.add(ancf::Force<2>(beam.node(10), {0, -100}));
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions one;
+    one.count = 1;
+    const auto report = ancf::buckling_modes(scene, solver, one);
+    REQUIRE(report.status == Status::converged);
+    return std::abs(report.modes.at(0).value);
+}
+
 TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", "[modal]") {
     ancf::EigenLdlt solver;
     SECTION("column") {
@@ -364,9 +393,9 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         CHECK(report.modes.at(0).value == Approx(1.0).epsilon(1e-3));
         CHECK(report.modes.at(1).value == Approx(1.0).epsilon(1e-3));
     }
-    SECTION("column of cable, which takes no stresses") {
+    SECTION("column of an element that takes no stresses") {
         ancf::PlanarModel scene;
-        const auto beam = ancf::straight_beam<ancf::Cable<2>>(
+        const auto beam = ancf::straight_beam<ancf::test::Unmixed<ancf::Cable<2>>>(
             scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0}, {1, 0}, 8);
         scene.pin(beam.first());
         scene.fix(beam.first(), ancf::Field::r_x, 1);
@@ -376,6 +405,12 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         const auto report = ancf::buckling_modes(scene, solver, one);
         REQUIRE(report.status == Status::converged);
         CHECK(report.modes.at(0).value == Approx(1.0).epsilon(1e-3));
+    }
+    SECTION("an arch that a force bends first") {
+        const double beams = arch_load<ancf::CrossSectionBeam<2>>();
+        CHECK(beams == Approx(58.416).epsilon(1e-4));
+        CHECK(arch_load<ancf::Cable<2>>() == Approx(beams).epsilon(5e-4));
+        CHECK(arch_load<ancf::ContinuumBeam<2>>() == Approx(beams).epsilon(6e-2));  // they lock
     }
     SECTION("a scene without load does not buckle") {
         const auto report = ancf::buckling_modes(cantilever(2, 0.01), solver);

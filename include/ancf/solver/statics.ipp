@@ -9,6 +9,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/scene.hpp>

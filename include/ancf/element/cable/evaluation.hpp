@@ -242,14 +242,16 @@ MixedEvaluation<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measur
     const auto earlier = detail::line_of<Dimension>(moving);
     detail::LineHessian<Scalar, Dimension> hessian;
     const Gradient<Scalar> sum = gradient(line, hessian);
-    detail::LineVector<Scalar, Dimension> predicted = sum.vector;
+    Gradient<Scalar> gain;
     for (const auto& at : axial_)
         detail::foresee_axial<Measure, Dimension>(at, 1.0 - options_.compression, line, earlier,
-                                                  predicted, hessian);
+                                                  gain, hessian);
+    for (const auto& at : bending_)
+        detail::foresee_bending<Dimension>(at, line, earlier, gain, hessian);
     MixedEvaluation<Scalar, dofs> result;
     result.energy = sum.energy + natural_energy_;
     result.force = detail::nodal_force<Dimension>(sum.vector);
-    result.predicted = detail::nodal_force<Dimension>(predicted);
+    result.predicted = result.force + detail::nodal_force<Dimension>(gain.vector);
     detail::write_tangent<Dimension>(hessian, result.tangent);
     return result;
 }

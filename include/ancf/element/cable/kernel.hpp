@@ -181,11 +181,11 @@ inline void add_axial(const CableAxialStation& station, double soft, const Vecto
 /// Replaces a station's axial force in the Hessian by the one of an earlier line, linearised along
 /// the correction that followed: docs/theory-statics.md, "Stresses as unknowns".
 /// @param earlier  that line plus eps times its correction
-/// @param gain     of the gradient that the Hessian has then, to add to
+/// @param gain     change of the gradient by these forces, to add to
 template <class Measure, int D, class S>
 inline void foresee_axial(const CableAxialStation& station, double soft,
                           const LineVector<S, D>& line, const LineVector<Dual<S>, D>& earlier,
-                          LineVector<S, D>& gain, LineHessian<S, D>& hessian) noexcept {
+                          LineGradient<S, D>& gain, LineHessian<S, D>& hessian) noexcept {
     const Vector<S, D> p = interpolated<D>(station.p, line);
     const Vector<Dual<S>, D> moving = interpolated<D>(station.p, earlier);
     const S square = product(p, p), strain = Measure::strain(square), stiffness(station.stiffness);
@@ -197,7 +197,7 @@ inline void foresee_axial(const CableAxialStation& station, double soft,
     Measure::resultants(now.force, now.stiffness, square, strain, n, k);
     Measure::resultants(then.force, now.stiffness, square, strain, n_then, k_then);
     const LineVector<S, D> u = spread(station.p, p);
-    gain += (n_then - n) * u;
+    gain.vector += (n_then - n) * u;
     hessian.add(k_then - k, u);
     hessian.add_identity(n_then - n, station.p, station.p);
 }

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <ancf/element/cable/kernel.hpp>
+#include <ancf/element/dual.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -169,6 +170,33 @@ ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
     sum.energy -= natural.along[0] * at.cube * product(turned(at.p, at.p), at.k);
     at.template add<Tangent>(-natural.along[0], 0.0, at.p, sum, hessian, skew);
     if constexpr (Tangent) skew.write(at.p, *hessian);
+}
+
+/// Replaces a station's moment in the Hessian as foresee_axial() does its axial force; in space as
+/// if no reference were curved, since the natural curvature turns.
+template <int D, class S>
+void foresee_bending(const CableBendingStation& station, const LineVector<S, D>& line,
+                     const LineVector<Dual<S>, D>& earlier, LineGradient<S, D>& gain,
+                     LineHessian<S, D>& hessian) noexcept {
+    const CurvedStation<S, D> at(station, line);
+    const CurvedStation<Dual<S>, D> then(station, earlier);
+    const S stiffness(station.stiffness);
+    SkewBlocks<S> skew;
+    if constexpr (D == 2) {
+        const S now = at.cube * product(turned(at.p, at.p), at.k);
+        const Dual<S> foreseen = then.cube * product(turned(then.p, then.p), then.k);
+        const S moment = stiffness * (foreseen.value + foreseen.rate - now);
+        at.template add<true>(moment, 0.0, at.p, gain, &hessian, skew);
+        skew.write(at.p, hessian);
+    } else {
+        const Vector<S, 3> now = at.cube * turned(at.p, at.k);
+        const Vector<Dual<S>, 3> foreseen = then.cube * turned(then.p, then.k);
+        Vector<S, 3> moment;
+        for (int i = 0; i < 3; ++i)
+            moment[i] = stiffness * (foreseen[i].value + foreseen[i].rate - now[i]);
+        at.template add<true>(S(1.0), 0.0, moment, gain, &hessian, skew);
+        skew.write(moment, hessian);
+    }
 }
 
 /// Adds EI kappa' times the gradient of kappa, kappa' its rate, at a station in the plane.

@@ -108,6 +108,15 @@ public:
     template <class Scalar>
     [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
 
+    /// Returns the same with a tangent of mixed integration points. It has the stresses of an
+    /// earlier state, linearised: docs/theory-statics.md, "Stresses as unknowns".
+    /// @param before  where the last tangent was taken
+    /// @param change  the correction that it gave
+    template <class Scalar>
+    [[nodiscard]] MixedEvaluation<Scalar, dofs> evaluate(
+        const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
+        const Vector<Scalar, dofs>& change) const noexcept;
+
     /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
     /// derivative of B^T C B v by e. A template: only those who damp compile it.
     /// @param e,v  nodal coordinates and their rates
@@ -398,6 +407,41 @@ Evaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::eva
     Evaluation<Scalar, dofs> result;
     result.energy = sum.energy;
     result.force = kernel::nodal_force(sum);
+    kernel::write_tangent(tangent, result.tangent);
+    return result;
+}
+
+template <int Dimension>
+template <class Scalar>
+MixedEvaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::evaluate(
+    const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
+    const Vector<Scalar, dofs>& change) const noexcept {
+    namespace kernel = detail::continuum;
+    Vector<Dual<Scalar>, dofs> moving;
+    for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
+    const kernel::Nodes<Scalar, Dimension> nodes(e);
+    const kernel::Nodes<Dual<Scalar>, Dimension> earlier(moving);
+    kernel::Force<Scalar, Dimension> sum, predicted;
+    kernel::Tangent<Scalar, Dimension> tangent;
+    for (const AxialStation& station : axial_stations_) {
+        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
+        const auto strain = kernel::axial_strain(station, earlier.tangent_at(station.tangent));
+        const Scalar normal = station.stiffness * (strain.value + strain.rate);
+        kernel::add_axial_force(station, p, p, sum);
+        kernel::add_normal(station, p, normal, predicted);
+        kernel::add_axial_tangent(station, p, normal, tangent);
+    }
+    for (const Station& station : stations_) {
+        const kernel::Vectors<Scalar, Dimension> v = nodes.at(station.xi, station.tangent);
+        const auto stress = kernel::foreseen(station, earlier.at(station.xi, station.tangent));
+        kernel::add_force(station, v, v, sum);
+        kernel::add_stress(station, v, stress, predicted);
+        kernel::add_tangent(station, v, stress, tangent);
+    }
+    MixedEvaluation<Scalar, dofs> result;
+    result.energy = sum.energy;
+    result.force = kernel::nodal_force(sum);
+    result.predicted = kernel::nodal_force(predicted);
     kernel::write_tangent(tangent, result.tangent);
     return result;
 }

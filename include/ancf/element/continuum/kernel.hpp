@@ -13,6 +13,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/continuum/law.hpp>
+#include <ancf/element/dual.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>
 
@@ -216,6 +217,22 @@ template <class Scalar, int Dimension>
     return half_product(resultants(station.law, strain), strain);
 }
 
+/// Adds the force B(v)^T S of a station's resultants.
+template <class Scalar, int Dimension>
+inline void add_stress(const Station<Dimension>& station, const Vectors<Scalar, Dimension>& v,
+                       const Strain<Scalar, Dimension>& stress,
+                       Force<Scalar, Dimension>& sum) noexcept {
+    const Vectors<Scalar, Dimension> force = local_force(stress, v);
+    const Scalar xi(station.xi);
+    ANCF_UNROLL
+    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += Scalar(station.tangent(m)) * force.col(0);
+    ANCF_UNROLL
+    for (int c = 0; c < Dimension - 1; ++c) {
+        sum.slope.col(c) += force.col(Dimension + c);
+        sum.difference.col(c) += xi * force.col(Dimension + c) + force.col(1 + c);
+    }
+}
+
 /// Adds a station's energy and force; returns its resultants.
 /// @param strained  v, or the vectors that the strains are taken from in their place
 template <class Scalar, int Dimension>
@@ -225,17 +242,42 @@ ANCF_NOINLINE Strain<Scalar, Dimension> add_force(const Station<Dimension>& stat
                                                   Force<Scalar, Dimension>& sum) noexcept {
     const Strain<Scalar, Dimension> strain = station_strain(station, strained);
     const Strain<Scalar, Dimension> stress = resultants(station.law, strain);
-    const Vectors<Scalar, Dimension> force = local_force(stress, v);
-    const Scalar xi(station.xi);
     sum.energy += half_product(stress, strain);
-    ANCF_UNROLL
-    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += Scalar(station.tangent(m)) * force.col(0);
-    ANCF_UNROLL
-    for (int c = 0; c < Dimension - 1; ++c) {
-        sum.slope.col(c) += force.col(Dimension + c);
-        sum.difference.col(c) += xi * force.col(Dimension + c) + force.col(1 + c);
-    }
+    add_stress(station, v, stress, sum);
     return stress;
+}
+
+/// Returns a station's resultants of the strains of an earlier state, linearised along the
+/// correction that followed: docs/theory-statics.md, "Stresses as unknowns".
+/// @param earlier  its vectors plus eps times those of the correction
+template <class Scalar, int Dimension>
+[[nodiscard]] ANCF_NOINLINE Strain<Scalar, Dimension> foreseen(
+    const Station<Dimension>& station, const Vectors<Dual<Scalar>, Dimension>& earlier) noexcept {
+    const Strain<Dual<Scalar>, Dimension> strain = station_strain(station, earlier);
+    Strain<Scalar, Dimension> linear;
+    const auto copy = [](const auto& from, auto& to) {
+        for (int k = 0; k < to.size(); ++k)
+            to.data()[k] = from.data()[k].value + from.data()[k].rate;
+    };
+    copy(strain.axial, linear.axial);
+    copy(strain.shear, linear.shear);
+    copy(strain.normal, linear.normal);
+    linear.transverse = strain.transverse.value + strain.transverse.rate;
+    return resultants(station.law, linear);
+}
+
+/// Returns an axial station's strain; p is r0'.
+template <class Scalar, int Dimension>
+[[nodiscard]] inline Scalar axial_strain(const AxialStation& station,
+                                         const Vector<Scalar, Dimension>& p) noexcept {
+    return deformation(Scalar(Scalar(0.5) * product(p, p)), station.reference);
+}
+
+/// Adds the force of an axial station's normal force, which has the weight in it.
+template <class Scalar, int Dimension>
+inline void add_normal(const AxialStation& station, const Vector<Scalar, Dimension>& p,
+                       const Scalar& normal, Force<Scalar, Dimension>& sum) noexcept {
+    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += (Scalar(station.tangent(m)) * normal) * p;
 }
 
 /// Adds an axial station's energy and force; p is r0'. Returns its normal force times the weight.
@@ -244,11 +286,10 @@ template <class Scalar, int Dimension>
 inline Scalar add_axial_force(const AxialStation& station, const Vector<Scalar, Dimension>& p,
                               const Vector<Scalar, Dimension>& strained,
                               Force<Scalar, Dimension>& sum) noexcept {
-    const Scalar square = product(strained, strained);
-    const Scalar strain = deformation(Scalar(Scalar(0.5) * square), station.reference);
+    const Scalar strain = axial_strain(station, strained);
     const Scalar normal = Scalar(station.stiffness) * strain;
     sum.energy += Scalar(0.5) * normal * strain;
-    for (int m = 0; m < 3; ++m) sum.tangent.col(m) += (Scalar(station.tangent(m)) * normal) * p;
+    add_normal(station, p, normal, sum);
     return normal;
 }
 
