@@ -85,17 +85,24 @@ def definition_findings(name, text, texts):
             yield f"includes <{path}>: take its header"
 
 
-def umbrella_findings(texts):
-    """Every core header is to be had through the umbrella."""
-    reached, waiting = set(), [UMBRELLA]
+def reach(texts, first):
+    """Returns the headers that some include, and these."""
+    reached, waiting = set(), list(first)
     while waiting:
         name = waiting.pop()
         if name in texts and name not in reached:
             reached.add(name)
             waiting += [path[len("ancf/"):] for _, path in INCLUDE.findall(texts[name])
                         if path.startswith("ancf/")]
-    for name in sorted(set(texts) - reached):
-        if name.split("/")[0] not in COMPONENTS and name not in ABOVE:
+    return reached
+
+
+def umbrella_findings(texts):
+    """Every core header is to be had through the umbrella; what only components need, through them."""
+    components = {name for name in texts if name.split("/")[0] in COMPONENTS}
+    reached, used = reach(texts, [UMBRELLA]), reach(texts, components)
+    for name in sorted(set(texts) - reached - components - set(ABOVE)):
+        if is_public(name, texts[name]) or name not in used:
             yield f"include/ancf/{UMBRELLA}: does not reach {name}"
 
 

@@ -149,6 +149,11 @@ TEST_CASE("Assembly: mass as matrix and as product agree, gravity has the weight
     const auto sum = ancf::resultant(scene, q, assembly.external_force());
     CHECK(sum.force[1] == Approx(-9.81 * mass).epsilon(1e-13));
     CHECK(std::abs(sum.force[0]) + std::abs(sum.force[2]) <= 1e-13 * mass);
+    for (int k = 0; k < 6; ++k) {  // the work in a rigid motion
+        const double part = k < 3 ? sum.force[k] : sum.moment[k - 3];
+        CHECK(ancf::rigid_motion(scene, q, k).dot(assembly.external_force()) ==
+              Approx(part).margin(1e-13 * mass));
+    }
 }
 
 TEST_CASE("Assembly: loads grow with the load factor at the same rate however large it is",

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The force and the moment that a generalised force amounts to: of a whole scene, of a node.
+/// The force and the moment that a generalised force amounts to: of a whole scene, of a node; the
+/// rigid motions in which they do their work.
 ///
 ///     const auto report = ancf::solve_statics(model, solver);
 ///     const auto foot = ancf::nodal_resultant(model, model.state().q, report.reactions, node);
@@ -36,6 +37,11 @@ struct Resultant {
 /// @throws InvalidArgument for a node that does not exist or vectors of another size.
 [[nodiscard]] Resultant nodal_resultant(const Scene& model, const VectorX& q, const VectorX& force,
                                         NodeId node);
+
+/// Returns a rigid motion of all coordinates, whose inner product with a generalised force is a
+/// component of its resultant: the translations, then the turns about the origin by 1 rad/s.
+/// @param k  from 0: x, y, z, about x, about y, about z; in the plane x, y, about z.
+[[nodiscard]] VectorX rigid_motion(const Scene& model, const VectorX& q, int k);
 
 }  // namespace ancf
 

@@ -63,4 +63,20 @@ ANCF_INLINE Resultant nodal_resultant(const Scene& model, const VectorX& q, cons
     return detail::resultant_about(model.dimension(), layout, q, force, node.index, false);
 }
 
+ANCF_INLINE VectorX rigid_motion(const Scene& model, const VectorX& q, int k) {
+    const Layout& layout = model.layout();
+    const int dimension = layout.dimension(), axis = dimension == 3 ? k % 3 : 2;
+    const int from = (axis + 1) % 3, to = (axis + 2) % 3;  // a turn
+    VectorX motion = VectorX::Zero(q.size());
+    for (int node = 0; node < layout.nodes(); ++node)
+        for (int at = layout.first(node); at < layout.first(node + 1); at += dimension)
+            if (k >= dimension) {
+                motion[at + from] = -q[at + to];
+                motion[at + to] = q[at + from];
+            } else if (at == layout.first(node) && layout.fields(node).contains(Field::r)) {
+                motion[at + k] = 1.0;
+            }
+    return motion;
+}
+
 }  // namespace ancf

@@ -4,14 +4,13 @@
 /// @file
 /// How a scene is divided between processes, and which row each unknown has.
 ///
-/// Every process has the whole scene and finds the same division. A node belongs to one process; an
-/// element to that of its first node; an attached node to that of its element. A process holds its
-/// elements, its nodes and all nodes that these touch.
+/// Every process has the whole scene and finds the same division, of model/division.hpp.
 
 #pragma once
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/model/division.hpp>
 #include <ancf/model/exchange.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/petsc/session.hpp>
@@ -20,13 +19,10 @@
 #include <petscsf.h>
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace ancf::petsc::detail {
-
-struct Division;
 
 /// The rows of the equations of a part in the system of all parts.
 struct Rows {
@@ -89,13 +85,12 @@ public:
     [[nodiscard]] Rows rows(const Scene& part, const Numbering& numbering) const;
 
 private:
-    void hold();
     void connect();
 
     const Scene& whole_;
     MPI_Comm comm_;
-    int rank_ = 0;
-    std::unique_ptr<const Division> division_;
+    ancf::detail::Division division_;
+    int rank_;
     ScenePart held_;
     std::vector<char> own_;  // of each coordinate of the part
     // leaves: the coordinates of each part; roots: the coordinates that each process owns

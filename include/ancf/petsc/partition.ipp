@@ -18,25 +18,39 @@
 
 namespace ancf::petsc::detail {
 
-/// Returns the process of each vertex of a graph, the same in every process.
-/// @param shares  process r gives the edges from the vertices shares[r] to before shares[r + 1]
-/// @param from    first vertex of each of these edges; repeated edges add up
-/// @param to      second vertex
-[[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(MPI_Comm comm, const std::string& prefix,
-                                                          const std::vector<PetscInt>& shares,
-                                                          std::vector<PetscInt> from,
-                                                          std::vector<PetscInt> to) {
-    const std::size_t rank = Session::rank(comm);
-    const PetscInt own = shares[rank + 1] - shares[rank], all = shares.back();
-    Handle<Mat> edges, graph;
+/// Returns the process of each vertex of a graph, the same in every process: of few in the order of
+/// their numbers. Every process has the whole graph.
+[[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
+    MPI_Comm comm, const std::string& prefix, int vertices,
+    const std::vector<std::pair<int, int>>& edges) {
+    const int rank = Session::rank(comm), ranks = Session::ranks(comm);
+    std::vector<PetscInt> shares = {0};  // process r tells the edges from shares[r] to before r + 1
+    std::vector<int> parts;
+    for (int r = 0; r < ranks; ++r) {
+        shares.push_back(static_cast<PetscInt>((r + 1L) * vertices / ranks));
+        parts.resize(shares.back(), r);
+    }
+    if (ranks == 1 || vertices < 16L * ranks) return parts;
+    std::vector<PetscInt> from, to;
+    const auto append = [&](PetscInt a, PetscInt b) {
+        if (a == b || a < shares[rank] || a >= shares[rank + 1]) return;
+        from.push_back(a);
+        to.push_back(b);
+    };
+    for (const auto& [a, b] : edges) {
+        append(a, b);
+        append(b, a);
+    }
+    const PetscInt own = shares[rank + 1] - shares[rank];
+    Handle<Mat> pattern, graph;
     Handle<MatPartitioning> method;
     Handle<IS> found, gathered;
-    check(MatCreate(comm, edges.fresh()));
-    check(MatSetSizes(edges, own, own, all, all));
-    check(MatSetType(edges, MATAIJ));
-    check(MatSetPreallocationCOO(edges, from.size(), from.data(), to.data()));
-    check(MatSetValuesCOO(edges, std::vector<double>(from.size(), 1.0).data(), INSERT_VALUES));
-    check(MatConvert(edges, MATMPIADJ, MAT_INITIAL_MATRIX, graph.fresh()));
+    check(MatCreate(comm, pattern.fresh()));
+    check(MatSetSizes(pattern, own, own, vertices, vertices));
+    check(MatSetType(pattern, MATAIJ));
+    check(MatSetPreallocationCOO(pattern, from.size(), from.data(), to.data()));
+    check(MatSetValuesCOO(pattern, std::vector<double>(from.size(), 1.0).data(), INSERT_VALUES));
+    check(MatConvert(pattern, MATMPIADJ, MAT_INITIAL_MATRIX, graph.fresh()));
     check(MatPartitioningCreate(comm, method.fresh()));
     check(MatPartitioningSetAdjacency(method, graph));
 #if defined(PETSC_HAVE_PTSCOTCH)
@@ -49,143 +63,26 @@ namespace ancf::petsc::detail {
     check(ISAllGather(found, gathered.fresh()));
     const PetscInt* part = nullptr;
     check(ISGetIndices(gathered, &part));
-    std::vector<int> parts(part, part + all);
+    parts.assign(part, part + vertices);
     check(ISRestoreIndices(gathered, &part));
     return parts;
 }
 
-/// Who has what of a scene, the same in every process.
-struct Division {
-    std::vector<int> follows;      // the node that each node is attached to, -1
-    std::vector<int> process;      // of each node; -1 without vectors
-    std::vector<char> eliminated;  // of each node: attached, and seen by one element alone
-
-    Division(const Scene& whole, MPI_Comm comm, const std::string& prefix)
-        : follows(whole.nodes(), -1), process(follows.size(), -1), eliminated(follows.size(), 0) {
-        for (const AttachedVector& attachment : whole.attachments())
-            follows[attachment.vector.node.index] = attachment.to.index;
-        divide(whole, comm, prefix);
-        for (const auto& group : whole.groups())
-            for (const Connection& c : group->connections)
-                for (const NodeId end : {c.first, c.second})
-                    if (int& of = process[end.index]; of < 0) of = owner(c);
-        for (int k = 0; k < whole.nodes(); ++k)
-            if (int& of = process[k]; of < 0 && whole.layout().size(k) > 0)
-                of = process[leader({k})];
-        eliminate(whole);
-    }
-
-    /// Returns the node that stands for one: itself, or that at the end of its attachments.
-    [[nodiscard]] int leader(NodeId of) const {
-        int k = of.index;
-        while (follows[k] >= 0) k = follows[k];
-        return k;
-    }
-    [[nodiscard]] int owner(const Connection& c) const { return process[leader(c.first)]; }
-    /// What couples nodes is where its first one is.
-    [[nodiscard]] int owner(const Coupling& coupling) const {
-        return coupling.empty() ? 0 : process[coupling.front().node.index];
-    }
-
-private:
-    void divide(const Scene& whole, MPI_Comm comm, const std::string& prefix) {
-        std::vector<int> vertex(process.size(), -1), leaders;
-        for (int k = 0; k < whole.nodes(); ++k)
-            if (whole.layout().size(k) > 0 && follows[k] < 0) {
-                vertex[k] = static_cast<int>(leaders.size());
-                leaders.push_back(k);
-            }
-        const auto count = static_cast<long>(leaders.size());
-        const int rank = Session::rank(comm), ranks = Session::ranks(comm);
-        std::vector<PetscInt> shares = {0};
-        std::vector<int> parts;
-        for (int r = 0; r < ranks; ++r) {
-            shares.push_back(static_cast<PetscInt>((r + 1) * count / ranks));
-            parts.resize(shares.back(), r);
-        }
-        if (ranks > 1 && count >= 16L * ranks) {
-            std::vector<PetscInt> from, to;
-            const auto append = [&](PetscInt a, PetscInt b) {
-                if (a == b || a < shares[rank] || a >= shares[rank + 1]) return;
-                from.push_back(a);
-                to.push_back(b);
-            };
-            for (const auto& group : whole.groups())
-                for (const Connection& c : group->connections) {
-                    const int a = vertex[leader(c.first)], b = vertex[leader(c.second)];
-                    append(a, b);
-                    append(b, a);
-                }
-            parts = parts_of_graph(comm, prefix, shares, std::move(from), std::move(to));
-        }
-        for (std::size_t k = 0; k < leaders.size(); ++k) process[leaders[k]] = parts[k];
-    }
-
-    void eliminate(const Scene& whole) {
-        std::vector<int> seen(process.size(), 0);
-        const auto see = [&](NodeId of) { seen[of.index] += 1; };
-        const auto see_all = [&](const Coupling& coupling) {
-            for (const NodeField& vector : coupling) see(vector.node);
-        };
-        for (const auto& group : whole.groups())
-            for (const Connection& c : group->connections) {
-                see(c.first);
-                if (c.second != c.first) see(c.second);
-            }
-        for (const ScaledLoad& load : whole.loads())
-            if (!load.load.constant()) see_all(load.load.coupling());
-        for (const AnyConstraint& each : whole.constraints()) see_all(each.coupling());
-        for (const AttachedVector& attachment : whole.attachments()) see(attachment.to);
-        for (std::size_t k = 0; k < process.size(); ++k)
-            eliminated[k] = follows[k] >= 0 && seen[k] == 1;
-    }
-};
-
 ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::string& prefix)
-    : whole_(whole), comm_(comm) {
+    : whole_(whole),
+      comm_(comm),
+      division_(whole,
+                [&](int vertices, const auto& edges) {
+                    const QuietErrors quiet;
+                    return parts_of_graph(comm, prefix, vertices, edges);
+                }),
+      rank_(Session::rank(comm)),
+      held_(division_.held(whole, rank_)) {
     const QuietErrors quiet;
-    rank_ = Session::rank(comm);
-    division_ = std::make_unique<const Division>(whole, comm, prefix);
-    hold();
     connect();
 }
 
 ANCF_INLINE Partition::~Partition() = default;
-
-ANCF_INLINE void Partition::hold() {
-    const Division& division = *division_;
-    held_.nodes.assign(division.process.size(), 0);
-    const auto take = [&](NodeId of) {  // with those that it follows
-        for (int k = of.index; k >= 0; k = division.follows[k]) held_.nodes[k] = 1;
-    };
-    const auto takes = [&](const Coupling& coupling) {
-        if (division.owner(coupling) != rank_) return false;
-        for (const NodeField& vector : coupling) take(vector.node);
-        return true;
-    };
-    const auto places = [](const auto& list, const auto& wanted) {
-        std::vector<int> result;
-        for (std::size_t k = 0; k < list.size(); ++k)
-            if (wanted(list[k])) result.push_back(static_cast<int>(k));
-        return result;
-    };
-    for (int node = 0; node < whole_.nodes(); ++node)
-        if (division.process[node] == rank_) take({node});
-    for (const auto& group : whole_.groups())
-        held_.elements.push_back(places(group->connections, [&](const Connection& c) {
-            if (division.owner(c) != rank_) return false;
-            take(c.first);
-            take(c.second);
-            return true;
-        }));
-    held_.loads =
-        places(whole_.loads(), [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
-    held_.constraints = places(whole_.constraints(),
-                               [&](const AnyConstraint& each) { return takes(each.coupling()); });
-    held_.masses = places(whole_.masses(), [&](const auto& each) {
-        return division.process[each.node.index] == rank_;
-    });
-}
 
 ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
@@ -194,7 +91,7 @@ ANCF_INLINE void Partition::connect() {
     std::vector<PetscSFNode> roots;
     for (int node = 0; node < layout.nodes(); ++node)
         for (int k = 0; k < layout.size(node); ++k) {
-            const int owner = division_->process[node];
+            const int owner = division_.part[node];
             const PetscInt place = count[owner]++;
             if (held_.nodes[node] == 0) continue;
             own_.push_back(owner == rank_);
@@ -259,7 +156,7 @@ ANCF_INLINE VectorX Partition::gather_multipliers(const VectorX& of_part) const 
     VectorX all = VectorX::Zero(count);
     Eigen::Index place = 0, next = 0;
     for (const AnyConstraint& each : constraints()) {
-        const bool own = division_->owner(each.coupling()) == rank_;
+        const bool own = division_.owner(each.coupling()) == rank_;
         for (int i = 0; i < each.equations(); ++i, ++place)
             if (own) all[place] = of_part[next++];
     }
@@ -276,7 +173,7 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     std::vector<int> own;                 // nodes of this process with rows
     double most = 0.0, least = HUGE_VAL;  // coordinates of such a node
     for (int node = 0; node < layout.nodes(); ++node) {
-        if (division_->process[node] != rank_ || division_->eliminated[node] != 0 ||
+        if (division_.part[node] != rank_ || division_.eliminated[node] != 0 ||
             !any_free(layout.first(node), layout.first(node + 1)))
             continue;
         own.push_back(node);

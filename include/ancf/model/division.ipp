@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of division.hpp.
+
+#pragma once
+
+#include <ancf/model/division.hpp>
+
+#include <cstddef>
+
+namespace ancf::detail {
+
+ANCF_INLINE Division::Division(const Scene& whole, const GraphDivision& divide)
+    : follows(whole.nodes(), -1), part(follows.size(), -1), eliminated(follows.size(), 0) {
+    for (const AttachedVector& attachment : whole.attachments())
+        follows[attachment.vector.node.index] = attachment.to.index;
+    divide_nodes(whole, divide);
+    for (const auto& group : whole.groups())
+        for (const Connection& c : group->connections)
+            for (const NodeId end : {c.first, c.second})
+                if (int& of = part[end.index]; of < 0) of = owner(c);
+    for (int k = 0; k < whole.nodes(); ++k)
+        if (int& of = part[k]; of < 0 && whole.layout().size(k) > 0) of = part[leader({k})];
+    eliminate(whole);
+}
+
+ANCF_INLINE void Division::divide_nodes(const Scene& whole, const GraphDivision& divide) {
+    std::vector<int> vertex(part.size(), -1), leaders;
+    for (int k = 0; k < whole.nodes(); ++k)
+        if (whole.layout().size(k) > 0 && follows[k] < 0) {
+            vertex[k] = static_cast<int>(leaders.size());
+            leaders.push_back(k);
+        }
+    std::vector<std::pair<int, int>> edges;
+    for (const auto& group : whole.groups())
+        for (const Connection& c : group->connections)
+            edges.emplace_back(vertex[leader(c.first)], vertex[leader(c.second)]);
+    const std::vector<int> parts = divide(static_cast<int>(leaders.size()), edges);
+    for (std::size_t k = 0; k < leaders.size(); ++k) part[leaders[k]] = parts[k];
+}
+
+ANCF_INLINE void Division::eliminate(const Scene& whole) {
+    std::vector<int> seen(part.size(), 0);
+    const auto see = [&](NodeId of) { seen[of.index] += 1; };
+    const auto see_all = [&](const Coupling& coupling) {
+        for (const NodeField& vector : coupling) see(vector.node);
+    };
+    for (const auto& group : whole.groups())
+        for (const Connection& c : group->connections) {
+            see(c.first);
+            if (c.second != c.first) see(c.second);
+        }
+    for (const ScaledLoad& load : whole.loads())
+        if (!load.load.constant()) see_all(load.load.coupling());
+    for (const AnyConstraint& each : whole.constraints()) see_all(each.coupling());
+    for (const AttachedVector& attachment : whole.attachments()) see(attachment.to);
+    for (std::size_t k = 0; k < part.size(); ++k) eliminated[k] = follows[k] >= 0 && seen[k] == 1;
+}
+
+ANCF_INLINE ScenePart Division::held(const Scene& whole, int by) const {
+    ScenePart result;
+    result.nodes.assign(part.size(), 0);
+    const auto take = [&](NodeId of) {
+        for (int k = of.index; k >= 0; k = follows[k]) result.nodes[k] = 1;
+    };
+    const auto takes = [&](const Coupling& coupling) {
+        if (owner(coupling) != by) return false;
+        for (const NodeField& vector : coupling) take(vector.node);
+        return true;
+    };
+    const auto places = [](const auto& list, const auto& wanted) {
+        std::vector<int> found;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (wanted(list[k])) found.push_back(static_cast<int>(k));
+        return found;
+    };
+    for (int node = 0; node < whole.nodes(); ++node)
+        if (part[node] == by) take({node});
+    for (const auto& group : whole.groups())
+        result.elements.push_back(places(group->connections, [&](const Connection& c) {
+            if (owner(c) != by) return false;
+            take(c.first);
+            take(c.second);
+            return true;
+        }));
+    result.loads =
+        places(whole.loads(), [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
+    result.constraints = places(whole.constraints(),
+                                [&](const AnyConstraint& each) { return takes(each.coupling()); });
+    result.masses =
+        places(whole.masses(), [&](const auto& each) { return part[each.node.index] == by; });
+    return result;
+}
+
+}  // namespace ancf::detail
