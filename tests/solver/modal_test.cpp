@@ -294,6 +294,20 @@ TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
     CHECK(short_of.iterations == 1);
 }
 
+TEST_CASE("modes: constraints leave as many as supports do", "[modal]") {
+    ancf::ModalOptions wanted;
+    wanted.count = 100;
+    ancf::EigenLu solver;
+    const auto held = ancf::natural_modes(cantilever(1, 0.05), solver, wanted);
+    const auto joined = ancf::natural_modes(cantilever(1, 0.05, Hold::constraints), solver, wanted);
+    REQUIRE(held.status == Status::converged);
+    REQUIRE(joined.status == Status::converged);
+    REQUIRE(held.modes.size() == 15);  // of 24 coordinates 9 are held
+    REQUIRE(joined.modes.size() == 15);
+    for (std::size_t k = 0; k < 15; ++k)
+        CHECK(joined.modes[k].value == Approx(held.modes[k].value).epsilon(1e-6));
+}
+
 TEST_CASE("modes: none is lost beside one that is far slower", "[modal]") {
     // a heavy mass holds the place of the tip: the beam is clamped and hinged then, of either plane
     const double hinged =

@@ -26,7 +26,9 @@ Subspace<Dense>::Subspace(const SparseMatrix& A, const SparseMatrix& B, const Li
 
 template <class Dense>
 Status Subspace<Dense>::run(int free, int count, double tolerance, int max_iterations) {
-    const auto width = std::min<Eigen::Index>(2 * count + 8, free);
+    // what constraints leave; a block beyond it would be filled by round-off
+    const Eigen::Index all = std::max<Eigen::Index>(2 * free - A_.rows(), 1);
+    const auto width = std::min<Eigen::Index>(2 * count + 8, all);
     scales_ = unit_scales(A_);
     vectors = mixtures(width);
     VectorX last = VectorX::Zero(count);
@@ -49,7 +51,7 @@ Status Subspace<Dense>::run(int free, int count, double tolerance, int max_itera
                                       std::numeric_limits<double>::epsilon() * wanted.maxCoeff();
             if (((wanted - last).cwiseAbs() - tolerance * wanted - round_off).maxCoeff() <= 0.0)
                 return Status::converged;
-            if (width == free && iterations > 1) return Status::converged;  // they span all
+            if (values.size() == all && iterations > 1) return Status::converged;  // they span all
         }
         last = wanted;
     }
@@ -97,7 +99,6 @@ bool Subspace<Dense>::tells(const Dense& x) const {
     const Dense image = product(A_, x), size = x.cwiseAbs();
     const double energy = (x.transpose() * image)(0, 0);
     const double noise = round_off * (size.transpose() * product(magnitude_, size))(0, 0);
-    // a mixture without modes is left where constraints leave nothing else
     return energy > std::max(4.0 * noise, std::pow(1e-12 * values[0], 2));
 }
 
