@@ -7,6 +7,7 @@
 #include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/dynamics/turn_stretch.hpp>
 #include <ancf/model/constraints.hpp>
+#include <ancf/model/loads.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <vector>
 
@@ -448,6 +450,16 @@ TEST_CASE("rigid modes: of more vectors than a word has bits", "[dynamics]") {
     CHECK(shift.norm() <= 1e-12);
     CHECK(rest.norm() > 1e-3);
     for (int k = 35; k < 70; ++k) CHECK(modes.weight(3 * k) == 0.5);
+}
+
+TEST_CASE("energy-momentum: names a load that is no number", "[dynamics]") {
+    Chain scene = swing();
+    scene.model.add(ancf::Force<3>(scene.last(), {1.0, 0.0, 0.0}), [](double t) {
+        return t >= 0.05 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+    });
+    const DynamicsReport report = run(scene.model, 1e-3, until(0.1));
+    CHECK(report.status == Status::not_finite);
+    CHECK_THAT(report.message, ContainsSubstring("the force of load 0 is not finite"));
 }
 
 TEST_CASE("energy-momentum: stops on request, refuses what cannot be meant", "[dynamics]") {

@@ -81,6 +81,20 @@ TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough"
     CHECK(of_all.factorize(matrix) == Status::not_finite);
 }
 
+TEST_CASE("KktSystem: what is next to nothing is solved for", "[dynamics][kkt]") {
+    const SparseMatrix matrix = nearly_dependent(1e-2);
+    KktSystem system;
+    system.analyze(matrix, 2);
+    REQUIRE(system.factorize(matrix) == Status::converged);
+    for (const double tiny : {0.0, 4.9e-324, 1e-322, 1e-310, 1e-300, 1e-250}) {
+        INFO("size " << tiny);
+        const VectorX b = (VectorX(4) << 0.0, 0.0, -tiny, tiny).finished();
+        VectorX x;
+        CHECK(system.solve(b, x) == Status::converged);
+        CHECK(x.head(2).cwiseAbs().maxCoeff() <= 1e5 * tiny);  // x = (-1, 200) tiny
+    }
+}
+
 TEST_CASE("KktSystem: a pattern without its diagonal is refused", "[dynamics][kkt]") {
     SparseMatrix matrix = nearly_dependent(1.0);
     matrix.prune([](int row, int column, double) { return row != 3 || column != 3; });

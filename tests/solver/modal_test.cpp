@@ -298,6 +298,42 @@ TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
     CHECK(short_of.iterations == 1);
 }
 
+TEST_CASE("modes: constraints leave as many as supports do", "[modal]") {
+    ancf::ModalOptions wanted;
+    wanted.count = 100;
+    ancf::EigenLu solver;
+    const auto held = ancf::natural_modes(cantilever(1, 0.05), solver, wanted);
+    const auto joined = ancf::natural_modes(cantilever(1, 0.05, Hold::constraints), solver, wanted);
+    REQUIRE(held.status == Status::converged);
+    REQUIRE(joined.status == Status::converged);
+    REQUIRE(held.modes.size() == 15);  // of 24 coordinates 9 are held
+    REQUIRE(joined.modes.size() == 15);
+    for (std::size_t k = 0; k < 15; ++k)
+        CHECK(joined.modes[k].value == Approx(held.modes[k].value).epsilon(1e-6));
+}
+
+TEST_CASE("modes: none is lost beside one that is far slower", "[modal]") {
+    // a heavy mass holds the place of the tip: the beam is clamped and hinged then, of either plane
+    const double hinged =
+        std::pow(3.926602, 2) * std::sqrt(young * 1e-4 / 12.0 / density) / (2.0 * pi);
+    for (const double mass : {1e4, 1e6}) {  // 1e6: ten thousand times faster than the first mode
+        Scene scene = cantilever(8, 0.01);
+        scene.add_mass(ancf::NodeId{8}, mass);
+        ancf::EigenLdlt solver;
+        const auto report = ancf::natural_modes(scene, solver);
+        INFO("mass " << mass);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(report.modes.size() == 6);
+        int found = 0;
+        for (const auto& mode : report.modes) {
+            if (std::abs(mode.frequency() / hinged - 1.0) < 1e-3) ++found;  // 2e-4, of the shear
+            CHECK(mode.residual < 1e-6);                                    // 1e-7
+        }
+        CHECK(found == 2);
+        CHECK(report.iterations <= 50);  // 12
+    }
+}
+
 TEST_CASE("modes: a scene that is wholly held has none", "[modal]") {
     Scene scene = cantilever(1, 0.05);
     scene.clamp(ancf::NodeId{0}, ancf::Clamp::full);

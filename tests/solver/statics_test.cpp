@@ -4,6 +4,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
@@ -192,6 +193,33 @@ TEST_CASE("statics: an amplitude overrides the load factor", "[statics]") {
     const double stretch = 0.5 * chain.position({2})[0];
     CHECK(axial_stiffness * stretch * (stretch * stretch - 1.0) / 2.0 ==
           Approx(26.4).epsilon(1e-10));
+}
+
+TEST_CASE("statics: beams off their axis bend far on coarse meshes", "[statics]") {
+    // the axis lies a depth of the section aside; 64 elements are off by 1e-5 of the length
+    const auto steel = ancf::Material::isotropic(2.07e11, 0.3, 7850.0);
+    const auto section = ancf::offset(ancf::rectangle(0.02, 0.03), 0.03, 0.0);
+    const auto tip = [&](int elements, int& iterations) {
+        Scene scene;
+        const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3, ancf::Geodesic>>(
+            scene, steel, section, {0, 0, 0}, {4, 0, 0}, elements,
+            ancf::CrossSectionOptions::best());
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        const double unit = steel.young * 0.02 * std::pow(0.03, 3) / 12.0 / 16.0;  // E I/L^2
+        scene.add(ancf::Force<3>(beam.last(), {0.0, 3.0 * unit, 0.0}));
+        const auto report = solve(scene);
+        CHECK(report.status == Status::converged);
+        iterations = report.iterations();
+        return scene.position(beam.last());
+    };
+    int iterations = 0;
+    const auto fine = tip(64, iterations);
+    for (const int elements : {4, 8}) {
+        INFO(elements << " elements");
+        const auto coarse = tip(elements, iterations);
+        CHECK((coarse - fine).norm() <= 4.0 * 1e-3);  // 3e-4 of the length; as it was 8e-2
+        CHECK(iterations <= 8);                       // 5; as it was 21 and 6
+    }
 }
 
 TEST_CASE("statics: a bar beyond its limit load ends inverted", "[statics]") {

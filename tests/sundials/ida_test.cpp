@@ -381,6 +381,29 @@ TEST_CASE("Ida: a scene whose forces hide in round-off ends with a status", "[id
     CHECK(report.steps <= 10000);
 }
 
+TEST_CASE("Ida: multipliers lost in the round-off of a short step end with an advice",
+          "[ida][round-off]") {
+    // oblique, so that the weld stands at its angle but for round-off
+    Hanging oblique;
+    const auto rubber = ancf::Material::isotropic(0.7e6, 0.3, 5540.0);
+    const auto section = ancf::rectangle(0.05, 0.05);
+    const auto first = ancf::straight_beam<Element>(*oblique.model, rubber, section,
+                                                    {0.1, 0.13, 0.17}, {0.53, 0.27, 0.19}, 2);
+    const auto second = ancf::straight_beam<Element>(*oblique.model, rubber, section,
+                                                     {0.53, 0.27, 0.19}, {0.7, 0.6, 0.1}, 2);
+    oblique.model->clamp(first.first());
+    oblique.model->add(ancf::Weld(*oblique.model, first.last(), second.first()));
+    oblique.model->set_gravity({0.0, -9.81, 1.0});
+    ancf::DynamicProblem problem(*oblique.model);
+    IdaOptions options;
+    options.first_step = 1e-10;
+    const auto lost = Ida(options).integrate(problem, until(0.01, {0.01}));
+    CHECK(lost.status == Status::diverged);
+    CHECK_THAT(lost.message, ContainsSubstring("gear_gupta_leimkuhler, may pass"));
+    options.first_step = 1e-6;
+    CHECK(Ida(options).integrate(problem, until(0.01, {0.01})).status == Status::converged);
+}
+
 TEST_CASE("Ida: a driven support and a driven constraint give the same motion", "[ida][driven]") {
     const double speed = 3.0;
     const auto value = [=](double t) { return 0.05 * std::sin(speed * t) * std::sin(speed * t); };

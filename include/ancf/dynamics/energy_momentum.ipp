@@ -205,6 +205,9 @@ ANCF_INLINE Status EnergyMomentumRun::evaluate(double h, bool matrix) {
     report_.fault.reset();
     if (!system_.evaluate(full_next_.q, full_next_.v, next_.lambda, matrix, rhs_)) {
         report_.fault = problem_.assembly().inspect(full_next_.q);
+        if (!report_.fault)  // a load or a constraint
+            report_.fault =
+                problem_.evaluate(next_.time, next_.q, next_.v, next_.lambda, Request::force);
         return report_.fault ? report_.fault->status : Status::not_finite;
     }
     if (!matrix) return Status::converged;

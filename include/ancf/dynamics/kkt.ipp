@@ -78,6 +78,9 @@ ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
 
 ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX& x,
                                                 VectorX& residual) const {
+    // below it numbers lose digits: motions that die out come there
+    constexpr double nothing =
+        std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
     residual = b;
     double largest[2] = {0.0, 0.0}, rest[2] = {0.0, 0.0}, size[2] = {0.0, 0.0};
     const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
@@ -101,7 +104,7 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
     if (!detail::all_finite(residual)) return std::numeric_limits<double>::infinity();
     double ratio = 0.0;
     for (int k = 0; k < 2; ++k)
-        if (size[k] > 0.0) ratio = std::max(ratio, rest[k] / size[k]);
+        if (size[k] > nothing) ratio = std::max(ratio, rest[k] / size[k]);
     return ratio;
 }
 

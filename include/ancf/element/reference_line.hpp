@@ -104,18 +104,17 @@ public:
 
     /// Returns the stations of a rule along the line; reference strains are zero.
     ///
-    /// A rule that gives the axial term points of its own takes eps^2 there: on a straight line
-    /// that is never less than at the points of bending, which keeps the energy positive where eps
-    /// couples with curvature. On a curve whose parameter runs unevenly it may be less; there the
-    /// strain of the centroid takes the place of eps.
+    /// A rule that gives the axial term points of its own takes eps^2 there. Where eps couples with
+    /// curvature, at the points of bending, the energy could then be negative; the strain of the
+    /// centroid takes the place of eps.
     /// @param own_axial  stations of the axial term alone are kept apart: its strain is Green's
     [[nodiscard]] StationTable<double, Line::vectors> stations(const Rule& rule,
                                                                const SectionStiffness& section,
                                                                bool own_axial = true) const {
         StationTable<double, Line::vectors> table;
         const auto& C = section.axial;
-        const bool by_centroid = curved_ && C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) >
-                                                1e-24 * C(0, 0) * (C(1, 1) + C(2, 2));
+        const bool by_centroid =
+            C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) > 1e-24 * C(0, 0) * (C(1, 1) + C(2, 2));
         for (const RuleStation& station : rule.stations()) {
             const auto at = shape(station.xi);
             const double length = parameter_length_ * metric(station.xi);

@@ -143,13 +143,6 @@ inline void put_lane(AxialStationData<Pack<Lanes>, Line>& to, int lane,
     put_lane(to.stiffness, lane, from.stiffness);
 }
 
-template <int Lanes, int Line>
-inline void put_lane(StationTable<Pack<Lanes>, Line>& to, int lane,
-                     const StationTable<double, Line>& from) noexcept {
-    for (std::size_t k = 0; k < from.full.size(); ++k) put_lane(to.full[k], lane, from.full[k]);
-    for (std::size_t k = 0; k < from.axial.size(); ++k) put_lane(to.axial[k], lane, from.axial[k]);
-}
-
 /// A station like the given one that adds nothing: fills lanes left over.
 template <int Line>
 StationData<double, Line> without_stiffness(StationData<double, Line> station) noexcept {
@@ -160,6 +153,18 @@ template <int Line>
 AxialStationData<double, Line> without_stiffness(AxialStationData<double, Line> station) noexcept {
     station.stiffness = 0.0;
     return station;
+}
+
+/// Sets one lane of a table that may have more stations than the lane has.
+template <int Lanes, int Line>
+inline void put_lane(StationTable<Pack<Lanes>, Line>& to, int lane,
+                     const StationTable<double, Line>& from) noexcept {
+    for (std::size_t k = 0; k < to.full.size(); ++k)
+        put_lane(to.full[k], lane,
+                 k < from.full.size() ? from.full[k] : without_stiffness(from.full.back()));
+    for (std::size_t k = 0; k < to.axial.size(); ++k)
+        put_lane(to.axial[k], lane,
+                 k < from.axial.size() ? from.axial[k] : AxialStationData<double, Line>{});
 }
 
 template <int Lanes, int Line, template <class, int> class Data>

@@ -38,6 +38,12 @@ public:
     int iterations = 0;
 
 private:
+    // Returns fixed mixtures of all modes: results repeat bit for bit.
+    [[nodiscard]] Dense mixtures(Eigen::Index count);
+    // Adds what a block has lost whose modes are far apart: mixtures without the modes found.
+    void complete(Eigen::Index width);
+    // Tells whether such a vector is more than round-off.
+    [[nodiscard]] bool tells(const Dense& x) const;
     [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const;
     // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
     [[nodiscard]] VectorX noise(Eigen::Index count) const;
@@ -49,6 +55,8 @@ private:
     const SparseMatrix& B_;
     SparseMatrix magnitude_;
     const LinearSolver& solver_;
+    VectorX scales_;
+    double state_ = 0.5;  // of the mixtures
 };
 
 }  // namespace ancf::detail

@@ -26,20 +26,15 @@ Subspace<Dense>::Subspace(const SparseMatrix& A, const SparseMatrix& B, const Li
 
 template <class Dense>
 Status Subspace<Dense>::run(int free, int count, double tolerance, int max_iterations) {
-    const Eigen::Index size = A_.rows();
-    const auto width = std::min<Eigen::Index>(2 * count + 8, free);
-    // a fixed mixture of all modes: results repeat bit for bit
-    Dense start(size, width);
-    const VectorX scales = unit_scales(A_);
-    double state = 0.5;
-    for (Eigen::Index k = 0; k < start.size(); ++k) {
-        state = std::fmod(997.0 * state + 0.123456789, 1.0);
-        start(k) = (state - 0.5) * scales[k % size];
-    }
-    vectors = std::move(start);
+    // what constraints leave; a block beyond it would be filled by round-off
+    const Eigen::Index all = std::max<Eigen::Index>(2 * free - A_.rows(), 1);
+    const auto width = std::min<Eigen::Index>(2 * count + 8, all);
+    scales_ = unit_scales(A_);
+    vectors = mixtures(width);
     VectorX last = VectorX::Zero(count);
     for (iterations = 0; iterations < max_iterations;) {
         ++iterations;
+        if (vectors.cols() < width) complete(width);
         const Dense image = product(B_, vectors);
         VectorX column;
         for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
@@ -50,15 +45,61 @@ Status Subspace<Dense>::run(int free, int count, double tolerance, int max_itera
         if (!reduce(count)) return Status::singular;
         // by magnitude: of a pair of either sign either may come first
         const VectorX wanted = values.head(std::min<Eigen::Index>(count, values.size())).cwiseAbs();
-        if (wanted.size() == last.size() &&
-            ((wanted - last).array().abs() <=
-             (tolerance + noise(wanted.size()).array()) * wanted.array())
-                .all())
-            return Status::converged;
-        if (width == free && iterations > 1) return Status::converged;  // they span all
+        if (wanted.size() == last.size()) {
+            // the reduced problem knows all values to the round-off of the largest
+            const VectorX round_off = noise(wanted.size()).cwiseProduct(wanted).array() +
+                                      std::numeric_limits<double>::epsilon() * wanted.maxCoeff();
+            if (((wanted - last).cwiseAbs() - tolerance * wanted - round_off).maxCoeff() <= 0.0)
+                return Status::converged;
+            if (values.size() == all && iterations > 1) return Status::converged;  // they span all
+        }
         last = wanted;
     }
     return Status::max_iterations;
+}
+
+template <class Dense>
+Dense Subspace<Dense>::mixtures(Eigen::Index count) {
+    Dense mixed(A_.rows(), count);
+    for (Eigen::Index k = 0; k < mixed.size(); ++k) {
+        state_ = std::fmod(997.0 * state_ + 0.123456789, 1.0);
+        mixed(k) = (state_ - 0.5) * scales_[k % mixed.rows()];
+    }
+    return mixed;
+}
+
+template <class Dense>
+void Subspace<Dense>::complete(Eigen::Index width) {
+    const Eigen::Index found = vectors.cols();
+    const Dense image = product(B_, vectors);  // th A x
+    const auto remove_found = [&](Dense& x) {
+        for (int pass = 0; pass < 2; ++pass) {
+            const Dense shares = values.cwiseInverse().asDiagonal() * (image.transpose() * x);
+            x -= vectors.leftCols(found) * shares;
+        }
+    };
+    Dense added = mixtures(width - found);
+    remove_found(added);
+    const Dense of_added = product(B_, added);
+    VectorX column;
+    Eigen::Index told = 0;
+    for (Eigen::Index k = 0; k < added.cols(); ++k) {
+        solver_.solve(of_added.col(k), column);
+        Dense x = column;
+        remove_found(x);
+        if (tells(x)) added.col(told++) = x;
+    }
+    vectors.conservativeResize(Eigen::NoChange, found + told);
+    vectors.rightCols(told) = added.leftCols(told);
+}
+
+template <class Dense>
+bool Subspace<Dense>::tells(const Dense& x) const {
+    constexpr double round_off = std::numeric_limits<double>::epsilon();
+    const Dense image = product(A_, x), size = x.cwiseAbs();
+    const double energy = (x.transpose() * image)(0, 0);
+    const double noise = round_off * (size.transpose() * product(magnitude_, size))(0, 0);
+    return energy > std::max(4.0 * noise, std::pow(1e-12 * values[0], 2));
 }
 
 template <class Dense>

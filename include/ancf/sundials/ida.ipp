@@ -336,6 +336,11 @@ ANCF_INLINE void IdaRun::fail(int code) {
     if (!context_.message().empty()) message += ": " + context_.message();
     if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
     if (turns) message += "; " + system_.turn();
+    if (report_.status == Status::diverged && options_.form == Form::index3 &&
+        problem_.multipliers() > 0)
+        message +=
+            "; in steps as short as this the multipliers of index 3 are round-off: a larger "
+            "first_step or tolerance, or gear_gupta_leimkuhler, may pass";
 }
 
 ANCF_INLINE void IdaRun::finish() {

@@ -369,16 +369,19 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
     const CrossSectionBeam& first = *elements[0];
     Together<Lanes> result;
     result.transverse_measure = first.options_.transverse;
-    result.stations.full.resize(first.kernel_.stations.full.size());
-    result.stations.axial.resize(first.kernel_.stations.axial.size());
+    std::size_t full = 0, axial = 0;
+    for (const CrossSectionBeam* element : elements) {
+        full = std::max(full, element->kernel_.stations.full.size());
+        axial = std::max(axial, element->kernel_.stations.axial.size());
+    }
+    result.stations.full.resize(full);
+    result.stations.axial.resize(axial);
     for (int lane = 0; lane < Lanes; ++lane) {
         const CrossSectionBeam& element = *elements[static_cast<std::size_t>(lane)];
-        detail::require(
-            element.options_.rule.name() == first.options_.rule.name() &&
-                element.kernel_.stations.full.size() == first.kernel_.stations.full.size() &&
-                element.kernel_.stations.axial.size() == first.kernel_.stations.axial.size(),
-            "elements put together must have one rule, got \"", first.options_.rule.name(),
-            "\" and \"", element.options_.rule.name(), "\"");
+        detail::require(element.options_.rule.name() == first.options_.rule.name(),
+                        "elements put together must have one rule, got \"",
+                        first.options_.rule.name(), "\" and \"", element.options_.rule.name(),
+                        "\"");
         detail::require(element.options_.transverse == first.options_.transverse,
                         "elements put together must have one transverse strain measure");
         detail::put_lane(result.stations, lane, element.kernel_.stations);
