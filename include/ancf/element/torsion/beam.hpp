@@ -393,7 +393,7 @@ inline Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
 #if defined(ANCF_COMPILED)
 namespace ancf {
 
-extern template std::unique_ptr<ElementGroup> detail::make_group<TorsionBeam>();
+ANCF_COMPILED_ELEMENT(TorsionBeam);
 
 }  // namespace ancf
 #endif
