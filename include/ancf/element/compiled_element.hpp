@@ -10,9 +10,6 @@
 
 #pragma once
 
-#include <ancf/element/evaluation.hpp>
-#include <ancf/types.hpp>
-
 #include <memory>
 
 /// Declares that the library holds an element.
