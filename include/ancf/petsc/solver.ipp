@@ -14,8 +14,6 @@
 
 #include <petscksp.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -89,17 +87,47 @@ private:
 /// Calls visit(i, j, k) for the entries of a matrix in rows[i] and columns[j], ascending; k is the
 /// place of the stored entry, -1 where there is none.
 template <class Visitor>
-void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
-                 const Eigen::VectorXi& columns, const Visitor& visit) {
+void visit_block(const SparseMatrix& matrix, const std::vector<int>& rows,
+                 const std::vector<int>& columns, const Visitor& visit) {
     const int* const inner = matrix.innerIndexPtr();
-    for (Eigen::Index j = 0; j < columns.size(); ++j) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
         const int* found = inner + matrix.outerIndexPtr()[columns[j]];
         const int* const end = inner + matrix.outerIndexPtr()[columns[j] + 1];
-        for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
             while (found != end && *found < rows[i]) ++found;
             visit(i, j, found != end && *found == rows[i] ? found - inner : -1);
         }
     }
+}
+
+/// Returns A B of small matrices: Eigen's own product takes a header-only unit a second.
+[[nodiscard]] inline MatrixX product(const MatrixX& A, const MatrixX& B) {
+    MatrixX out(A.rows(), B.cols());
+    for (Eigen::Index j = 0; j < B.cols(); ++j) out.col(j) = ancf::detail::multiply(A, B.col(j));
+    return out;
+}
+
+/// Returns the inverse of a small matrix by Gauss and Jordan, rows exchanged; where it is singular
+/// an entry that is not finite.
+[[nodiscard]] inline MatrixX inverse(MatrixX A) {
+    const Eigen::Index size = A.rows();
+    MatrixX out = MatrixX::Identity(size, size);
+    for (Eigen::Index k = 0; k < size; ++k) {
+        Eigen::Index pivot = k;
+        for (Eigen::Index i = k + 1; i < size; ++i)
+            if (std::abs(A(i, k)) > std::abs(A(pivot, k))) pivot = i;
+        VectorX times = A.col(k);
+        std::swap(times[k], times[pivot]);
+        for (MatrixX* const both : {&A, &out})
+            for (Eigen::Index j = 0; j < size; ++j) {
+                double* const column = both->data() + j * size;
+                std::swap(column[k], column[pivot]);
+                column[k] /= times[k];
+                for (Eigen::Index i = 0; i < size; ++i)
+                    if (i != k) column[i] -= times[i] * column[k];
+            }
+    }
+    return out;
 }
 
 /// Eliminates sets of unknowns, e, that few others, n, see: S = K_nn - K_ne K_ee^-1 K_en.
@@ -120,22 +148,19 @@ public:
         SparseMatrix sum;  // with the entries of both sides
         if (!symmetric) sum = pattern + SparseMatrix(pattern.transpose());
         const SparseMatrix& both = symmetric ? pattern : sum;
-        using Places = Eigen::Map<const Eigen::VectorXi>;
         for (const std::vector<int>& own : sets) {
             std::set<int> seen;
-            std::vector<int> others;
+            Set& set = sets_.emplace_back();
+            set.own = own;
             for (const int j : own) {
                 seen.insert(both.innerIndexPtr() + both.outerIndexPtr()[j],
                             both.innerIndexPtr() + both.outerIndexPtr()[j + 1]);
                 skipped_[j + 1] = outer[j + 1] - outer[j];
             }
             std::set_difference(seen.begin(), seen.end(), own.begin(), own.end(),
-                                std::back_inserter(others));
-            Set& set = sets_.emplace_back();
-            set.own = Places(own.data(), own.size());
-            set.others = Places(others.data(), others.size());
+                                std::back_inserter(set.others));
             visit_block(pattern, set.others, set.others, [&](auto i, auto j, auto k) {
-                if (k < 0) filled_.emplace_back(others[i], others[j]);
+                if (k < 0) filled_.emplace_back(set.others[i], set.others[j]);
             });
         }
         std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
@@ -159,7 +184,7 @@ public:
                 std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
                           values + outer[j] - skipped_[j]);
         double* fill = values + outer[matrix.cols()] - skipped_.back();
-        const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
+        const auto copy = [&](const std::vector<int>& rows, const std::vector<int>& columns,
                               MatrixX& to) {
             to.setZero(rows.size(), columns.size());
             visit_block(matrix, rows, columns, [&](auto i, auto j, auto k) {
@@ -174,11 +199,11 @@ public:
                 en = ne.transpose();
             else
                 copy(set.own, set.others, en);
-            set.inverse = ee.inverse();
+            set.inverse = inverse(ee);
             if (!set.inverse.allFinite()) return false;
-            set.right.noalias() = set.inverse * en;
-            if (!symmetric_) set.left.noalias() = ne * set.inverse;
-            change.noalias() = ne * set.right;
+            set.right = product(set.inverse, en);
+            set.left = symmetric_ ? MatrixX(set.right.transpose()) : product(ne, set.inverse);
+            change = product(ne, set.right);
             visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
                 if (k >= 0)
                     values[k - skipped_[set.others[j]]] -= change(i, j);
@@ -191,27 +216,33 @@ public:
 
     /// Returns what the sets add to the right-hand side, -K_ne K_ee^-1 b_e.
     [[nodiscard]] VectorX shift(const VectorX& b) const {
-        VectorX out = VectorX::Zero(b.size());
+        VectorX out = VectorX::Zero(b.size()), own;
         for (const Set& set : sets_) {
-            const VectorX own = b(set.own);
-            if (symmetric_)
-                out(set.others) -= set.right.transpose() * own;
-            else
-                out(set.others) -= set.left * own;
+            ancf::detail::gather(b, set.own, own);
+            const VectorX change = ancf::detail::multiply(set.left, own);
+            for (std::size_t i = 0; i < set.others.size(); ++i)
+                out[set.others[i]] -= change[static_cast<Eigen::Index>(i)];
         }
         return out;
     }
 
     /// Sets the eliminated entries of a solution.
     void complete(const VectorX& b, VectorX& x) const {
-        for (const Set& set : sets_)
-            x(set.own) = set.inverse * b(set.own) - set.right * x(set.others);
+        VectorX own, others;
+        for (const Set& set : sets_) {
+            ancf::detail::gather(b, set.own, own);
+            ancf::detail::gather(x, set.others, others);
+            own = ancf::detail::multiply(set.inverse, own) -
+                  ancf::detail::multiply(set.right, others);
+            for (std::size_t i = 0; i < set.own.size(); ++i)
+                x[set.own[i]] = own[static_cast<Eigen::Index>(i)];
+        }
     }
 
 private:
     struct Set {
-        Eigen::VectorXi own, others;   // e and n
-        MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1 unless symmetric
+        std::vector<int> own, others;  // e and n
+        MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1
     };
 
     bool symmetric_ = false;
