@@ -4,8 +4,8 @@
 # The same headers, compiled once: a static library of the definitions and of the usual elements.
 #
 # ancf_add_compiled(NAME [LAYERS layer...] [ELEMENTS type...]): a static library target. Its units are generated from the
-# headers: one for each element that a header declares `extern template`, one for each layer or part of a layer. Of these
-# only the given ones, where some are given.
+# headers: one for each ANCF_COMPILED_ELEMENT of a header, one for each layer or part of a layer. Of these only the given
+# ones, where some are given.
 # ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
 # ANCF_SANITIZER_FLAGS: what ANCF_SANITIZE adds to a compilation.
 
@@ -54,20 +54,19 @@ function(_ancf_compiled_elements result)
     file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
         ${PROJECT_SOURCE_DIR}/include/ancf/element/*.hpp)
     foreach(header IN LISTS headers)
-        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines
-            REGEX "^extern template (class [^;]*|std::unique_ptr<ElementGroup> detail::make_group<[A-Za-z]*>\\(\\))")
+        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} classes REGEX "^extern template class ")
+        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines REGEX "^ANCF_COMPILED_ELEMENT\\(")
         foreach(line IN LISTS lines)
-            string(REGEX REPLACE "^extern template (class |.*make_group<)" "" element "${line}")
-            string(REGEX REPLACE "(>\\(\\);|>\\(\\)|;)$" "" element "${element}")
-            if(NOT element OR (ARGN AND NOT element IN_LIST ARGN))
+            string(REGEX REPLACE "^ANCF_COMPILED_ELEMENT\\((.*)\\);$" "\\1" element "${line}")
+            if(ARGN AND NOT element IN_LIST ARGN)
                 continue()
             endif()
             string(MAKE_C_IDENTIFIER "element_${element}" stem)
             set(text "namespace ancf {\n")
-            if(line MATCHES " class ")
+            if("extern template class ${element};" IN_LIST classes)
                 string(APPEND text "template class ${element};\n")
             endif()
-            string(APPEND text "template std::unique_ptr<ElementGroup> detail::make_group<${element}>();\n}\n")
+            string(APPEND text "ANCF_ELEMENT_INSTANCE(, ${element});\n}\n")
             _ancf_compiled_unit(sources ${stem} "${header};ancf/model/group_of.hpp" "${text}")
         endforeach()
     endforeach()

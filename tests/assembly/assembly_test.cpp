@@ -7,6 +7,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 
+#include <assembly/element_groups.hpp>
 #include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/random_state.hpp>

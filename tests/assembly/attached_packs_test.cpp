@@ -11,6 +11,7 @@
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 
+#include <assembly/element_groups.hpp>
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 

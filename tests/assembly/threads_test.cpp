@@ -9,6 +9,7 @@
 #include <ancf/model/builders/frame.hpp>
 #include <ancf/section/profiles.hpp>
 
+#include <assembly/element_groups.hpp>
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 

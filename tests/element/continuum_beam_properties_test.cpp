@@ -8,6 +8,7 @@
 
 #include <element/property_checks.hpp>
 #include <support/catch.hpp>
+#include <support/complex_elements.hpp>
 
 #include <iterator>
 

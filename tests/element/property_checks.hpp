@@ -104,6 +104,11 @@ struct DerivativeErrors {
     double pass = 0.0;      ///< of energy and force from functions of their own, against one pass
 };
 
+/// Raises `worst` to the errors of what an element returned in the state e: of one pass, and of
+/// functions of their own.
+void raise(DerivativeErrors& worst, const AnyElement::Evaluated& pass, double energy,
+           const VectorX& force, const ComplexElement& stepped, const VectorX& e);
+
 /// Raises `worst` to the errors in the state e.
 void raise(DerivativeErrors& worst, const AnyElement& element, const ComplexElement& stepped,
            const VectorX& e);

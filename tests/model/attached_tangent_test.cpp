@@ -18,6 +18,7 @@
 #include <ancf/section/profiles.hpp>
 
 #include <support/catch.hpp>
+#include <support/complex_elements.hpp>
 #include <support/complex_step.hpp>
 #include <support/random_state.hpp>
 

@@ -23,6 +23,7 @@
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
+#include <support/dense.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>
@@ -151,28 +152,28 @@ TEST_CASE("attachments: the system is the transformed one of the scene without t
             M(to, place[static_cast<std::size_t>(j)]) = entry(mass, i, j);
         }
     }
-    const MatrixX K_bound = T.transpose() * K * T, M_bound = T.transpose() * M * T;
+    const MatrixX T_t = T.transpose();
+    const MatrixX K_bound = test::transformed(K, T), M_bound = test::transformed(M, T);
     const MatrixX dense = MatrixX(small.tangent()), dense_mass = MatrixX(small.mass());
     const double size = K_bound.cwiseAbs().maxCoeff(), heavy = M_bound.cwiseAbs().maxCoeff();
     CHECK((dense.topLeftCorner(free, free) - K_bound).cwiseAbs().maxCoeff() <= 1e-13 * size);
     CHECK((dense_mass.topLeftCorner(free, free) - M_bound).cwiseAbs().maxCoeff() <= 1e-13 * heavy);
-    const VectorX g = T.transpose() * row;
+    const VectorX g = test::product(T_t, row);
     CHECK((dense.row(free).head(free).transpose() - g).cwiseAbs().maxCoeff() <=
           1e-13 * g.cwiseAbs().maxCoeff());
     CHECK((dense.col(free).head(free) - g).cwiseAbs().maxCoeff() <=
           1e-13 * g.cwiseAbs().maxCoeff());
     VectorX residual;
     small.residual(residual);
-    const VectorX carried = T.transpose() * force;
+    const VectorX carried = test::product(T_t, force);
     CHECK((residual.head(free) - carried).cwiseAbs().maxCoeff() <=
           1e-13 * force.cwiseAbs().maxCoeff());
     // M a of a motion that keeps the attachments
-    const VectorX product = small.mass_product(v);
-    VectorX unknown, expected;
-    small.numbering().gather_free(product, unknown);
-    small.numbering().gather_free(v, expected);
-    CHECK((unknown - dense_mass.topLeftCorner(free, free) * expected).cwiseAbs().maxCoeff() <=
-          1e-12 * heavy);
+    VectorX unknown, motion;
+    small.numbering().gather_free(small.mass_product(v), unknown);
+    small.numbering().gather_free(v, motion);
+    const VectorX expected = test::product(dense_mass.topLeftCorner(free, free), motion);
+    CHECK((unknown - expected).cwiseAbs().maxCoeff() <= 1e-12 * heavy);
 
     SECTION("lower storage holds the lower half") {
         Model plain;  // without constraint and follower

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Decompositions of small dense matrices, compiled once: what tests compare with.
+/// Decompositions and products of dense matrices, compiled once: what tests compare with.
 ///
 /// A unit that includes one of Eigen's own compiles a second longer for each.
 
@@ -32,5 +32,11 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 
 /// Returns the inverse.
 Eigen::MatrixXd inverted(const Eigen::MatrixXd& matrix);
+
+/// Returns the product of a matrix and a vector.
+Eigen::VectorXd product(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& vector);
+
+/// Returns T^T K T: a quadratic form of x in y, x = T y.
+Eigen::MatrixXd transformed(const Eigen::MatrixXd& K, const Eigen::MatrixXd& T);
 
 }  // namespace ancf::test

@@ -4,12 +4,25 @@
 /// @file
 /// What the header of an element declares so that the compiled library holds it.
 ///
-/// `extern template class Element;` at the end of an element's header makes the library hold the
-/// element and its group; CMake finds the elements by these lines.
+/// `ANCF_COMPILED_ELEMENT(Element);` at the end of an element's header makes the library hold its
+/// group, and its energy, force and tangent of doubles; `extern template class Element;` before it
+/// makes the library hold the rest. CMake finds the elements by these lines.
 
 #pragma once
 
 #include <memory>
+
+/// Declares that the library holds an element.
+#define ANCF_COMPILED_ELEMENT(...) ANCF_ELEMENT_INSTANCE(extern, __VA_ARGS__)
+/// Declares (`extern`) or defines (nothing) what of an element is not in its class's own instance.
+#define ANCF_ELEMENT_INSTANCE(linkage, ...)                                               \
+    linkage template std::unique_ptr<ElementGroup> detail::make_group<__VA_ARGS__>();     \
+    linkage template double __VA_ARGS__::energy(const Vector<double, __VA_ARGS__::dofs>&) \
+        const noexcept;                                                                   \
+    linkage template Vector<double, __VA_ARGS__::dofs> __VA_ARGS__::force(                \
+        const Vector<double, __VA_ARGS__::dofs>&) const noexcept;                         \
+    linkage template Evaluation<double, __VA_ARGS__::dofs> __VA_ARGS__::evaluate(         \
+        const Vector<double, __VA_ARGS__::dofs>&) const noexcept
 
 namespace ancf {
 

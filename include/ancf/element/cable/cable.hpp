@@ -253,13 +253,13 @@ private:
 namespace ancf {
 
 extern template class Cable<2>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<2>>();
+ANCF_COMPILED_ELEMENT(Cable<2>);
 extern template class Cable<3>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<3>>();
+ANCF_COMPILED_ELEMENT(Cable<3>);
 extern template class Cable<2, EngineeringAxial>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<2, EngineeringAxial>>();
+ANCF_COMPILED_ELEMENT(Cable<2, EngineeringAxial>);
 extern template class Cable<3, EngineeringAxial>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<Cable<3, EngineeringAxial>>();
+ANCF_COMPILED_ELEMENT(Cable<3, EngineeringAxial>);
 
 }  // namespace ancf
 #endif

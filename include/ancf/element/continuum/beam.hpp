@@ -454,9 +454,9 @@ MixedEvaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>
 namespace ancf {
 
 extern template class ContinuumBeam<2>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<2>>();
+ANCF_COMPILED_ELEMENT(ContinuumBeam<2>);
 extern template class ContinuumBeam<3>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<ContinuumBeam<3>>();
+ANCF_COMPILED_ELEMENT(ContinuumBeam<3>);
 
 }  // namespace ancf
 #endif

@@ -457,24 +457,19 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
 namespace ancf {
 
 extern template class CrossSectionBeam<3>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3>);
 extern template class CrossSectionBeam<3, Geodesic>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<3, Geodesic>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic>);
 extern template class CrossSectionBeam<3, Transported>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<3, Transported>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Transported>);
 extern template class CrossSectionBeam<3, Projected, PointwiseShear>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<3, Projected, PointwiseShear>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Projected, PointwiseShear>);
 extern template class CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>);
 extern template class CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>);
 extern template class CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>);
 
 }  // namespace ancf
 #endif

@@ -58,16 +58,17 @@ public:
     [[nodiscard]] double length() const noexcept { return size_; }
 
     /// Returns energy, J, force and tangent.
-    [[nodiscard]] Evaluation<double, dofs> evaluate(const Coordinates& e) const {
-        Evaluation<double, dofs> result;
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        Evaluation<S, dofs> result;
         result.tangent.setZero();
         result.force = force(e);
         result.energy = energy(e);
-        double s[Dimension][Dimension], metric[Dimension][Dimension];  // stress, sum g_i g_i^T
+        S s[Dimension][Dimension], metric[Dimension][Dimension];  // stress, sum g_i g_i^T
         stress(e, s);
         for (int i = 0; i < Dimension; ++i)
             for (int j = 0; j < Dimension; ++j) {
-                metric[i][j] = 0.0;
+                metric[i][j] = S(0.0);
                 for (int k = 0; k < Dimension; ++k)
                     metric[i][j] += e[Dimension * k + i] * e[Dimension * k + j];
             }
@@ -76,16 +77,16 @@ public:
                 for (int i = 0; i < Dimension; ++i)
                     for (int j = 0; j < Dimension; ++j)
                         result.tangent(Dimension * a + i, Dimension * b + j) =
-                            volume_ *
-                            ((i == j ? s[a][b] : 0.0) + (a == b ? shear_ * metric[i][j] : 0.0) +
-                             lame_ * e[Dimension * a + i] * e[Dimension * b + j] +
-                             shear_ * e[Dimension * b + i] * e[Dimension * a + j]);
+                            volume_ * ((i == j ? s[a][b] : S(0.0)) +
+                                       (a == b ? shear_ * metric[i][j] : S(0.0)) +
+                                       lame_ * e[Dimension * a + i] * e[Dimension * b + j] +
+                                       shear_ * e[Dimension * b + i] * e[Dimension * a + j]);
         return result;
     }
 
     /// Returns the elastic force.
     template <class S>
-    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const {
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
         S s[Dimension][Dimension];
         stress(e, s);
         Vector<S, dofs> result = Vector<S, dofs>::Zero();
@@ -98,7 +99,7 @@ public:
 
     /// Returns the strain energy, J.
     template <class S>
-    [[nodiscard]] S energy(const Vector<S, dofs>& e) const {
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
         S trace(0.0), square(0.0);
         for (int a = 0; a < Dimension; ++a) {
             trace += strain(e, a, a);
@@ -149,9 +150,9 @@ private:
 namespace ancf {
 
 extern template class AffineJoint<2>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<AffineJoint<2>>();
+ANCF_COMPILED_ELEMENT(AffineJoint<2>);
 extern template class AffineJoint<3>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<AffineJoint<3>>();
+ANCF_COMPILED_ELEMENT(AffineJoint<3>);
 
 }  // namespace ancf
 #endif

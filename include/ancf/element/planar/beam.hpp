@@ -449,16 +449,13 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
 namespace ancf {
 
 extern template class CrossSectionBeam<2>;
-extern template std::unique_ptr<ElementGroup> detail::make_group<CrossSectionBeam<2>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<2>);
 extern template class CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>);
 extern template class CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>);
 extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
-extern template std::unique_ptr<ElementGroup>
-detail::make_group<CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>>();
+ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>);
 
 }  // namespace ancf
 #endif

@@ -10,21 +10,18 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
-#include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/torsion/kernel.hpp>
-#include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 
 namespace ancf {
@@ -63,16 +60,16 @@ public:
     /// @throws InvalidArgument for bad values; for a section whose centroid is off the axis; for a
     ///         rule that leaves the element a mechanism (three axial, two bending points are
     ///         needed).
-    TorsionBeam(const Material& material, const Section& section, double length,
-                const Options& options = {});
+    ANCF_LAZY TorsionBeam(const Material& material, const Section& section, double length,
+                          const Options& options = {});
 
     /// Makes an element whose stress-free state is given: its strains are subtracted, integrals run
     /// over its arc length.
     /// @param reference  nodal coordinates, 18 x 1
     /// @param length     range of the parameter x of r_x = dr/dx, m, > 0
     /// @throws InvalidArgument as above, and for a reference that is not admissible.
-    TorsionBeam(const Material& material, const Section& section, const Coordinates& reference,
-                double length, const Options& options = {});
+    ANCF_LAZY TorsionBeam(const Material& material, const Section& section,
+                          const Coordinates& reference, double length, const Options& options = {});
 
     /// Returns the strain energy U, J.
     template <class S>
@@ -110,23 +107,19 @@ public:
     /// r_y carries the polar moment of the section, which is exact for spin about the axis. For the
     /// rotary inertia of bending, int y^2 dA + int z^2 dA stands for int y^2 dA about the z axis
     /// and nothing for int z^2 dA about the y axis.
-    [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<3>(mass_weights_); }
+    ANCF_LAZY [[nodiscard]] Matrix<double, dofs> mass() const;
 
     /// Returns the nodal force of gravity.
     /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, 3>& g) const {
-        return gravity_force<3>(mass_weights_, g);
-    }
+    ANCF_LAZY [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, 3>& g) const;
 
     /// Returns the nodal force of a dead force per length of the stress-free centre line.
     /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 3>& force) const {
-        return line_.template line_load<3>(force);
-    }
+    ANCF_LAZY [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 3>& force) const;
 
     /// Tells whether the strains are defined at e: everything finite, slopes longer than 1e-6 and
     /// not parallel, and no turn of 180 degrees inside the element.
-    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+    ANCF_LAZY [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
@@ -138,18 +131,17 @@ public:
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
 
     /// Returns (eps, b_y, b_z, om): e_xx = eps + y b_y + z b_z, 1 and 1/m; om the twist rate, 1/m.
-    [[nodiscard]] Vector<double, 4> strains(const Coordinates& e, double xi) const noexcept;
+    ANCF_LAZY [[nodiscard]] Vector<double, 4> strains(const Coordinates& e,
+                                                      double xi) const noexcept;
 
     /// Returns axial force, torque and bending moments; the shear forces follow from equilibrium
     /// alone and are left zero.
-    [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
+    ANCF_LAZY [[nodiscard]] SectionForces section_forces(const Coordinates& e,
+                                                         double xi) const noexcept;
 
     /// Returns the axial stress E (eps + y b_y + z b_z), Pa.
-    [[nodiscard]] Vector<double, 1> stress(const Coordinates& e, double xi, double y = 0.0,
-                                           double z = 0.0) const noexcept {
-        const Vector<double, 4> s = strains(e, xi);
-        return Vector<double, 1>(young_ * (s[0] + y * s[1] + z * s[2]));
-    }
+    ANCF_LAZY [[nodiscard]] Vector<double, 1> stress(const Coordinates& e, double xi,
+                                                     double y = 0.0, double z = 0.0) const noexcept;
 
     /// Returns the directors n, c (columns), 1: with the tangent an orthonormal frame.
     template <class S>
@@ -161,25 +153,24 @@ public:
                                         double z = 0.0) const noexcept;
 
     /// Returns the derivative of position() by e.
-    [[nodiscard]] Matrix<double, 3, dofs> position_jacobian(const Coordinates& e, double xi,
-                                                            double y = 0.0,
-                                                            double z = 0.0) const noexcept;
+    ANCF_LAZY [[nodiscard]] Matrix<double, 3, dofs> position_jacobian(
+        const Coordinates& e, double xi, double y = 0.0, double z = 0.0) const noexcept;
 
     /// Returns the velocity of a point of the body, m/s.
     /// @param rate  time derivative of e
-    [[nodiscard]] Vector<double, 3> velocity(const Coordinates& e, const Coordinates& rate,
-                                             double xi, double y = 0.0,
-                                             double z = 0.0) const noexcept {
-        return position_jacobian(e, xi, y, z) * rate;
-    }
+    ANCF_LAZY [[nodiscard]] Vector<double, 3> velocity(const Coordinates& e,
+                                                       const Coordinates& rate, double xi,
+                                                       double y = 0.0,
+                                                       double z = 0.0) const noexcept;
 
 private:
-    void set_up(const Material& material, const Section& section);
+    ANCF_LAZY void set_up(const Material& material, const Section& section);
     template <class S>
     [[nodiscard]] detail::CarriedFrame<S> frame(const Vector<S, dofs>& e, double xi,
                                                 detail::Invariants<S>& w) const noexcept;
-    [[nodiscard]] Vector<double, 4> raw_strains(const Coordinates& e, double xi) const noexcept;
-    [[nodiscard]] static Coordinates straight(double length);
+    ANCF_LAZY [[nodiscard]] Vector<double, 4> raw_strains(const Coordinates& e,
+                                                          double xi) const noexcept;
+    ANCF_LAZY [[nodiscard]] static Coordinates straight(double length);
 
     ReferenceLine<3> line_;
     Coordinates reference_;  ///< nodal coordinates of the stress-free state
@@ -191,103 +182,6 @@ private:
     Matrix<double, 6> mass_weights_;
 };
 
-inline TorsionBeam::Coordinates TorsionBeam::straight(double length) {
-    Coordinates e = Coordinates::Zero();
-    e[3] = e[7] = e[12] = e[16] = 1.0;
-    e[9] = length;
-    return e;
-}
-
-inline TorsionBeam::TorsionBeam(const Material& material, const Section& section, double length,
-                                const Options& options)
-    : line_((detail::require_positive("length", length), length)),
-      reference_(straight(length)),
-      options_(options) {
-    set_up(material, section);
-}
-
-inline TorsionBeam::TorsionBeam(const Material& material, const Section& section,
-                                const Coordinates& reference, double length, const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
-    set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y not "
-                    "along the tangent, got ",
-                    detail::components(reference));
-    kernel_.set_reference(reference);
-}
-
-inline void TorsionBeam::set_up(const Material& material, const Section& section) {
-    material.validate();
-    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
-    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
-    detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
-    const Moments& m = section.moments();
-    const double size = std::sqrt(std::max(m.yy, m.zz) * m.area);
-    detail::require(std::abs(m.y) <= 1e-9 * size && std::abs(m.z) <= 1e-9 * size,
-                    "a torsion beam's section must be centred on the axis, got first moments ", m.y,
-                    " and ", m.z);
-    young_ = material.young;
-    axial_ = material.young * m.area;
-    bending_ << m.yy, m.yz, m.yz, m.zz;
-    bending_ *= material.young;
-    torsion_ = material.shear * section.torsion_constant();
-    for (const RuleStation& station : options_.rule.stations()) {
-        const StationShape<double> shape = line_.shape(station.xi);
-        const double length = line_.parameter_length() * line_.metric(station.xi);
-        const double axial = station.weight(StrainGroup::axial);
-        const double bending = station.weight(StrainGroup::bending) * length;
-        const double torsion = station.weight(StrainGroup::torsion) * length;
-        if (axial != 0.0)
-            kernel_.axial.push_back(
-                {{shape.p[0], shape.p[1], shape.p[2]}, 0.0, axial_ * axial * length});
-        if (bending == 0.0 && torsion == 0.0) continue;
-        kernel_.stations.push_back({shape,
-                                    {},
-                                    {{bending * bending_(0, 0), bending * bending_(0, 1), 0.0},
-                                     {bending * bending_(1, 0), bending * bending_(1, 1), 0.0},
-                                     {0.0, 0.0, torsion * torsion_}}});
-    }
-    for (detail::TorsionHold& hold : kernel_.holds) {
-        hold.stretching = 0.5 * axial_ * line_.length();
-        hold.shear = 0.5 * material.shear * m.area * line_.length();
-    }
-    Moments polar;
-    polar.area = section.mass_moments().area;
-    polar.yy = section.mass_moments().polar();
-    mass_weights_ = line_.mass<3>(material.density, polar);
-}
-
-inline bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
-    if (!detail::all_finite(e)) return false;
-    constexpr double smallest = 1e-6, least = 0.5 * smallest * smallest;
-    for (int node = 0; node < 2; ++node) {
-        const Vector<double, 3> g = e.segment<3>(9 * node + 3), a = e.segment<3>(9 * node + 6);
-        if (!(g.norm() > smallest && a.norm() > smallest)) return false;
-        if (!(cross(g, a).norm() > smallest * g.norm() * a.norm())) return false;
-    }
-    detail::TorsionNodes<double> nodes;
-    detail::torsion_nodes(e, nodes);
-    for (const detail::TorsionStation& station : kernel_.stations) {
-        detail::Vec3<double> p{};
-        for (int a = 0; a < 3; ++a) detail::add(p, station.shape.p[a], nodes.vector[a]);
-        const double square = detail::dot(p, p);
-        if (!(square > smallest * smallest)) return false;
-        const detail::Vec3<double> t = (1.0 / std::sqrt(square)) * p;
-        for (const detail::NodalDirector<double>& y : nodes.y)
-            if (!(1.0 + detail::dot(y.t, t) > least)) return false;
-        const double turn =
-            detail::dot(detail::carried(nodes.y[0], t), detail::carried(nodes.y[1], t));
-        if (!(1.0 + turn > least)) return false;
-    }
-    return true;
-}
-
 template <class S>
 detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
                                            detail::Invariants<S>& w) const noexcept {
@@ -296,31 +190,6 @@ detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
     detail::CarriedFrame<S> f;
     detail::torsion_frame(line_.shape(xi), nodes, f, w);
     return f;
-}
-
-inline Vector<double, 4> TorsionBeam::raw_strains(const Coordinates& e, double xi) const noexcept {
-    detail::Invariants<double> w;
-    (void)frame(e, xi, w);
-    return {0.5 * (w.lam * w.lam - 1.0), -w.kap, -w.chi, w.om};
-}
-
-inline Vector<double, 4> TorsionBeam::strains(const Coordinates& e, double xi) const noexcept {
-    Vector<double, 4> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi);
-    return result;
-}
-
-inline SectionForces TorsionBeam::section_forces(const Coordinates& e, double xi) const noexcept {
-    const Vector<double, 4> s = strains(e, xi);
-    detail::Invariants<double> w;
-    (void)frame(e, xi, w);
-    const Vector<double, 2> moment = bending_ * s.segment<2>(1);
-    SectionForces forces{};
-    forces.axial = axial_ * s[0] * w.lam;
-    forces.torque = torsion_ * s[3];
-    forces.moment_y = moment[1];
-    forces.moment_z = -moment[0];
-    return forces;
 }
 
 template <class S>
@@ -349,51 +218,16 @@ Vector<S, 3> TorsionBeam::position(const Vector<S, dofs>& e, double xi, double y
     return result;
 }
 
-inline Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
-    const Coordinates& e, double xi, double y, double z) const noexcept {
-    using namespace detail;
-    TorsionNodes<double> nodes;
-    torsion_nodes(e, nodes);
-    const StationShape<double> shape = line_.shape(xi);
-    TorsionState<double> at;
-    torsion_state(shape, nodes, at);
-    const CarriedFrame<double>& f = at.frame;
-    // d n = th c - (n.dt) t and d c = -th n - (c.dt) t, with dt = (I - t t^T) dp/lam
-    Vector<double, 3> t, n, c;
-    for (int k = 0; k < 3; ++k) t[k] = f.t[k], n[k] = f.n[k], c[k] = f.c[k];
-    Eigen::Matrix<double, 3, torsion_local> local = Eigen::Matrix<double, 3, torsion_local>::Zero();
-    const Vector<double, 3> turned = y * c - z * n;
-    const Matrix<double, 3> tilt = -f.inv_lam * t * (y * n + z * c).transpose();
-    for (int a = 0; a < 3; ++a) local.middleCols<3>(3 * a) = shape.p[a] * tilt;
-    local.leftCols<torsion_line>() += turned * at.spin.head<torsion_line>().transpose();
-    for (int node = 0; node < 2; ++node) {
-        const NodalDirector<double>& d = nodes.y[node];
-        const double weight = at.spin[torsion_line + node];
-        for (int k = 0; k < 3; ++k) {
-            local.col(3 * (tv_a1 + node) + k) += weight * d.inv_nu * d.c[k] * turned;
-            local.col(3 * (tv_g1 + node) + k) -= weight * d.al * d.inv_g * d.c[k] * turned;
-        }
-    }
-    Matrix<double, 3, dofs> result = Matrix<double, 3, dofs>::Zero();
-    for (int i = 0; i < torsion_local; ++i) result.col(torsion_place[i]) = local.col(i);
-    result.leftCols<3>() = -local.leftCols<3>();
-    const auto line = hermite(xi, line_.parameter_length());
-    for (int node = 0; node < 2; ++node) {
-        const auto place = static_cast<unsigned>(2 * node);
-        for (int k = 0; k < 3; ++k) {
-            result(k, 9 * node + k) += line[place];
-            result(k, 9 * node + 3 + k) += line[place + 1];
-        }
-    }
-    return result;
-}
-
 }  // namespace ancf
 
 #if defined(ANCF_COMPILED)
 namespace ancf {
 
-extern template std::unique_ptr<ElementGroup> detail::make_group<TorsionBeam>();
+ANCF_COMPILED_ELEMENT(TorsionBeam);
 
 }  // namespace ancf
+#endif
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/element/torsion/beam.ipp>  // IWYU pragma: export
 #endif
