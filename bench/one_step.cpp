@@ -10,7 +10,8 @@
 ///     one_step --iterates              strains and pivots of the iterates of one load step
 ///     one_step --random 400            random cantilevers instead, each against sixty small steps
 ///     one_step --random 400 --element continuum    the same of continuum beams, or `cable`;
-///                                  `rope`: a cable between two pins, under a force or a weight
+///                                  `rope`: a cable between two pins, under a force at a node or
+///                                  per length
 ///
 /// Iterations count rejected steps. `error` is the distance of the loaded end from theory, or from
 /// a run in many small steps, over the length; nothing where neither is there.
@@ -509,7 +510,8 @@ int main(int argc, char** argv) {
     app.add_option("--case", name, "beginning of a name");
     app.add_flag("--iterates", iterates, "of one load step");
     app.add_option("--random", random, "number of random cantilevers");
-    app.add_option("--element", element, "continuum, cable or rope; none: beams with sections");
+    app.add_option("--element", element, "continuum, cable or rope; none: beams with sections")
+        ->check(CLI::IsMember({"continuum", "cable", "rope"}));
     app.add_option("--seed", seed, "of the first of them");
     app.add_flag("--no-check", no_check, "do not compare them with sixty small steps");
     app.add_flag("--verbose", verbose, "print each of them, and the corrections of each attempt");

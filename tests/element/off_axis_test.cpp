@@ -39,7 +39,7 @@ typename Element::Coordinates arch(double angle, double chord, double stretch) {
 
 TEMPLATE_TEST_CASE("off the axis: no state has negative energy", "[element]", Paper, Carried,
                    Engineering, Planar) {
-    // as it was, with eps^2 at three points and its product with curvature at two: -0.37 J of 35 J
+    // with eps^2 at three points and its product with curvature at two the least is -0.37 J of 35 J
     const auto rubber = Material::isotropic(0.7e6, 0.3, 5540.0);
     int states = 0;
     for (const double offset_y : {0.01, 0.03}) {

@@ -33,7 +33,7 @@ using test::Random;
 
 using Green = CrossSectionBeam<3, Geodesic>;
 using Engineering = CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
-using Continuum = ContinuumBeam<3>;  // has no mixed tangent
+using Continuum = ContinuumBeam<3>;
 using Point = Vector<double, 3>;
 
 template <class Element>

@@ -65,7 +65,9 @@ ANCF_INLINE Resultant nodal_resultant(const Scene& model, const VectorX& q, cons
 
 ANCF_INLINE VectorX rigid_motion(const Scene& model, const VectorX& q, int k) {
     const Layout& layout = model.layout();
+    detail::require_coordinates("rigid_motion", layout, q, q);
     const int dimension = layout.dimension(), axis = dimension == 3 ? k % 3 : 2;
+    detail::require(k >= 0 && k < (dimension == 3 ? 6 : 3), "rigid_motion: there is no motion ", k);
     const int from = (axis + 1) % 3, to = (axis + 2) % 3;  // a turn
     VectorX motion = VectorX::Zero(q.size());
     for (int node = 0; node < layout.nodes(); ++node)

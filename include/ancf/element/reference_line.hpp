@@ -114,7 +114,7 @@ public:
         StationTable<double, Line::vectors> table;
         const auto& C = section.axial;
         const bool by_centroid =
-            C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) > 1e-24 * C(0, 0) * (C(1, 1) + C(2, 2));
+            C(0, 1) * C(0, 1) + C(0, 2) * C(0, 2) > 1e-18 * C(0, 0) * (C(1, 1) + C(2, 2));
         for (const RuleStation& station : rule.stations()) {
             const auto at = shape(station.xi);
             const double length = parameter_length_ * metric(station.xi);

@@ -41,7 +41,7 @@ struct Division {
     }
     /// Returns the part of an element.
     [[nodiscard]] int owner(const Connection& c) const { return part[leader(c.first)]; }
-    /// Returns the part of what couples nodes.
+    /// Returns the part of what couples nodes, that of the first; 0 of what couples none.
     [[nodiscard]] int owner(const Coupling& coupling) const {
         return coupling.empty() ? 0 : part[coupling.front().node.index];
     }

@@ -38,7 +38,7 @@ void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
 /// Eliminates sets of unknowns, e, that few others, n, see: S = K_nn - K_ne K_ee^-1 K_en.
 ///
 /// Members that end at a joint have a slope r_x of their own there; without it all nodes of a frame
-/// are alike.
+/// are alike. Products are lazy: the matrices are small, and Eigen's others are slow to compile.
 class Condensation {
 public:
     Condensation() = default;
@@ -109,9 +109,9 @@ public:
                 copy(set.own, set.others, en);
             set.inverse = ee.inverse();
             if (!set.inverse.allFinite()) return false;
-            set.right.noalias() = set.inverse * en;
-            if (!symmetric_) set.left.noalias() = ne * set.inverse;
-            change.noalias() = ne * set.right;
+            set.right = set.inverse.lazyProduct(en);
+            if (!symmetric_) set.left = ne.lazyProduct(set.inverse);
+            change = ne.lazyProduct(set.right);
             visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
                 if (k >= 0)
                     values[k - skipped_[set.others[j]]] -= change(i, j);
@@ -128,9 +128,9 @@ public:
         for (const Set& set : sets_) {
             const VectorX own = b(set.own);
             if (symmetric_)
-                out(set.others) -= set.right.transpose() * own;
+                out(set.others) -= set.right.transpose().lazyProduct(own);
             else
-                out(set.others) -= set.left * own;
+                out(set.others) -= set.left.lazyProduct(own);
         }
         return out;
     }
@@ -138,7 +138,8 @@ public:
     /// Sets the eliminated entries of a solution.
     void complete(const VectorX& b, VectorX& x) const {
         for (const Set& set : sets_)
-            x(set.own) = set.inverse * b(set.own) - set.right * x(set.others);
+            x(set.own) = set.inverse.lazyProduct(VectorX(b(set.own))) -
+                         set.right.lazyProduct(VectorX(x(set.others)));
     }
 
 private:

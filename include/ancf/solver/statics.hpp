@@ -33,7 +33,8 @@ enum class NewtonKind {
     turned,  ///< mixed, and large corrections turn slopes and chords: for end moments, roll-up
     /// mixed where an element is; large corrections turn slopes and chords, by the angle where
     /// moments do most work and by its tangent where forces do; a step that will not converge, or
-    /// ends on another branch, is cut: docs/theory-statics.md, "The automatic iteration"
+    /// ends on another branch, is cut; a line that hangs loose is iterated plainly instead:
+    /// docs/theory-statics.md, "The automatic iteration"
     automatic
 };
 

@@ -56,7 +56,8 @@ public:
           turning_(model, assembly_.numbering()),
           exchange_(model.exchange()),
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
-          lines_(!some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
+          without_sections_(
+              !some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
           newton_(possible(options.newton)),
           potential_(std::all_of(model.loads().begin(), model.loads().end(),
                                  [](const ScaledLoad& load) { return load.load.symmetric(); })) {
@@ -166,8 +167,8 @@ private:
             turn_share_ = 0.5 * turn / largest_driven_turn;
             return true;
         }
-        if (slack(failed) && may_retry(failed)) {
-            way_ = Way::plain;
+        if (loose(failed)) {
+            newton_ = NewtonKind::plain;  // from here on, as a run without cuts of its own
             return true;
         }
         part_size_ = share_after(failed) * size;
@@ -222,14 +223,16 @@ private:
         return attempt(factor, NewtonKind::plain);
     }
 
-    /// The iteration asked for, or the plain one: where no element has the mixed tangent that it
-    /// takes, and for `automatic` no section either that corrections could turn.
+    /// Returns the iteration asked for, or what the scene has of it. Without mixed elements `mixed`
+    /// becomes plain, and `automatic` too unless there are sections to turn. In a part of a scene
+    /// `automatic` becomes mixed.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
         if (wanted == NewtonKind::plain || wanted == NewtonKind::turned) return wanted;
         if (some([](const ElementGroup& of) { return of.evaluates_mixed(); }))
             // slopes are turned by a system of the whole scene
             return exchange_ != nullptr ? NewtonKind::mixed : wanted;
-        const bool turns = wanted == NewtonKind::automatic && exchange_ == nullptr && !lines_;
+        const bool turns =
+            wanted == NewtonKind::automatic && exchange_ == nullptr && !without_sections_;
         return turns ? wanted : NewtonKind::plain;
     }
 
@@ -530,14 +533,16 @@ private:
     [[nodiscard]] bool hopeless(const LoadStep& step) const {
         const std::size_t count = step.corrections.size();
         if (step.newton != NewtonKind::automatic || step.damped) return false;
-        return slack(step) || (count >= 2 && (step.corrections.back() > (count == 2 ? 2.0 : 1.2) ||
+        return loose(step) || (count >= 2 && (step.corrections.back() > (count == 2 ? 2.0 : 1.2) ||
                                               wanders(step)));
     }
 
-    /// Whether nothing but its small bending stiffness holds a line at first: parts of the load do
-    /// no better, and plain iteration takes a third off each correction.
-    [[nodiscard]] bool slack(const LoadStep& step) const {
-        return lines_ && !step.corrections.empty() && step.corrections.front() > 100.0;
+    /// Whether nothing but its small bending stiffness holds a line at first, so that a correction
+    /// is a hundred times the scene's size: parts of the load do no better, and plain iteration
+    /// takes a third off each correction.
+    [[nodiscard]] bool loose(const LoadStep& step) const {
+        return without_sections_ && step.newton == NewtonKind::automatic &&
+               !step.corrections.empty() && step.corrections.front() > 100.0;
     }
 
     /// Whether five corrections in a row have not halved the smallest before them.
@@ -604,7 +609,7 @@ private:
     Turning turning_;
     const detail::Exchange* exchange_;               // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
-    bool lines_;                                     // all elements are lines without sections
+    bool without_sections_;                          // no element has r_y
     NewtonKind newton_;
     bool potential_;  // of all loads
     static constexpr int none_failed = 2;

@@ -40,10 +40,11 @@ public:
 private:
     // Returns fixed mixtures of all modes: results repeat bit for bit.
     [[nodiscard]] Dense mixtures(Eigen::Index count);
-    // Adds what a block has lost whose modes are far apart: mixtures without the modes found.
+    // Refills a block that lost vectors to a far slower mode: new mixtures, without the modes that
+    // it has.
     void complete(Eigen::Index width);
-    // Tells whether such a vector is more than round-off.
-    [[nodiscard]] bool tells(const Dense& x) const;
+    // Tells whether a vector without these modes is more than round-off.
+    [[nodiscard]] bool above_round_off(const Dense& x) const;
     [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const;
     // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
     [[nodiscard]] VectorX noise(Eigen::Index count) const;
@@ -56,7 +57,7 @@ private:
     SparseMatrix magnitude_;
     const LinearSolver& solver_;
     VectorX scales_;
-    double state_ = 0.5;  // of the mixtures
+    double draw_ = 0.5;  // of the mixtures
 };
 
 }  // namespace ancf::detail

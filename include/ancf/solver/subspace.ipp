@@ -62,39 +62,43 @@ template <class Dense>
 Dense Subspace<Dense>::mixtures(Eigen::Index count) {
     Dense mixed(A_.rows(), count);
     for (Eigen::Index k = 0; k < mixed.size(); ++k) {
-        state_ = std::fmod(997.0 * state_ + 0.123456789, 1.0);
-        mixed(k) = (state_ - 0.5) * scales_[k % mixed.rows()];
+        draw_ = std::fmod(997.0 * draw_ + 0.123456789, 1.0);
+        mixed(k) = (draw_ - 0.5) * scales_[k % mixed.rows()];
     }
     return mixed;
 }
 
 template <class Dense>
 void Subspace<Dense>::complete(Eigen::Index width) {
-    const Eigen::Index found = vectors.cols();
-    const Dense image = product(B_, vectors);  // th A x
+    // modes whose values are round-off of the first one's say nothing
+    const double least = std::numeric_limits<double>::epsilon() * std::abs(values[0]);
+    Eigen::Index found = 0;
+    while (found < vectors.cols() && std::abs(values[found]) > least) ++found;
+    const Dense modes = vectors.leftCols(found), image = product(B_, modes);  // th A x
+    const VectorX inverse = values.head(found).cwiseInverse();
     const auto remove_found = [&](Dense& x) {
         for (int pass = 0; pass < 2; ++pass) {
-            const Dense shares = values.cwiseInverse().asDiagonal() * (image.transpose() * x);
-            x -= vectors.leftCols(found) * shares;
+            const Dense shares = inverse.asDiagonal() * (image.transpose() * x);
+            x -= modes * shares;
         }
     };
     Dense added = mixtures(width - found);
     remove_found(added);
-    const Dense of_added = product(B_, added);
+    const Dense added_image = product(B_, added);
     VectorX column;
-    Eigen::Index told = 0;
+    Eigen::Index kept = 0;
     for (Eigen::Index k = 0; k < added.cols(); ++k) {
-        solver_.solve(of_added.col(k), column);
+        solver_.solve(added_image.col(k), column);
         Dense x = column;
         remove_found(x);
-        if (tells(x)) added.col(told++) = x;
+        if (above_round_off(x)) added.col(kept++) = x;
     }
-    vectors.conservativeResize(Eigen::NoChange, found + told);
-    vectors.rightCols(told) = added.leftCols(told);
+    vectors.conservativeResize(Eigen::NoChange, found + kept);
+    vectors.rightCols(kept) = added.leftCols(kept);
 }
 
 template <class Dense>
-bool Subspace<Dense>::tells(const Dense& x) const {
+bool Subspace<Dense>::above_round_off(const Dense& x) const {
     constexpr double round_off = std::numeric_limits<double>::epsilon();
     const Dense image = product(A_, x), size = x.cwiseAbs();
     const double energy = (x.transpose() * image)(0, 0);

@@ -339,8 +339,8 @@ ANCF_INLINE void IdaRun::fail(int code) {
     if (report_.status == Status::diverged && options_.form == Form::index3 &&
         problem_.multipliers() > 0)
         message +=
-            "; in steps as short as this the multipliers of index 3 are round-off: a larger "
-            "first_step or tolerance, or gear_gupta_leimkuhler, may pass";
+            "; in very short steps the multipliers of index 3 are round-off: if that is so here, a "
+            "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
 }
 
 ANCF_INLINE void IdaRun::finish() {

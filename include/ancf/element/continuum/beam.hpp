@@ -108,8 +108,8 @@ public:
     template <class Scalar>
     [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
 
-    /// Returns the same with a tangent of mixed integration points. It has the stresses of an
-    /// earlier state, linearised: docs/theory-statics.md, "Stresses as unknowns".
+    /// Returns energy, force, a tangent whose stresses are those of `before`, linearised along
+    /// `change`, and the force of these stresses: docs/theory-statics.md, "Stresses as unknowns".
     /// @param before  where the last tangent was taken
     /// @param change  the correction that it gave
     template <class Scalar>

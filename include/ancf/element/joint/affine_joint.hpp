@@ -13,6 +13,7 @@
 #pragma once
 
 #include <ancf/element/compiled_element.hpp>
+#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
@@ -60,41 +61,29 @@ public:
     /// Returns energy, J, force and tangent.
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        Evaluation<S, dofs> result;
-        result.tangent.setZero();
-        result.force = force(e);
-        result.energy = energy(e);
-        S s[Dimension][Dimension], metric[Dimension][Dimension];  // stress, sum g_i g_i^T
-        stress(e, s);
-        for (int i = 0; i < Dimension; ++i)
-            for (int j = 0; j < Dimension; ++j) {
-                metric[i][j] = S(0.0);
-                for (int k = 0; k < Dimension; ++k)
-                    metric[i][j] += e[Dimension * k + i] * e[Dimension * k + j];
-            }
-        for (int a = 0; a < Dimension; ++a)
-            for (int b = 0; b < Dimension; ++b)
-                for (int i = 0; i < Dimension; ++i)
-                    for (int j = 0; j < Dimension; ++j)
-                        result.tangent(Dimension * a + i, Dimension * b + j) =
-                            volume_ * ((i == j ? s[a][b] : S(0.0)) +
-                                       (a == b ? shear_ * metric[i][j] : S(0.0)) +
-                                       lame_ * e[Dimension * a + i] * e[Dimension * b + j] +
-                                       shear_ * e[Dimension * b + i] * e[Dimension * a + j]);
-        return result;
+        const Square<S> s = stress(e);
+        return {energy(e), force(e, s), tangent(e, s)};
+    }
+
+    /// Returns energy, J, force, the tangent whose stresses are those of `before`, linearised along
+    /// `change`, and the force of these: docs/theory-statics.md, "Stresses as unknowns".
+    template <class S>
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& before,
+                                                    const Vector<S, dofs>& change) const noexcept {
+        Vector<Dual<S>, dofs> moving;
+        for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
+        const Square<Dual<S>> foreseen = stress(moving);
+        Square<S> s;
+        for (int k = 0; k < s.size(); ++k)
+            s.data()[k] = foreseen.data()[k].value + foreseen.data()[k].rate;
+        return {{energy(e), force(e), tangent(e, s)}, force(e, s)};
     }
 
     /// Returns the elastic force.
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
-        S s[Dimension][Dimension];
-        stress(e, s);
-        Vector<S, dofs> result = Vector<S, dofs>::Zero();
-        for (int a = 0; a < Dimension; ++a)
-            for (int b = 0; b < Dimension; ++b)
-                for (int i = 0; i < Dimension; ++i)
-                    result[Dimension * a + i] += volume_ * s[a][b] * e[Dimension * b + i];
-        return result;
+        return force(e, stress(e));
     }
 
     /// Returns the strain energy, J.
@@ -133,12 +122,51 @@ private:
     }
 
     template <class S>
-    void stress(const Vector<S, dofs>& e, S (&s)[Dimension][Dimension]) const {
+    using Square = Matrix<S, Dimension>;
+
+    template <class S>
+    [[nodiscard]] Square<S> stress(const Vector<S, dofs>& e) const {
+        Square<S> s;
         S trace(0.0);
         for (int a = 0; a < Dimension; ++a) trace += strain(e, a, a);
         for (int a = 0; a < Dimension; ++a)
             for (int b = 0; b < Dimension; ++b)
-                s[a][b] = 2.0 * shear_ * strain(e, a, b) + (a == b ? lame_ * trace : S(0.0));
+                s(a, b) = 2.0 * shear_ * strain(e, a, b) + (a == b ? lame_ * trace : S(0.0));
+        return s;
+    }
+
+    // Returns the force of stresses.
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e, const Square<S>& s) const {
+        Vector<S, dofs> result = Vector<S, dofs>::Zero();
+        for (int a = 0; a < Dimension; ++a)
+            for (int b = 0; b < Dimension; ++b)
+                for (int i = 0; i < Dimension; ++i)
+                    result[Dimension * a + i] += volume_ * s(a, b) * e[Dimension * b + i];
+        return result;
+    }
+
+    // Returns the tangent at stresses.
+    template <class S>
+    [[nodiscard]] Matrix<S, dofs> tangent(const Vector<S, dofs>& e, const Square<S>& s) const {
+        Matrix<S, dofs> result = Matrix<S, dofs>::Zero();
+        Square<S> metric;  // sum g_i g_i^T
+        for (int i = 0; i < Dimension; ++i)
+            for (int j = 0; j < Dimension; ++j) {
+                metric(i, j) = S(0.0);
+                for (int k = 0; k < Dimension; ++k)
+                    metric(i, j) += e[Dimension * k + i] * e[Dimension * k + j];
+            }
+        for (int a = 0; a < Dimension; ++a)
+            for (int b = 0; b < Dimension; ++b)
+                for (int i = 0; i < Dimension; ++i)
+                    for (int j = 0; j < Dimension; ++j)
+                        result(Dimension * a + i, Dimension * b + j) =
+                            volume_ * ((i == j ? s(a, b) : S(0.0)) +
+                                       (a == b ? shear_ * metric(i, j) : S(0.0)) +
+                                       lame_ * e[Dimension * a + i] * e[Dimension * b + j] +
+                                       shear_ * e[Dimension * b + i] * e[Dimension * a + j]);
+        return result;
     }
 
     double volume_, size_, inertia_, lame_ = 0.0, shear_;
