@@ -38,9 +38,9 @@ struct Resultant {
 [[nodiscard]] Resultant nodal_resultant(const Scene& model, const VectorX& q, const VectorX& force,
                                         NodeId node);
 
-/// Returns the rates of all coordinates, m/s and 1/s, in a rigid motion: translations of 1 m/s, then
-/// turns about the origin of 1 rad/s. Their inner product with a generalised force is a component of
-/// its resultant.
+/// Returns the rates of all coordinates, m/s and 1/s, in a rigid motion: translations of 1 m/s,
+/// then turns about the origin of 1 rad/s. Their inner product with a generalised force is a
+/// component of its resultant.
 /// @param k  from 0: x, y, z, about x, about y, about z; in the plane x, y, about z.
 /// @throws InvalidArgument for another k, or coordinates of another size.
 [[nodiscard]] VectorX rigid_motion(const Scene& model, const VectorX& q, int k);

@@ -18,8 +18,8 @@
 
 namespace ancf::petsc::detail {
 
-/// Returns the process of each vertex of a graph, the same in every process: fewer than 16 a process
-/// in the order of their numbers. Every process has the whole graph.
+/// Returns the process of each vertex of a graph, the same in every process: fewer than 16 a
+/// process in the order of their numbers. Every process has the whole graph.
 [[nodiscard]] ANCF_INLINE std::vector<int> parts_of_graph(
     MPI_Comm comm, const std::string& prefix, int vertices,
     const std::vector<std::pair<int, int>>& edges) {
