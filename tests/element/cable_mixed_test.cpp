@@ -9,6 +9,7 @@
 #include <element/cable_samples.hpp>
 #include <element/mixed_checks.hpp>
 #include <support/catch.hpp>
+#include <support/complex_step.hpp>
 #include <support/random_state.hpp>
 
 namespace cable_mixed_test {
@@ -29,7 +30,21 @@ TEST_CASE("Cable: the mixed tangent of a curved cable has its natural curvature"
         Cable<2>(test::cable_material(), test::cable_section(), arc.coordinates<2>(0.0, 0.7), 0.7));
 }
 
-TEST_CASE("Cable: the force that a rope's mixed tangent has is that of its law",
+TEST_CASE(
+    "Cable: without a correction the mixed tangent of a curved cable in space is the plain one",
+    "[element][cable][tangent]") {
+    const test::Helix helix{0.5, 0.1};
+    const Cable<3> cable(test::cable_material(), test::cable_section(),
+                         helix.coordinates<3>(0.0, 0.7), 0.7);
+    test::Random random(1);
+    const Vector<double, 12> e = test::random_state(cable, random);
+    const auto plain = cable.evaluate(e);
+    const auto mixed = cable.evaluate(e, e, Vector<double, 12>(Vector<double, 12>::Zero()));
+    CHECK(test::relative_error(mixed.tangent, plain.tangent) <= 1e-13);
+    CHECK(test::relative_error(mixed.predicted, plain.force) <= 1e-13);
+}
+
+TEST_CASE("Cable: a rope's predicted force is that of its law at the predicted strain",
           "[element][cable][tangent]") {
     const auto rope = test::straight_cable<Cable<3>>(CableOptions{test::cable_rule_of(0), 0.25});
     const Vector<double, 12> rest = test::reference_coordinates(rope);

@@ -19,7 +19,7 @@ namespace ancf::test {
 
 /// Without a correction the mixed tangent is the plain one. With one its stresses are those of the
 /// state before plus their derivative along the correction, here by complex step; they enter
-/// linearly.
+/// linearly, in the tangent as in the force.
 /// @param draw  returns a random state, given a Random
 template <class Element, class Draw>
 void check_mixed_tangent(const Element& element, const Draw& draw) {
@@ -48,10 +48,24 @@ void check_mixed_tangent(const Element& element, const Draw& draw) {
         const Vector<double, dofs> predicted =
             start.predicted + moved.predicted.imag() / complex_step;
         CHECK((tangent - start.tangent).norm() >= 1e-4 * start.tangent.norm());
+        CHECK((predicted - start.predicted).norm() >= 1e-4 * start.predicted.norm());
         CHECK(relative_error(step.tangent, tangent) <= 1e-13);  // measured 1e-15
         CHECK(relative_error(step.predicted, predicted) <= 1e-13);
         CHECK(relative_error(step.force, plain.force) <= 1e-15);
         CHECK(step.energy == plain.energy);
+
+        // at fixed stresses the derivative of their force by e is what they add to the tangent
+        const ComplexVector at = before.template cast<Complex>();
+        const ComplexVector by = change.template cast<Complex>();
+        Matrix<double, dofs> difference;
+        for (int k = 0; k < dofs; ++k) {
+            ComplexVector along = e.template cast<Complex>();
+            along[k] += Complex(0.0, complex_step);
+            const ComplexVector force = element.evaluate(along, at, by).predicted -
+                                        element.evaluate(along, at, still).predicted;
+            difference.col(k) = force.imag() / complex_step;
+        }
+        CHECK((step.tangent - start.tangent - difference).norm() <= 1e-13 * start.tangent.norm());
     }
 }
 
