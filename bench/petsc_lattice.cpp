@@ -221,6 +221,10 @@ void count_fill(const ancf::Model& model, int n) {
 int main(int argc, char** argv) {
     const int n = argc > 1 ? std::atoi(argv[1]) : 8;
     const std::string what = argc > 2 ? argv[2] : "";
+    if (n < 2 || !(what.empty() || what == "fill" || what == "motion" || what == "assembly")) {
+        std::fprintf(stderr, "usage: petsc_lattice [JOINTS [motion | assembly [PAIRS] | fill]]\n");
+        return 2;
+    }
     const ancf::petsc::Session session;
     ancf::Model model = lattice(n);
     const int members = model.group<Beam>().size();
