@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace ancf::petsc::detail {
@@ -211,11 +210,13 @@ ANCF_INLINE Rows Partition::rows(const Scene& part, const Numbering& numbering) 
     // unknowns of an element without rows are eliminated together
     for (const auto& group : part.groups())
         for (const Connection& c : group->connections) {
-            std::set<int> set;
+            std::vector<int> set;
             for (const NodeId node : {c.first, c.second})
                 for (int k = layout.first(node.index); k < layout.first(node.index + 1); ++k)
-                    if (equation[k] >= 0 && number[k] == 0.0) set.insert(equation[k]);
-            if (!set.empty()) rows.sets.emplace_back(set.begin(), set.end());
+                    if (equation[k] >= 0 && number[k] == 0.0) set.push_back(equation[k]);
+            std::sort(set.begin(), set.end());
+            set.erase(std::unique(set.begin(), set.end()), set.end());
+            if (!set.empty()) rows.sets.push_back(std::move(set));
         }
     return rows;
 }

@@ -6,14 +6,13 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/types.hpp>
 
-#include <Eigen/LU>
-
 #include <algorithm>
-#include <iterator>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -22,13 +21,13 @@ namespace ancf::detail {
 /// Calls visit(i, j, k) for the entries of a matrix in rows[i] and columns[j], ascending; k is the
 /// place of the stored entry, -1 where there is none.
 template <class Visitor>
-void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
-                 const Eigen::VectorXi& columns, const Visitor& visit) {
+void visit_block(const SparseMatrix& matrix, const std::vector<int>& rows,
+                 const std::vector<int>& columns, const Visitor& visit) {
     const int* const inner = matrix.innerIndexPtr();
-    for (Eigen::Index j = 0; j < columns.size(); ++j) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
         const int* found = inner + matrix.outerIndexPtr()[columns[j]];
         const int* const end = inner + matrix.outerIndexPtr()[columns[j] + 1];
-        for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
             while (found != end && *found < rows[i]) ++found;
             visit(i, j, found != end && *found == rows[i] ? found - inner : -1);
         }
@@ -38,7 +37,8 @@ void visit_block(const SparseMatrix& matrix, const Eigen::VectorXi& rows,
 /// Eliminates sets of unknowns, e, that few others, n, see: S = K_nn - K_ne K_ee^-1 K_en.
 ///
 /// Members that end at a joint have a slope r_x of their own there; without it all nodes of a frame
-/// are alike. Products are lazy: the matrices are small, and Eigen's others are slow to compile.
+/// are alike. Eigen's own inverse, products and lists of indices would take a
+/// header-only unit seconds and 80 MB to compile.
 class Condensation {
 public:
     Condensation() = default;
@@ -53,22 +53,22 @@ public:
         SparseMatrix sum;  // with the entries of both sides
         if (!symmetric) sum = pattern + SparseMatrix(pattern.transpose());
         const SparseMatrix& both = symmetric ? pattern : sum;
-        using Places = Eigen::Map<const Eigen::VectorXi>;
         for (const std::vector<int>& own : sets) {
-            std::set<int> seen;
-            std::vector<int> others;
+            std::vector<int> seen;
+            Set& set = sets_.emplace_back();
+            set.own = own;
             for (const int j : own) {
-                seen.insert(both.innerIndexPtr() + both.outerIndexPtr()[j],
+                seen.insert(seen.end(), both.innerIndexPtr() + both.outerIndexPtr()[j],
                             both.innerIndexPtr() + both.outerIndexPtr()[j + 1]);
                 skipped_[j + 1] = outer[j + 1] - outer[j];
             }
-            std::set_difference(seen.begin(), seen.end(), own.begin(), own.end(),
-                                std::back_inserter(others));
-            Set& set = sets_.emplace_back();
-            set.own = Places(own.data(), own.size());
-            set.others = Places(others.data(), others.size());
+            std::sort(seen.begin(), seen.end());
+            for (const int k : seen)
+                if ((set.others.empty() || set.others.back() != k) &&
+                    !std::binary_search(own.begin(), own.end(), k))
+                    set.others.push_back(k);
             visit_block(pattern, set.others, set.others, [&](auto i, auto j, auto k) {
-                if (k < 0) filled_.emplace_back(others[i], others[j]);
+                if (k < 0) filled_.emplace_back(set.others[i], set.others[j]);
             });
         }
         std::partial_sum(skipped_.begin(), skipped_.end(), skipped_.begin());
@@ -92,7 +92,7 @@ public:
                 std::copy(matrix.valuePtr() + outer[j], matrix.valuePtr() + outer[j + 1],
                           values + outer[j] - skipped_[j]);
         double* fill = values + outer[matrix.cols()] - skipped_.back();
-        const auto copy = [&](const Eigen::VectorXi& rows, const Eigen::VectorXi& columns,
+        const auto copy = [&](const std::vector<int>& rows, const std::vector<int>& columns,
                               MatrixX& to) {
             to.setZero(rows.size(), columns.size());
             visit_block(matrix, rows, columns, [&](auto i, auto j, auto k) {
@@ -107,11 +107,11 @@ public:
                 en = ne.transpose();
             else
                 copy(set.own, set.others, en);
-            set.inverse = ee.inverse();
+            set.inverse = inverse(ee);
             if (!set.inverse.allFinite()) return false;
-            set.right = set.inverse.lazyProduct(en);
-            if (!symmetric_) set.left = ne.lazyProduct(set.inverse);
-            change = ne.lazyProduct(set.right);
+            set.right = product(set.inverse, en);
+            if (!symmetric_) set.left = product(ne, set.inverse);
+            change = product(ne, set.right);
             visit_block(matrix, set.others, set.others, [&](auto i, auto j, auto k) {
                 if (k >= 0)
                     values[k - skipped_[set.others[j]]] -= change(i, j);
@@ -126,25 +126,65 @@ public:
     [[nodiscard]] VectorX shift(const VectorX& b) const {
         VectorX out = VectorX::Zero(b.size());
         for (const Set& set : sets_) {
-            const VectorX own = b(set.own);
-            if (symmetric_)
-                out(set.others) -= set.right.transpose().lazyProduct(own);
-            else
-                out(set.others) -= set.left.lazyProduct(own);
+            const VectorX own = picked(b, set.own);
+            const MatrixX left = symmetric_ ? MatrixX(set.right.transpose()) : set.left;
+            add(multiply(left, own), -1.0, set.others, out);
         }
         return out;
     }
 
     /// Sets the eliminated entries of a solution.
     void complete(const VectorX& b, VectorX& x) const {
-        for (const Set& set : sets_)
-            x(set.own) = set.inverse.lazyProduct(VectorX(b(set.own))) -
-                         set.right.lazyProduct(VectorX(x(set.others)));
+        for (const Set& set : sets_) {
+            const VectorX others = picked(x, set.others);
+            for (const int k : set.own) x[k] = 0.0;
+            add(multiply(set.inverse, picked(b, set.own)), 1.0, set.own, x);
+            add(multiply(set.right, others), -1.0, set.own, x);
+        }
     }
 
 private:
+    [[nodiscard]] static MatrixX product(const MatrixX& A, const MatrixX& B) {
+        MatrixX result(A.rows(), B.cols());
+        for (Eigen::Index j = 0; j < B.cols(); ++j) result.col(j) = multiply(A, B.col(j));
+        return result;
+    }
+
+    // Returns the inverse of a small matrix by Gauss and Jordan with exchanges of rows; where it is
+    // singular an entry that is not finite.
+    [[nodiscard]] static MatrixX inverse(MatrixX A) {
+        const Eigen::Index size = A.rows();
+        MatrixX result = MatrixX::Identity(size, size);
+        for (Eigen::Index k = 0; k < size; ++k) {
+            Eigen::Index pivot = k;
+            for (Eigen::Index i = k + 1; i < size; ++i)
+                if (std::abs(A(i, k)) > std::abs(A(pivot, k))) pivot = i;
+            VectorX times = A.col(k);
+            std::swap(times[k], times[pivot]);
+            for (MatrixX* const both : {&A, &result})
+                for (Eigen::Index j = 0; j < size; ++j) {
+                    double* const column = both->data() + j * size;
+                    std::swap(column[k], column[pivot]);
+                    column[k] /= times[k];
+                    for (Eigen::Index i = 0; i < size; ++i)
+                        if (i != k) column[i] -= times[i] * column[k];
+                }
+        }
+        return result;
+    }
+
+    [[nodiscard]] static VectorX picked(const VectorX& from, const std::vector<int>& places) {
+        VectorX result(places.size());
+        for (std::size_t k = 0; k < places.size(); ++k) result[k] = from[places[k]];
+        return result;
+    }
+    static void add(const VectorX& entries, double factor, const std::vector<int>& places,
+                    VectorX& to) {
+        for (std::size_t k = 0; k < places.size(); ++k) to[places[k]] += factor * entries[k];
+    }
+
     struct Set {
-        Eigen::VectorXi own, others;   // e and n
+        std::vector<int> own, others;  // e and n
         MatrixX inverse, right, left;  // K_ee^-1, K_ee^-1 K_en, K_ne K_ee^-1 unless symmetric
     };
 

@@ -237,9 +237,8 @@ MixedEvaluation<Scalar, Cable<Dimension, Measure>::dofs> Cable<Dimension, Measur
     const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
     const Vector<Scalar, dofs>& change) const noexcept {
     const auto line = detail::line_of<Dimension>(e);
-    Vector<Dual<Scalar>, dofs> moving;
-    for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
-    const auto earlier = detail::line_of<Dimension>(moving);
+    const detail::EarlierLine<Scalar, Dimension> earlier{detail::line_of<Dimension>(before),
+                                                         detail::line_of<Dimension>(change)};
     detail::LineHessian<Scalar, Dimension> hessian;
     const Gradient<Scalar> sum = gradient(line, hessian);
     Gradient<Scalar> gain;

@@ -178,18 +178,25 @@ inline void add_axial(const CableAxialStation& station, double soft, const Vecto
     }
 }
 
+/// A line before a correction, and the correction.
+template <class S, int D>
+struct EarlierLine {
+    LineVector<S, D> at, change;
+};
+
 /// Replaces a station's axial force in the Hessian by the one of an earlier line, linearised along
 /// the correction that followed: docs/theory-statics.md, "Stresses as unknowns".
-/// @param earlier  that line plus eps times its correction
-/// @param gain     change of the gradient by these forces, to add to
+/// @param gain  change of the gradient by these forces, to add to
 template <class Measure, int D, class S>
 inline void foresee_axial(const CableAxialStation& station, double soft,
-                          const LineVector<S, D>& line, const LineVector<Dual<S>, D>& earlier,
+                          const LineVector<S, D>& line, const EarlierLine<S, D>& earlier,
                           LineGradient<S, D>& gain, LineHessian<S, D>& hessian) noexcept {
     const Vector<S, D> p = interpolated<D>(station.p, line);
-    const Vector<Dual<S>, D> moving = interpolated<D>(station.p, earlier);
+    const Vector<S, D> before = interpolated<D>(station.p, earlier.at);
+    const Vector<S, D> change = interpolated<D>(station.p, earlier.change);
     const S square = product(p, p), strain = Measure::strain(square), stiffness(station.stiffness);
-    const Dual<S> foreseen = Measure::strain(product(moving, moving));
+    const Dual<S> foreseen =
+        Measure::strain(Dual<S>(product(before, before), 2.0 * product(before, change)));
     const AxialResponse<S> now = axial_response(stiffness, soft, strain);
     const AxialResponse<S> then =
         axial_response(stiffness, soft, S(foreseen.value + foreseen.rate));

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <ancf/element/cable/kernel.hpp>
-#include <ancf/element/dual.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -173,27 +172,32 @@ ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
 }
 
 /// Replaces a station's moment in the Hessian as foresee_axial() does its axial force; in space as
-/// if no reference were curved, since the natural curvature turns.
+/// if no reference were curved, since the natural curvature turns. Of kappa = p x v/A^(3/2) the
+/// change is (dp x v + p x dv)/A^(3/2) - 3 (p.dp) kappa/A.
 template <int D, class S>
 void foresee_bending(const CableBendingStation& station, const LineVector<S, D>& line,
-                     const LineVector<Dual<S>, D>& earlier, LineGradient<S, D>& gain,
+                     const EarlierLine<S, D>& earlier, LineGradient<S, D>& gain,
                      LineHessian<S, D>& hessian) noexcept {
-    const CurvedStation<S, D> at(station, line);
-    const CurvedStation<Dual<S>, D> then(station, earlier);
+    const CurvedStation<S, D> at(station, line), then(station, earlier.at);
+    const Vector<S, D> v = interpolated<D>(station.v, earlier.at);
+    const Vector<S, D> dp = interpolated<D>(station.p, earlier.change);
+    const Vector<S, D> dv = interpolated<D>(station.v, earlier.change);
     const S stiffness(station.stiffness);
+    const S stays = 1.0 - 3.0 * product(then.p, dp) * then.inverse;
     SkewBlocks<S> skew;
     if constexpr (D == 2) {
-        const S now = at.cube * product(turned(at.p, at.p), at.k);
-        const Dual<S> foreseen = then.cube * product(turned(then.p, then.p), then.k);
-        const S moment = stiffness * (foreseen.value + foreseen.rate - now);
+        const auto across = [](const Vector<S, 2>& a, const Vector<S, 2>& b) {
+            return a[0] * b[1] - a[1] * b[0];
+        };
+        const S foreseen =
+            then.cube * (stays * across(then.p, v) + across(dp, v) + across(then.p, dv));
+        const S moment = stiffness * (foreseen - at.cube * across(at.p, at.k));
         at.template add<true>(moment, 0.0, at.p, gain, &hessian, skew);
         skew.write(at.p, hessian);
     } else {
-        const Vector<S, 3> now = at.cube * turned(at.p, at.k);
-        const Vector<Dual<S>, 3> foreseen = then.cube * turned(then.p, then.k);
-        Vector<S, 3> moment;
-        for (int i = 0; i < 3; ++i)
-            moment[i] = stiffness * (foreseen[i].value + foreseen[i].rate - now[i]);
+        const Vector<S, 3> foreseen =
+            then.cube * (stays * turned(then.p, v) + turned(dp, v) + turned(then.p, dv));
+        const Vector<S, 3> moment = stiffness * (foreseen - at.cube * turned(at.p, at.k));
         at.template add<true>(S(1.0), 0.0, moment, gain, &hessian, skew);
         skew.write(moment, hessian);
     }

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The mixed tangent of continuum beams in the plane.
+
+#include <element/continuum_mixed_checks.hpp>
+#include <support/catch.hpp>
+
+TEST_CASE("ContinuumBeam: the mixed tangent in the plane has the stresses of linearised strains",
+          "[element][continuum][tangent]") {
+    ancf::test::check_mixed_continuum<2>();
+}
