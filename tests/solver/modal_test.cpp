@@ -382,7 +382,17 @@ TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {
     }
 }
 
-/// Returns the first load factor of a clamped arch, pinned at its other end, under a force.
+/// Returns the magnitude of the first load factor at which a scene buckles.
+double first_load(const ancf::PlanarModel& scene) {
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions one;
+    one.count = 1;
+    const auto report = ancf::buckling_modes(scene, solver, one);
+    REQUIRE(report.status == Status::converged);
+    return std::abs(report.modes.at(0).value);
+}
+
+/// Returns that of a clamped arch, pinned at its other end, under a force.
 template <class Element>
 double arch_load() {
     ancf::PlanarModel scene;
@@ -399,15 +409,10 @@ double arch_load() {
         scene.clamp(beam.first(), ancf::Clamp::free_slope);
     scene.pin(beam.last());
     scene.add(ancf::Force<2>(beam.node(10), {0, -100}));
-    ancf::EigenLdlt solver;
-    ancf::ModalOptions one;
-    one.count = 1;
-    const auto report = ancf::buckling_modes(scene, solver, one);
-    REQUIRE(report.status == Status::converged);
-    return std::abs(report.modes.at(0).value);
+    return first_load(scene);
 }
 
-/// Returns the same load of the arch as a frame of straight members.
+/// Returns that of the arch as a frame of straight members.
 double framed_arch_load() {
     ancf::PlanarModel scene;
     std::vector<ancf::Vector<double, 2>> points;
@@ -421,12 +426,7 @@ double framed_arch_load() {
     scene.clamp(frame.joints.front());
     scene.pin(frame.joints.back());
     scene.add(ancf::Force<2>(frame.joints[10], {0, -100}));
-    ancf::EigenLdlt solver;
-    ancf::ModalOptions one;
-    one.count = 1;
-    const auto report = ancf::buckling_modes(scene, solver, one);
-    REQUIRE(report.status == Status::converged);
-    return std::abs(report.modes.at(0).value);
+    return first_load(scene);
 }
 
 TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", "[modal]") {
