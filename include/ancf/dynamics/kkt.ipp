@@ -78,7 +78,7 @@ ANCF_INLINE double KktSystem::refine(const VectorX& b, VectorX& x) const {
 
 ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX& x,
                                                 VectorX& residual) const {
-    // below it numbers lose digits: motions that die out come there
+    // below this round-off is absolute: the rates of motions that die out are not judged
     constexpr double nothing =
         std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
     residual = b;
