@@ -270,17 +270,22 @@ ANCF_INLINE void turn_rate(const double* before, const double* change, const dou
     return true;
 }
 
-/// Adds a symmetric block to the values of a matrix, where its pattern has entries.
-/// @param stride  between the columns of the block
-ANCF_INLINE void add_symmetric(const double* block, const int* equations, int size, int stride,
-                               const SparseMatrix& pattern, double* values) {
-    const int* const rows = pattern.innerIndexPtr();
-    for (int j = 0; j < size; ++j) {
-        const int* const first = rows + pattern.outerIndexPtr()[equations[j]];
-        const int* const last = rows + pattern.outerIndexPtr()[equations[j] + 1];
-        for (int i = 0; i < size; ++i) {
-            const int* const at = std::lower_bound(first, last, equations[i]);
-            if (at != last && *at == equations[i]) values[at - rows] += block[stride * j + i];
+/// Adds a block to the values of a matrix, where its pattern has entries.
+/// @param block       by rows
+/// @param stride      between its rows
+/// @param row,column  their equations
+ANCF_INLINE void add_block(const double* block, int stride, const int* row, int rows,
+                           const int* column, int columns, const SparseMatrix& pattern,
+                           double* values) {
+    const int* const inner = pattern.innerIndexPtr();
+    for (int j = 0; j < columns; ++j) {
+        const int* const last = inner + pattern.outerIndexPtr()[column[j] + 1];
+        const int* at = inner + pattern.outerIndexPtr()[column[j]];
+        for (int i = 0; i < rows; ++i) {
+            // what follows in the block mostly follows in the column
+            if (at == last || *at != row[i])
+                at = std::lower_bound(inner + pattern.outerIndexPtr()[column[j]], last, row[i]);
+            if (at != last && *at == row[i]) values[at++ - inner] += block[stride * i + j];
         }
     }
 }
@@ -366,7 +371,8 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
             continue;
         for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 9, curvature + k);
         for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 1, curvature + 9 * k);
-        detail::add_symmetric(curvature, equations, 3 * at.count, 9, pattern, values);
+        detail::add_block(curvature, 9, equations, 3 * at.count, equations, 3 * at.count, pattern,
+                          values);
     }
     if (!chords) return;
     factorize();
@@ -394,36 +400,43 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
     }
     const double tension = detail::inner(force, unit, 3);
 
-    // rows of a, b and t, one entry per unknown
-    int equations[24], count = 0;
-    double along[24] = {}, across[24][3] = {}, twist[24] = {};
+    double bend[9];  // by the change of the chord, 3 x 3
+    for (int k = 0; k < 3; ++k)
+        for (int m = 0; m < 3; ++m)
+            bend[3 * k + m] = (unit[k] * force[m] + force[k] * unit[m] -
+                               tension * ((k == m ? 1.0 : 0.0) + unit[k] * unit[m])) /
+                              length;
+
+    int position[6], axis[6], positions = 0;
+    double sign[6];
+    int slope[18], slopes = 0;
+    double twist[18];
     for (const int node : chord) {
-        const double sign = node == chord[0] ? -1.0 : 1.0;
         for (int k = 0; k < 3; ++k) {
-            equations[count] = numbering_.equation(layout_.first(node) + k);
-            if (equations[count] < 0) continue;
-            along[count] = sign * unit[k];
-            for (int m = 0; m < 3; ++m) across[count][m] = -along[count] * unit[m];
-            across[count++][k] += sign;
+            position[positions] = numbering_.equation(layout_.first(node) + k);
+            if (position[positions] < 0) continue;
+            axis[positions] = k;
+            sign[positions++] = node == chord[0] ? -1.0 : 1.0;
         }
-        const Slopes at = slopes(node);
+        const Slopes at = this->slopes(node);
         double spin[9];
         if (!at.whole || !detail::spin_about(unit, q.data() + at.first, at.count, spin)) continue;
         for (int k = 0; k < 3 * at.count; ++k) {
-            equations[count] = numbering_.equation(at.first + k);
-            twist[count++] = 0.5 * spin[k];
+            slope[slopes] = numbering_.equation(at.first + k);
+            twist[slopes++] = 0.5 * spin[k];
         }
     }
-    double block[24 * 24];
-    for (int i = 0; i < count; ++i)
-        for (int j = 0; j < count; ++j)
-            block[i * count + j] = (along[i] * detail::inner(force, across[j], 3) +
-                                    along[j] * detail::inner(force, across[i], 3) -
-                                    tension * detail::inner(across[i], across[j], 3)) /
-                                       length +
-                                   0.5 * (twist[i] * detail::inner(turn, across[j], 3) +
-                                          twist[j] * detail::inner(turn, across[i], 3));
-    detail::add_symmetric(block, equations, count, count, pattern, values);
+    double of_positions[6 * 6], of_both[6 * 18], of_both_transposed[18 * 6];
+    for (int i = 0; i < positions; ++i) {
+        for (int j = 0; j < positions; ++j)
+            of_positions[6 * i + j] = sign[i] * sign[j] * bend[3 * axis[i] + axis[j]];
+        for (int j = 0; j < slopes; ++j)
+            of_both[18 * i + j] = of_both_transposed[6 * j + i] =
+                0.5 * sign[i] * turn[axis[i]] * twist[j];
+    }
+    detail::add_block(of_positions, 6, position, positions, position, positions, pattern, values);
+    detail::add_block(of_both, 18, position, positions, slope, slopes, pattern, values);
+    detail::add_block(of_both_transposed, 6, slope, slopes, position, positions, pattern, values);
 }
 
 /// Returns the forces of the chords whose resultants at the nodes are the residual of positions, in
