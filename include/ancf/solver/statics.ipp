@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -263,6 +264,7 @@ private:
         report_.message.clear();
         failure_.clear();
         far_joint_.clear();
+        reached_.reset();
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
@@ -519,6 +521,7 @@ private:
         if (step.damped) report_.factorisation = solver_.factorize(assembly_.tangent());
         if (report_.factorisation.status != Status::converged) return false;
         const Stability reached = stability(assembly_, report_.factorisation);
+        reached_ = reached;
         // of loads with a potential `unknown` is a matter of round-off
         const bool lost =
             reached == Stability::unstable ||
@@ -582,7 +585,9 @@ private:
         const bool alone = exchange_ == nullptr && !solver_.iterative();
         if (alone)
             report_.stability =
-                stability(assembly_, counted ? report_.factorisation : FactorReport{});
+                counted && reached_
+                    ? *reached_
+                    : stability(assembly_, counted ? report_.factorisation : FactorReport{});
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
@@ -628,6 +633,7 @@ private:
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
+    std::optional<Stability> reached_;  // by the last attempt, where it was asked
     VectorX residual_, correction_;
     Correction last_;        // of the attempt that runs
     std::string failure_;    // of the solver, in words
