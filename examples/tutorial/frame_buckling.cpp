@@ -24,8 +24,8 @@ int main() {
         {{0, 1, 0, 8}, {1, 2, 0, 8}, {2, 3, 0, 8}});
     model.clamp(portal.joints[0]);
     model.clamp(portal.joints[3]);
-    for (const int top : {1, 2})  // 1 N down on each post: the factor is the load in N
-        model.add(ancf::Force<3>(portal.joints[static_cast<std::size_t>(top)], {0.0, -1.0, 0.0}));
+    for (const auto top : {1U, 2U})  // 1 N down on each post: the factor is the load in N
+        model.add(ancf::Force<3>(portal.joints[top], {0.0, -1.0, 0.0}));
 
     ancf::EigenLdlt solver;
     ancf::ModalOptions options;
