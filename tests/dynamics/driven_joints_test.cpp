@@ -9,6 +9,7 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
@@ -128,6 +129,35 @@ TEMPLATE_TEST_CASE("energy-momentum cuts a step by the turn of its joints, and n
     CHECK(slow.convergence_failures == 0);
     // 2 pi rad/s at the most in 32 parts of pi/16
     CHECK(turn<TestType>(pi, 1).smallest_step <= 1.0 / 32.0);
+}
+
+TEST_CASE("a motion that twists an element by too much says which one and when",
+          "[constraint][dynamics]") {
+    const auto twisted = [](double angle, auto integrator) {
+        Model model;
+        const auto beam =
+            straight_beam<TorsionBeam>(model, Material::isotropic(1e8, 0.3, 1000.0),
+                                       rectangle(0.05, 0.05), {0, 0, 0}, {0.5, 0, 0}, 1);
+        model.clamp(beam.first());
+        model.add(DrivenRevolute(model, beam.last(), {1, 0, 0}, test::smooth_turn(angle)));
+        DynamicProblem problem(model);
+        EigenLu solver;
+        return integrator.integrate(problem, solver, equal_intervals(0.0, 1.0, 1.0)).message;
+    };
+    const auto says = ContainsSubstring("element 0 of the type TorsionBeam is degenerate at 0.5");
+    GeneralizedAlphaOptions alpha;
+    alpha.step = 1e-2;
+    RadauOptions radau;
+    radau.step = 1e-2;
+    EnergyMomentumOptions momentum;
+    momentum.step = 1e-2;
+    CHECK(twisted(2.5, GeneralizedAlpha(alpha)).empty());
+    CHECK(twisted(2.5, RadauIIA(radau)).empty());
+    CHECK(twisted(2.5, EnergyMomentum(momentum)).empty());
+    // back to 1.28 rad at the end; 2.6 rad at 0.51 s
+    CHECK_THAT(twisted(5.0, GeneralizedAlpha(alpha)), says);
+    CHECK_THAT(twisted(5.0, RadauIIA(radau)), says);
+    CHECK_THAT(twisted(5.0, EnergyMomentum(momentum)), says);
 }
 
 TEST_CASE("a beam that its motion crushes ends the run with the reason", "[constraint][dynamics]") {

@@ -5,8 +5,10 @@
 /// Chains of cables against closed forms and the elastica.
 
 #include <ancf/element/cable/cable.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
 
@@ -14,6 +16,7 @@
 #include <support/catch.hpp>
 #include <support/random_state.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -253,6 +256,25 @@ TEST_CASE("Cable: the moment of its natural curvature straightens a curved canti
     const double coarse = error(4), fine = error(8);
     CHECK(fine <= 2e-6);  // measured 6.6e-7
     CHECK(order(coarse, fine) >= 3.8);
+}
+
+TEST_CASE("Cable: a wire that is pushed together sags and folds in no element",
+          "[element][cable][statics]") {
+    // a load step of 0.15 m once ended with 0.04 m folded away in the last element
+    PlanarModel model;
+    const auto beam = straight_beam<Cable<2>>(model, Material::isotropic(2e11, 0.3, 7850.0),
+                                              circle(1e-3), {0, 0}, {1, 0}, 8);
+    model.pin(beam.first());
+    model.fix(beam.last(), Field::r, 1);
+    model.set_gravity({0, -9.81}, [](double factor) { return std::min(1.0, 2.0 * factor); });
+    model.prescribe(beam.last(), Field::r, 0,
+                    [](double factor) { return 1.0 - 0.3 * std::max(0.0, 2.0 * factor - 1.0); });
+    settle(model, 4);
+    const Plane middle = model.position(beam.node(4)), quarter = model.position(beam.node(2)),
+                other = model.position(beam.node(6));
+    CHECK(middle[0] == Approx(0.35).epsilon(1e-8));
+    CHECK(middle[1] < -0.3);
+    CHECK(std::abs(quarter[1] - other[1]) <= 1e-8);
 }
 
 TEST_CASE("Cable: in compression a rope gives by the ratio of its stiffnesses",

@@ -94,6 +94,10 @@ TEMPLATE_TEST_CASE("Cable: refuses coordinates that are no line", "[element][cab
     auto folded = test::reference_coordinates(element);
     folded(2 * dimension) = cable_length / 3.0;
     CHECK_FALSE(element.admissible(folded));
+    // on, back and on again: unit tangents at all axial stations and nothing bent
+    folded(2 * dimension) = -cable_length / 3.0;
+    CHECK(element.energy(folded) <= 1e-28 * element.energy((1.1 * e).eval()));
+    CHECK_FALSE(element.admissible(folded));
 }
 
 TEST_CASE("Cable: refuses what is no cable and says what it got", "[element][cable][errors]") {

@@ -4,6 +4,7 @@
 /// @file
 /// The torsion beam: the properties of every element, closed forms, and its limits.
 
+#include <ancf/constants.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/section/section.hpp>
 
@@ -149,6 +150,10 @@ TEST_CASE("torsion beam: uniform bending about any axis and uniform twist are ex
     const auto twisted = coordinates({range, 0, 0}, test::rotation(Vector<double, 3>(turn, 0, 0)));
     CHECK(element.energy(twisted) == Approx(0.5 * GJ * om * om * range).epsilon(1e-13));
     CHECK(element.section_forces(twisted, 0.6).torque == Approx(GJ * om).epsilon(1e-13));
+    CHECK(element.admissible(twisted));
+    for (const double beyond : {2.7, pi, 3.5})
+        CHECK_FALSE(element.admissible(
+            coordinates({range, 0, 0}, test::rotation(Vector<double, 3>(beyond, 0, 0)))));
     CHECK(element.stress(bent, 0.3, 0.05)[0] ==
           Approx(-E * 0.05 * k * std::cos(skew)).epsilon(2e-3).margin(1e-3 * E * k));
 }

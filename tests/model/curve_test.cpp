@@ -311,20 +311,20 @@ TEST_CASE("welds and moments: a deep beam is as stiff as a clamped one, however 
     }
 }
 
-TEST_CASE("point_along: it lies on the centre line of curved elements", "[model][curve]") {
+TEMPLATE_TEST_CASE("point_along: it lies on the centre line of curved elements", "[model][curve]",
+                   Spatial, QuinticBeam<>) {
     Model model;
-    const auto beam =
-        spline<Spatial>(model, steel(), square(), {P3(0, 0, 0), P3(0.5, 0.3, 0), P3(0.7, 0.9, 0.3)},
-                        P3(0, 0, 1), accurate());
-    const auto& group = model.group<Spatial>();
+    const auto beam = spline<TestType>(
+        model, steel(), square(), {P3(0, 0, 0), P3(0.5, 0.3, 0), P3(0.7, 0.9, 0.3)}, P3(0, 0, 1));
+    const auto& group = model.group<TestType>();
     for (const int k : beam.elements)
         for (const double xi : {0.0, 0.3, 0.5, 1.0}) {
-            const MaterialPoint point = point_along<Spatial>(model, k, xi);
+            const MaterialPoint point = point_along<TestType>(model, k, xi);
             P3 place = P3::Zero();
             for (std::size_t i = 0; i < point.vectors.size(); ++i)
                 place +=
                     point.weights[i] * model.value(point.vectors[i].node, point.vectors[i].field);
-            const auto e = model.element_coordinates<Spatial>(k);
+            const auto e = model.element_coordinates<TestType>(k);
             CHECK((place - group.element(k).position(e, xi)).norm() <= 1e-15);
         }
 }

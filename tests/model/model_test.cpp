@@ -54,6 +54,24 @@ TEST_CASE("reference_slopes: along X the section axes are Y and Z", "[model]") {
     CHECK(plane.col(1) == ancf::Vector<double, 2>(-1, 0));
 }
 
+TEST_CASE("Model: a state of another model is refused before it is read", "[model][bad-input]") {
+    const auto chain = [](int elements) {
+        Scene scene;
+        static_cast<void>(
+            ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, elements));
+        return scene;
+    };
+    for (const int elements : {1, 3}) {
+        Scene scene = chain(2);
+        scene.state() = chain(elements).state();
+        CHECK_THROWS_AS(scene.position({1}), InvalidArgument);
+        CHECK_THROWS_AS(scene.velocity({1}), InvalidArgument);
+        CHECK_THROWS_AS(scene.set_value({1}, Field::r, {1, 1, 1}), InvalidArgument);
+        scene.connect<Beam>(0, {0}, scene.add_node({0, 1, 0}));  // lays the state out anew
+        CHECK_THROWS_AS(scene.state(), InvalidArgument);
+    }
+}
+
 TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]") {
     Scene scene;
     const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -68,6 +69,17 @@ TEST_CASE("state file: every bit comes back", "[output][state-file]") {
     REQUIRE(back.memory.values.size() == 2);
     CHECK(same_bits(back.memory.get("acceleration", 7), saved.memory.get("acceleration", 7)));
     CHECK(back.memory.get("nothing", 0).size() == 0);
+}
+
+struct Grouped : std::numpunct<char> {
+    std::string do_grouping() const override { return "\1"; }
+};
+
+TEST_CASE("state file: the stream's locale changes nothing", "[output][state-file]") {
+    std::ostringstream out;
+    out.imbue(std::locale(std::locale::classic(), new Grouped));
+    ancf::write_state(out, awkward());
+    CHECK(out.str() == text(awkward()));
 }
 
 TEST_CASE("state file: files on disk", "[output][state-file]") {

@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <locale>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -317,6 +318,25 @@ TEST_CASE("write_vtk: the legacy file counts what it holds", "[output]") {
     CHECK(counts["POINTS"] == surface.points().size());
     CHECK(counts["POLYGONS"] == surface.ends().size());
     CHECK(counts["POINT_DATA"] == surface.points().size());
+}
+
+struct Grouped : std::numpunct<char> {
+    std::string do_grouping() const override { return "\1"; }
+};
+
+TEST_CASE("write_vtk: the stream's locale changes nothing and stays", "[output]") {
+    Scene<ancf::CrossSectionBeam<3>> scene;
+    ancf::Surface surface;
+    surface.add(scene.model, scene.beam, scene.section, 2);
+    for (const auto format :
+         {ancf::VtkFormat::legacy, ancf::VtkFormat::vtp, ancf::VtkFormat::vtu}) {
+        std::ostringstream plain, grouped;
+        grouped.imbue(std::locale(std::locale::classic(), new Grouped));
+        ancf::write_vtk(plain, surface, format, 1.5);
+        ancf::write_vtk(grouped, surface, format, 1.5);
+        CHECK(grouped.str() == plain.str());
+        CHECK(std::use_facet<std::numpunct<char>>(grouped.getloc()).grouping() == "\1");
+    }
 }
 
 TEST_CASE("write_vtk: files that cannot be written are refused by name", "[output]") {

@@ -8,6 +8,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
@@ -95,6 +96,24 @@ TEST_CASE("a free beam driven at its root turns by the angle, in any number of l
                 ++checked;
             }
     CHECK(checked == 80);
+}
+
+TEST_CASE("a torsion beam is not twisted past half a turn of an element unseen",
+          "[constraint][statics]") {
+    for (const double twist : {2.5, 3.5, 5.0, 7.0})
+        for (const int elements : {1, 2})
+            for (const int steps : {1, 20}) {
+                CAPTURE(twist, elements, steps);
+                EigenLu solver;
+                Space model;
+                const auto beam = straight_beam<TorsionBeam>(model, steel(), rectangle(0.02, 0.02),
+                                                             {0, 0, 0}, {3, 0, 0}, elements);
+                model.clamp(beam.first());
+                model.add(DrivenRevolute(model, beam.last(), Point3(1.0, 0.0, 0.0),
+                                         ramp(-twist * elements)));
+                const Status status = solve_statics(model, solver, in_steps(steps)).status;
+                CHECK(status == (twist < 2.6 ? Status::converged : Status::degenerate));
+            }
 }
 
 TEST_CASE("a beam between two joints is wound by the whole angle driven", "[constraint][statics]") {

@@ -81,7 +81,8 @@ struct Memory {
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
     Status status = Status::converged;  ///< how it ended
-    std::string message;         ///< what failed where, or that the end is off its constraints
+    std::string message;         ///< what failed where, that the end is off its constraints, or
+                                 ///< which element was no beam any more on the way
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     double time = 0.0;           ///< s, reached
 

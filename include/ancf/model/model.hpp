@@ -94,7 +94,7 @@ public:
     // Where a scene is ------------------------------------------------------------------------
 
     /// Returns one vector of a node as it stands now.
-    /// @throws InvalidArgument where the node does not carry it.
+    /// @throws InvalidArgument where the node does not carry it, and for a state of another model.
     [[nodiscard]] Point value(NodeId node, Field field) const {
         return vector_at(state().q, coordinate(node, field));
     }
@@ -136,12 +136,14 @@ private:
     static constexpr bool fits =
         detail::dimension_of<What>::value == 0 || detail::dimension_of<What>::value == Dimension;
 
-    static Point vector_at(const VectorX& of, int first) {
+    [[nodiscard]] Point vector_at(const VectorX& of, int first) const {
+        check_state(of, layout());
         Point result;
         for (int k = 0; k < Dimension; ++k) result[k] = of[first + k];
         return result;
     }
-    static void set_vector(VectorX& of, int first, const Point& vector) {
+    void set_vector(VectorX& of, int first, const Point& vector) const {
+        check_state(of, layout());
         for (int k = 0; k < Dimension; ++k) of[first + k] = vector[k];
     }
     static void check_finite(const char* call, NodeId node, Field field, const Point& value) {

@@ -318,6 +318,9 @@ public:
     }
 
 protected:
+    /// @throws InvalidArgument unless coordinates, or rates, are as many as a layout has.
+    static void check_state(const VectorX& of, const Layout& layout);
+
     /// @throws InvalidArgument for an attached vector.
     void check_unattached(const char* call, NodeId node, Field field) const;
 

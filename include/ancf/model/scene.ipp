@@ -436,6 +436,8 @@ ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
 
 ANCF_INLINE void Scene::refresh() const {
     if (!stale_) return;
+    check_state(state_.q, layout_);
+    check_state(state_.v, layout_);
     detail::Records<Fields> fields;
     fields.reserve(initial_.size());
     for (const InitialNode& node : initial_) fields.push_back(node.fields);
@@ -486,6 +488,11 @@ ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
         shares.push_back(sum > 0.0 ? of[0] / sum : 0.5);
     }
     return shares;
+}
+
+ANCF_INLINE void Scene::check_state(const VectorX& of, const Layout& layout) {
+    detail::require(of.size() == layout.size(), "Model: the state has ", of.size(),
+                    " coordinates or rates, the model has ", layout.size());
 }
 
 ANCF_INLINE void Scene::check(NodeId node) const {

@@ -30,7 +30,7 @@ namespace detail {
 
 ANCF_INLINE void write_column(std::ostream& out, const std::string& head, const VectorX& values) {
     require(detail::all_finite(values), "write_state: ", head, " is not finite");
-    out << head << ' ' << values.size() << '\n';
+    out << head << ' ' << std::to_string(values.size()) << '\n';  // in any locale
     for (const double value : values) out << number_text(value) << '\n';
 }
 

@@ -154,10 +154,12 @@ ANCF_INLINE VtkFormat vtk_format(const std::filesystem::path& file) {
 
 ANCF_INLINE void write_vtk(std::ostream& out, const Surface& surface, VtkFormat format,
                            double time) {
+    const std::locale given = out.imbue(std::locale::classic());
     if (format == VtkFormat::legacy)
         detail::write_legacy(out, surface, time);
     else
         detail::write_xml(out, surface, format, time);
+    out.imbue(given);
 }
 
 ANCF_INLINE void write_vtk(const std::filesystem::path& file, const Surface& surface, double time) {

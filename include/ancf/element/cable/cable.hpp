@@ -144,7 +144,8 @@ public:
         return line_.template line_load<2>(force);
     }
 
-    /// Tells whether e is a line: finite, and with a stretch over 1e-6 at the nodes and stations.
+    /// Tells whether e is a line: finite, with a stretch over 1e-6 at the nodes and stations, and
+    /// turning by less than 90 degrees in every seventh of the element.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the reference length, along the curve, m.

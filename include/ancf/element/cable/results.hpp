@@ -34,6 +34,7 @@ template <class Scalar>
 
 }  // namespace detail
 
+/// Between the stations by the polar form of the quadratic r'(xi): docs/theory-cable.md, "Folds".
 template <int Dimension, class Measure>
 bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept {
     if (!detail::all_finite(e)) return false;
@@ -43,8 +44,21 @@ bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept 
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
     for (const auto& at : bending_)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
-    return stretched(line.template segment<Dimension>(Dimension)) &&
-           stretched(line.template tail<Dimension>());
+    const Point first = line.template segment<Dimension>(Dimension),
+                last = line.template tail<Dimension>(),
+                control =
+                    3.0 / line_.parameter_length() * line.template head<Dimension>() - first - last;
+    const auto polar = [&](double a, double b) -> Point {
+        return (1.0 - a) * (1.0 - b) * first + (a + b - 2.0 * a * b) * control + a * b * last;
+    };
+    for (int k = 0; k < detail::line_parts; ++k) {
+        const double a = static_cast<double>(k) / detail::line_parts,
+                     b = static_cast<double>(k + 1) / detail::line_parts;
+        const Point start = polar(a, a), middle = polar(a, b), end = polar(b, b);
+        if (!(start.dot(middle) > 0.0 && middle.dot(end) > 0.0 && start.dot(end) > 0.0))
+            return false;
+    }
+    return stretched(first) && stretched(last);
 }
 
 /// (t, n) in the plane, (t, n, c) in space, columns.

@@ -118,7 +118,9 @@ public:
     ANCF_LAZY [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 3>& force) const;
 
     /// Tells whether the strains are defined at e: everything finite, slopes longer than 1e-6 and
-    /// not parallel, and no turn of 180 degrees inside the element.
+    /// not parallel, no turn of 180 degrees between a node and a station; and that the section
+    /// twists by less than 150 degrees from node to node: beyond 180 it would seem twisted the
+    /// other way, and no load step may pass that unseen.
     ANCF_LAZY [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.

@@ -115,7 +115,7 @@ ANCF_LAZY bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
             if (!(1.0 + detail::dot(y.t, t) > least)) return false;
         const double turn =
             detail::dot(detail::carried(nodes.y[0], t), detail::carried(nodes.y[1], t));
-        if (!(1.0 + turn > least)) return false;
+        if (!(turn > -0.8660254)) return false;  // 150 degrees
     }
     return true;
 }

@@ -40,13 +40,14 @@ struct MaterialPoint {
 
 namespace detail {
 
-/// Returns the point at xi of a line that is cubic in the given parameter length.
-[[nodiscard]] MaterialPoint point_of_line(const Connection& at, int element, double length,
-                                          double xi);
+/// Returns the point at xi of a line that is cubic or quintic in the given parameter length.
+[[nodiscard]] MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
+                                          double length, double xi);
 
 }  // namespace detail
 
-/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation.
+/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation, of fifth
+/// degree where nodes have r_xx.
 /// @param element  index in the model's group of that type.
 /// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
 template <class Element>
@@ -54,7 +55,8 @@ template <class Element>
     static_assert(Element::fields.contains(Field::r | Field::r_x),
                   "a point along an element needs r and r_x at its nodes");
     const auto& group = model.group<Element>();
-    return detail::point_of_line(group.connection(element), element,
+    constexpr bool quintic = Element::fields.contains(Field::r_xx);
+    return detail::point_of_line(group.connection(element), element, quintic,
                                  detail::parameter_length(group.element(element)), xi);
 }
 

@@ -29,16 +29,26 @@ ANCF_INLINE MaterialPoint::MaterialPoint(Coupling at, std::vector<double> with, 
 
 namespace detail {
 
-ANCF_INLINE MaterialPoint point_of_line(const Connection& at, int element, double length,
-                                        double xi) {
+ANCF_INLINE MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
+                                        double length, double xi) {
     require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
+    std::string name = joined({"the point at ", xi, " of element ", element}, 6);
+    const NodeId i = at.first, j = at.second;
+    if (quintic) {
+        const auto w = QuinticLine::value(xi, length);
+        return {{{i, Field::r},
+                 {i, Field::r_x},
+                 {i, Field::r_xx},
+                 {j, Field::r},
+                 {j, Field::r_x},
+                 {j, Field::r_xx}},
+                {1.0 - w[0], w[1], w[3], w[0], w[2], w[4]},
+                std::move(name)};
+    }
     const auto shape = hermite(xi, length);
-    return {{{at.first, Field::r},
-             {at.first, Field::r_x},
-             {at.second, Field::r},
-             {at.second, Field::r_x}},
+    return {{{i, Field::r}, {i, Field::r_x}, {j, Field::r}, {j, Field::r_x}},
             {shape[0], shape[1], shape[2], shape[3]},
-            joined({"the point at ", xi, " of element ", element}, 6)};
+            std::move(name)};
 }
 
 template <int Dimension>
