@@ -6,6 +6,10 @@
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/statics.hpp>
 
 #include <element/property_checks.hpp>
 #include <support/catch.hpp>
@@ -55,6 +59,50 @@ TEMPLATE_TEST_CASE("off the axis: no state has negative energy", "[element]", Pa
                 }
     }
     CHECK(states == 2 * 41 * 21 * 3);
+}
+
+/// The tip of a cantilever of 1 m in the axes of its section: its displacement (m) and its twist.
+struct Tip {
+    Vector<double, 3> moved;
+    double twist;
+};
+
+Tip bent(const Section& section, const Vector<double, 3>& force) {
+    CrossSectionOptions options = CrossSectionOptions::best();
+    Model model;
+    const auto beam = straight_beam<Carried>(model, Material::from_moduli(2e11, 8e10, 7800.0),
+                                             section, {0, 0, 0}, {1, 0, 0}, 8, options);
+    model.clamp(beam.first(), Clamp::free_slope);
+    model.add(Force<3>(beam.last(), force));
+    BlockTridiagonal solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    return {model.position(beam.last()) - Vector<double, 3>(1.0, 0.0, 0.0),
+            model.value(beam.last(), Field::r_y)[2]};
+}
+
+TEST_CASE("off the axis: a force beside the shear centre twists by its moment about it",
+          "[element]") {
+    const double J = 1e-8, F = 1.0;
+    const Section centred = rectangle(0.06, 0.1).with_torsion_constant(J);
+    const Tip plain = bent(centred, {0.0, F, F});
+    CHECK(std::abs(plain.twist) < 1e-9);  // of second order
+    // the moment of (F_y, F_z) at the axis about the shear centre (y_s, z_s): z_s F_y - y_s F_z
+    const SectionPoint centre{-0.04, 0.03};
+    const Section channel = centred.with_shear_centre(centre);
+    const double flexibility = 1.0 / (8e10 * J);
+    for (const Vector<double, 3>& force :
+         {Vector<double, 3>(0.0, F, 0.0), Vector<double, 3>(0.0, 0.0, F),
+          Vector<double, 3>(0.0, F, F)}) {
+        const double twist = (centre.z * force[1] - centre.y * force[2]) * flexibility;
+        const Tip tip = bent(channel, force), before = bent(centred, force);
+        CHECK(tip.twist == Approx(twist).epsilon(1e-4));
+        // the axis turns about the shear centre
+        CHECK(tip.moved[1] - before.moved[1] == Approx(centre.z * twist).epsilon(1e-4));
+        CHECK(tip.moved[2] - before.moved[2] == Approx(-centre.y * twist).epsilon(1e-4));
+        // an axis through it does not
+        CHECK(std::abs(bent(offset(channel, -centre.y, -centre.z), force).twist) <
+              1e-3 * std::abs(twist));
+    }
 }
 
 }  // namespace off_axis_test

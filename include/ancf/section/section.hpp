@@ -68,6 +68,9 @@ public:
     /// @throws InvalidArgument if it is unset.
     [[nodiscard]] double torsion_constant() const;
 
+    /// Returns the shear centre: the centroid unless with_shear_centre() gave another point.
+    [[nodiscard]] SectionPoint shear_centre() const noexcept;
+
     /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
     /// section given by moments has the parallelogram of the same radii of gyration.
     [[nodiscard]] const detail::Records<SectionPoint>& outline() const noexcept { return outline_; }
@@ -79,6 +82,12 @@ public:
     /// Returns the same section with another torsion constant, m^4.
     /// @throws InvalidArgument unless it is positive and finite.
     [[nodiscard]] Section with_torsion_constant(double torsion_constant) const;
+
+    /// Returns the same section with another shear centre, the point through which a transverse
+    /// force does not twist it, from the reference axis: of angles and channels. CrossSectionBeam
+    /// takes it with SectionModel::saint_venant, and refuses it without; others do not know it.
+    /// @throws InvalidArgument unless it is finite.
+    [[nodiscard]] Section with_shear_centre(SectionPoint point) const;
 
     /// Returns the same section with other moments of its mass: of a coated, filled or composite
     /// section, or of rotary inertia of its own. The density multiplies them; those up to second
@@ -103,6 +112,7 @@ private:
     std::optional<Moments> mass_moments_;
     std::optional<std::pair<double, double>> shear_correction_;
     std::optional<double> torsion_constant_;
+    std::optional<SectionPoint> shear_centre_;
     detail::Records<SectionPoint> outline_;
 };
 

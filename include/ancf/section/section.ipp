@@ -132,6 +132,19 @@ ANCF_INLINE Section Section::with_torsion_constant(double torsion_constant) cons
     return section;
 }
 
+ANCF_INLINE SectionPoint Section::shear_centre() const noexcept {
+    if (shear_centre_) return *shear_centre_;
+    return {moments_.y / moments_.area, moments_.z / moments_.area};
+}
+
+ANCF_INLINE Section Section::with_shear_centre(SectionPoint point) const {
+    detail::require_finite("shear centre y", point.y);
+    detail::require_finite("shear centre z", point.z);
+    Section section = *this;
+    section.shear_centre_ = point;
+    return section;
+}
+
 ANCF_INLINE Section Section::with_mass_moments(const Moments& moments) const {
     validate(moments);
     Section section = *this;
@@ -187,6 +200,8 @@ ANCF_INLINE Section offset(const Section& section, double dy, double dz) {
     Section moved = section;
     moved.moments_ = translated(section.moments_, dy, dz);
     if (section.mass_moments_) moved.mass_moments_ = translated(*section.mass_moments_, dy, dz);
+    if (const auto& centre = section.shear_centre_)
+        moved.shear_centre_ = {centre->y + dy, centre->z + dz};
     for (SectionPoint& point : moved.outline_) point = {point.y + dy, point.z + dz};
     return moved;
 }

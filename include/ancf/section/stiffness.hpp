@@ -40,15 +40,20 @@ struct SectionStiffness {
 /// G J Iyy/(Iyy + Izz) and that of h_zy is G J Izz/(Iyy + Izz), without k; pure twist meets G J.
 /// Their couplings with the in-plane strains h_zz and h_yy (int y z dA) are dropped: J holds the
 /// whole torsional stiffness, and the blocks must stay positive definite however small it is.
-/// For a reference axis elsewhere, at which the centroid (y_c, z_c) has the shear strains
-/// g_y + y_c h_yy + z_c h_zy and g_z + y_c h_yz + z_c h_zz, the blocks are those of the centroid
-/// transported by this relation, so that shear and torsion couple as in the paper's model. The
-/// centroid stands for the shear centre: exact with two axes or a point of symmetry.
+/// For a reference axis elsewhere the shear forces meet the strains
+///
+///     g_y + y_c h_yy + z_s h_zy          g_z + y_s h_yz + z_c h_zz
+///
+/// of the centroid (y_c, z_c) and, in the twist, of the shear centre (y_s, z_s): a force through it
+/// does not twist the section. The blocks are those of the centroid transported by this relation.
+/// With Section::with_shear_centre() unset the centroid stands for it, as in the paper's model:
+/// exact with two axes or a point of symmetry.
 ///
 /// A section known to second order only (Moments::has_fourth_order) gives the terms quadratic in y
 /// and z no stiffness: rows and columns 4 to 6 of `axial` are zero.
 /// @throws InvalidArgument if the material has a value that is not positive, or the model needs a
-///         shear correction factor or torsion constant that the section leaves unset.
+///         shear correction factor or torsion constant that the section leaves unset, or the paper's
+///         model meets a section with a shear centre.
 [[nodiscard]] SectionStiffness section_stiffness(const Material& material, const Section& section,
                                                  SectionModel model = SectionModel::paper);
 

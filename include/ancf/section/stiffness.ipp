@@ -18,17 +18,19 @@ namespace detail {
 /// @param shear    k G, Pa
 /// @param torsion  stiffness of the twisting strain, N m^2
 /// @param twist    the place of the twisting strain: 2 (h_zy) in shear_y, 1 (h_yz) in shear_z
+/// @param arm      of the shear centre, which that strain multiplies: z or y, m
 ANCF_INLINE Matrix<double, 3> saint_venant_block(const Moments& moments, double shear,
-                                                 double torsion, int twist) noexcept {
+                                                 double torsion, int twist, double arm) noexcept {
     Matrix<double, 3> centred = moment_matrix<3>(centroidal(moments), shear);
     for (int k = 0; k < 3; ++k) {
         centred(twist, k) = centred(k, twist) = 0.0;
         if (k > 0) centred(0, k) = centred(k, 0) = 0.0;  // round-off about the centroid
     }
     centred(twist, twist) = torsion;
-    // T^T centred T with T = I + e_0 (0, y_c, z_c): centred couples nothing to its first place, so
-    // that only its first entry is transported
-    const double c[3] = {1.0, moments.y / moments.area, moments.z / moments.area};
+    // T^T centred T with T = I + e_0 (0, y_c, z_c), the arm in the place of the twist: centred
+    // couples nothing to its first place, so that only its first entry is transported
+    double c[3] = {1.0, moments.y / moments.area, moments.z / moments.area};
+    c[twist] = arm;
     Matrix<double, 3> block = centred;
     block(0, 0) = 0.0;
     for (int j = 0; j < 3; ++j)
@@ -51,12 +53,18 @@ ANCF_INLINE SectionStiffness section_stiffness(const Material& material, const S
         for (int i = 0; i < 6; ++i)
             for (int j = 3; j < 6; ++j) stiffness.axial(i, j) = stiffness.axial(j, i) = 0.0;
     }
+    const SectionPoint centre = section.shear_centre();
     if (model == SectionModel::saint_venant) {
         const Moments centred = centroidal(moments);
         const double torsion = material.shear * section.torsion_constant() / centred.polar();
-        stiffness.shear_y = detail::saint_venant_block(moments, shear_y, torsion * centred.zz, 2);
-        stiffness.shear_z = detail::saint_venant_block(moments, shear_z, torsion * centred.yy, 1);
+        stiffness.shear_y =
+            detail::saint_venant_block(moments, shear_y, torsion * centred.zz, 2, centre.z);
+        stiffness.shear_z =
+            detail::saint_venant_block(moments, shear_z, torsion * centred.yy, 1, centre.y);
     } else {
+        detail::require(
+            centre.y == moments.y / moments.area && centre.z == moments.z / moments.area,
+            "section_stiffness: a shear centre needs SectionModel::saint_venant");
         stiffness.shear_y = detail::moment_matrix<3>(moments, shear_y);
         stiffness.shear_z = detail::moment_matrix<3>(moments, shear_z);
     }
