@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/stiffness.hpp>
 
