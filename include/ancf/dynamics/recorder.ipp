@@ -41,19 +41,19 @@ ANCF_INLINE void require_same_storage(const LinearSolver& solver, const DynamicP
 /// Returns the larger number; not a number where one of them is not.
 [[nodiscard]] ANCF_INLINE double larger(double a, double b) noexcept { return b <= a ? a : b; }
 
-/// Puts the first element that is no beam any more into an empty message.
+/// Notes an element that is no beam any more, unless one is noted.
 ANCF_INLINE void inspect(DynamicProblem& problem, const MotionPoint& point,
                          DynamicsReport& report) {
-    if (!report.message.empty()) return;
+    if (!report.left_range.empty()) return;
     const Assembly& assembly = problem.assembly();
     if (const auto fault = assembly.inspect(problem.raw_state(point.time, point.q, point.v).q))
-        report.message = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
+        report.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
 }
 
 ANCF_INLINE void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
                       DynamicsReport& report) {
-    const long stride = std::max(1L, 24 * report.steps / std::max(1L, report.evaluations));
-    if (report.steps % stride == 0) inspect(problem, point, report);
+    const long in_a_step = std::max(2L, report.evaluations / std::max(1L, report.steps));
+    if (report.steps % std::max(1L, 24 / in_a_step) == 0) inspect(problem, point, report);
     if (problem.multipliers() > 0) {
         problem.evaluate_constraints(point.time, point.q, point.v);
         report.violation = larger(report.violation, problem.constraint_violation());
@@ -123,12 +123,15 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
 ANCF_INLINE void store_end(DynamicProblem& problem, const MotionPoint& end,
                            DynamicsReport& report) {
     inspect(problem, end, report);
+    const auto add = [&](const std::string& text) {
+        if (!report.message.empty() && !text.empty()) report.message += "; ";
+        report.message += text;
+    };
+    add(report.left_range);
     VectorX q = end.q;
     VectorX v = end.v;
-    if (!problem.project(end.time, q, v)) {
-        if (!report.message.empty()) report.message += "; ";
-        report.message += "the last state could not be brought onto the constraints";
-    }
+    if (!problem.project(end.time, q, v))
+        add("the last state could not be brought onto the constraints");
     problem.store(end.time, q, v, end.lambda);
 }
 

@@ -81,10 +81,11 @@ struct Memory {
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
     Status status = Status::converged;  ///< how it ended
-    std::string message;         ///< what failed where, that the end is off its constraints, or
-                                 ///< which element was no beam any more on the way
-    std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
-    double time = 0.0;           ///< s, reached
+    std::string message;                ///< what failed where, that the end is off its constraints;
+                                        ///< and left_range
+    std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
+    std::string left_range;  ///< an element that was seen to be no beam on the way, and when
+    double time = 0.0;       ///< s, reached
 
     long steps = 0;                 ///< accepted
     long rejected = 0;              ///< by the error test
