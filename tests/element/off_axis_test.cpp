@@ -84,6 +84,10 @@ TEST_CASE("off the axis: a force beside the shear centre twists by its moment ab
           "[element]") {
     const double J = 1e-8, F = 1.0;
     const Section centred = rectangle(0.06, 0.1).with_torsion_constant(J);
+    const Material material = Material::from_moduli(2e11, 8e10, 7800.0);
+    const Section moved = offset(centred.with_shear_centre({0.0, 0.0}), 0.01, 0.02);
+    CHECK_THROWS_WITH(Carried(material, moved, 1.0), ContainsSubstring("saint_venant"));
+    CHECK_NOTHROW(Planar(material, moved, 1.0));
     const Tip plain = bent(centred, {0.0, F, F});
     CHECK(std::abs(plain.twist) < 1e-9);  // of second order
     // the moment of (F_y, F_z) at the axis about the shear centre (y_s, z_s): z_s F_y - y_s F_z

@@ -68,7 +68,10 @@ public:
     /// @throws InvalidArgument if it is unset.
     [[nodiscard]] double torsion_constant() const;
 
-    /// Returns the shear centre: the centroid unless with_shear_centre() gave another point.
+    /// Whether with_shear_centre() gave a point.
+    [[nodiscard]] bool has_shear_centre() const noexcept { return shear_centre_.has_value(); }
+
+    /// Returns the shear centre from the reference axis, m: the centroid where none was given.
     [[nodiscard]] SectionPoint shear_centre() const noexcept;
 
     /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
@@ -83,9 +86,10 @@ public:
     /// @throws InvalidArgument unless it is positive and finite.
     [[nodiscard]] Section with_torsion_constant(double torsion_constant) const;
 
-    /// Returns the same section with another shear centre, the point through which a transverse
-    /// force does not twist it, from the reference axis: of angles and channels. CrossSectionBeam
-    /// takes it with SectionModel::saint_venant, and refuses it without; others do not know it.
+    /// Returns the same section with the shear centre at a point, from the reference axis, m. A
+    /// transverse force through it does not twist the section. Angles and channels have it beside
+    /// the centroid. CrossSectionBeam<3> takes it with SectionModel::saint_venant and refuses it
+    /// without, TorsionBeam refuses it; other elements do not ask for it.
     /// @throws InvalidArgument unless it is finite.
     [[nodiscard]] Section with_shear_centre(SectionPoint point) const;
 
@@ -148,8 +152,8 @@ private:
 [[nodiscard]] Section tube(double outer_radius, double inner_radius);
 
 /// Returns the section moved by (dy, dz), m, in its plane: what was at the reference axis lies at
-/// (dy, dz) from it. Odd moments appear; the torsion constant and the shear correction factors
-/// belong to the shape and stay.
+/// (dy, dz) from it, a shear centre too. Odd moments appear; the torsion constant and the shear
+/// correction factors belong to the shape and stay.
 /// @throws InvalidArgument unless both are finite.
 [[nodiscard]] Section offset(const Section& section, double dy, double dz);
 

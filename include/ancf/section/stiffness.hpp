@@ -52,8 +52,7 @@ struct SectionStiffness {
 /// A section known to second order only (Moments::has_fourth_order) gives the terms quadratic in y
 /// and z no stiffness: rows and columns 4 to 6 of `axial` are zero.
 /// @throws InvalidArgument if the material has a value that is not positive, or the model needs a
-///         shear correction factor or torsion constant that the section leaves unset, or that of
-///         the paper meets a section with a shear centre.
+///         shear correction factor or torsion constant that the section leaves unset.
 [[nodiscard]] SectionStiffness section_stiffness(const Material& material, const Section& section,
                                                  SectionModel model = SectionModel::paper);
 

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/error.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/stiffness.hpp>
 
@@ -54,18 +53,15 @@ ANCF_INLINE SectionStiffness section_stiffness(const Material& material, const S
         for (int i = 0; i < 6; ++i)
             for (int j = 3; j < 6; ++j) stiffness.axial(i, j) = stiffness.axial(j, i) = 0.0;
     }
-    const SectionPoint centre = section.shear_centre();
     if (model == SectionModel::saint_venant) {
         const Moments centred = centroidal(moments);
+        const SectionPoint centre = section.shear_centre();
         const double torsion = material.shear * section.torsion_constant() / centred.polar();
         stiffness.shear_y =
             detail::saint_venant_block(moments, shear_y, torsion * centred.zz, 2, centre.z);
         stiffness.shear_z =
             detail::saint_venant_block(moments, shear_z, torsion * centred.yy, 1, centre.y);
     } else {
-        detail::require(
-            centre.y == moments.y / moments.area && centre.z == moments.z / moments.area,
-            "section_stiffness: a shear centre needs SectionModel::saint_venant");
         stiffness.shear_y = detail::moment_matrix<3>(moments, shear_y);
         stiffness.shear_z = detail::moment_matrix<3>(moments, shear_z);
     }

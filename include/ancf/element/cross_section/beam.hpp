@@ -346,6 +346,9 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const 
     detail::require_points(options_.rule, StrainGroup::bending, "bending", quintic ? 4 : 2);
     detail::require_points(options_.rule, StrainGroup::shear, "shear", Shear::nodal ? 2 : 3);
     detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
+    detail::require(
+        !section.has_shear_centre() || options_.section_model == SectionModel::saint_venant,
+        "CrossSectionBeam: a section with a shear centre needs SectionModel::saint_venant");
     section_ = section_stiffness(material, section, options_.section_model);
     const double shear_y = section.shear_correction_y() * material.shear;
     const double shear_z = section.shear_correction_z() * material.shear;
