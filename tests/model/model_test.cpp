@@ -69,6 +69,7 @@ TEST_CASE("Model: a state of another model is refused before it is read", "[mode
         CHECK_THROWS_AS(scene.set_value({1}, Field::r, {1, 1, 1}), InvalidArgument);
         scene.connect<Beam>(0, {0}, scene.add_node({0, 1, 0}));  // lays the state out anew
         CHECK_THROWS_AS(scene.state(), InvalidArgument);
+        CHECK(scene.position({1})[0] == 0.5);  // where it was added
     }
 }
 

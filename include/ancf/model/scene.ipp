@@ -436,8 +436,7 @@ ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
 
 ANCF_INLINE void Scene::refresh() const {
     if (!stale_) return;
-    check_state(state_.q, layout_);
-    check_state(state_.v, layout_);
+    const bool own = state_.q.size() == layout_.size() && state_.v.size() == layout_.size();
     detail::Records<Fields> fields;
     fields.reserve(initial_.size());
     for (const InitialNode& node : initial_) fields.push_back(node.fields);
@@ -453,7 +452,7 @@ ANCF_INLINE void Scene::refresh() const {
             const NodeField at{{node}, static_cast<Field>(k)};
             const int to = layout_.index(at);
             if (to < 0) continue;
-            const int from = node < before.nodes() ? before.index(at) : -1;
+            const int from = own && node < before.nodes() ? before.index(at) : -1;
             const double* const vector =
                 initial_[static_cast<std::size_t>(node)].vectors.data() + 3 * k;
             for (int i = 0; i < dimension_; ++i) {
@@ -469,6 +468,7 @@ ANCF_INLINE void Scene::refresh() const {
     const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
     std::copy_n(old.multipliers.data(), kept, state_.multipliers.data());
     stale_ = false;
+    detail::require(own, "Model: the state was another model's; nodes are where they were added");
 }
 
 ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
