@@ -633,7 +633,7 @@ private:
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
-    std::optional<Stability> reached_;  // by the last attempt, where it was asked
+    std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
     VectorX residual_, correction_;
     Correction last_;        // of the attempt that runs
     std::string failure_;    // of the solver, in words

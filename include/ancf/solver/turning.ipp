@@ -271,10 +271,9 @@ ANCF_INLINE void turn_rate(const double* before, const double* change, const dou
 }
 
 /// Adds a block to the values of a matrix, where its pattern has entries.
-/// @param block       by rows
-/// @param stride      between its rows
+/// @param down,along  between the entries of a column and of a row of the block
 /// @param row,column  their equations
-ANCF_INLINE void add_block(const double* block, int stride, const int* row, int rows,
+ANCF_INLINE void add_block(const double* block, int down, int along, const int* row, int rows,
                            const int* column, int columns, const SparseMatrix& pattern,
                            double* values) {
     const int* const inner = pattern.innerIndexPtr();
@@ -285,7 +284,7 @@ ANCF_INLINE void add_block(const double* block, int stride, const int* row, int 
             // what follows in the block mostly follows in the column
             if (at == last || *at != row[i])
                 at = std::lower_bound(inner + pattern.outerIndexPtr()[column[j]], last, row[i]);
-            if (at != last && *at == row[i]) values[at++ - inner] += block[stride * i + j];
+            if (at != last && *at == row[i]) values[at++ - inner] += block[down * i + along * j];
         }
     }
 }
@@ -371,8 +370,8 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
             continue;
         for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 9, curvature + k);
         for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 1, curvature + 9 * k);
-        detail::add_block(curvature, 9, equations, 3 * at.count, equations, 3 * at.count, pattern,
-                          values);
+        detail::add_block(curvature, 9, 1, equations, 3 * at.count, equations, 3 * at.count,
+                          pattern, values);
     }
     if (!chords) return;
     factorize();
@@ -383,7 +382,8 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
 
 /// Adds the second derivative of force . chord by the positions and slopes of its two nodes. With
 /// the unit vector u along the chord of length L, its change a along and b across it, and the
-/// nodes' mean twist t, the chord changes by (a b - b.b u/2)/L + t u x b/2 to second order.
+/// nodes' mean twist t, the chord changes by (a b - b.b u/2)/L + t u x b/2 to second order. By the
+/// difference of positions that is (u f^T + f u^T - (f.u) (I + u u^T))/L, f the force.
 ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord,
                                                  const double* force, const VectorX& q,
                                                  const SparseMatrix& pattern,
@@ -400,7 +400,7 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
     }
     const double tension = detail::inner(force, unit, 3);
 
-    double bend[9];  // by the change of the chord, 3 x 3
+    double bend[9];
     for (int k = 0; k < 3; ++k)
         for (int m = 0; m < 3; ++m)
             bend[3 * k + m] = (unit[k] * force[m] + force[k] * unit[m] -
@@ -409,7 +409,7 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
 
     int position[6], axis[6], positions = 0;
     double sign[6];
-    int slope[18], slopes = 0;
+    int slope[18], slope_count = 0;
     double twist[18];
     for (const int node : chord) {
         for (int k = 0; k < 3; ++k) {
@@ -418,25 +418,28 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
             axis[positions] = k;
             sign[positions++] = node == chord[0] ? -1.0 : 1.0;
         }
-        const Slopes at = this->slopes(node);
+        const Slopes at = slopes(node);
         double spin[9];
         if (!at.whole || !detail::spin_about(unit, q.data() + at.first, at.count, spin)) continue;
         for (int k = 0; k < 3 * at.count; ++k) {
-            slope[slopes] = numbering_.equation(at.first + k);
-            twist[slopes++] = 0.5 * spin[k];
+            slope[slope_count] = numbering_.equation(at.first + k);
+            twist[slope_count++] = 0.5 * spin[k];
         }
     }
-    double of_positions[6 * 6], of_both[6 * 18], of_both_transposed[18 * 6];
+    double of_positions[6 * 6], of_both[6 * 18];
     for (int i = 0; i < positions; ++i) {
         for (int j = 0; j < positions; ++j)
             of_positions[6 * i + j] = sign[i] * sign[j] * bend[3 * axis[i] + axis[j]];
-        for (int j = 0; j < slopes; ++j)
-            of_both[18 * i + j] = of_both_transposed[6 * j + i] =
-                0.5 * sign[i] * turn[axis[i]] * twist[j];
+        for (int j = 0; j < slope_count; ++j)
+            of_both[18 * i + j] = 0.5 * sign[i] * turn[axis[i]] * twist[j];
     }
-    detail::add_block(of_positions, 6, position, positions, position, positions, pattern, values);
-    detail::add_block(of_both, 18, position, positions, slope, slopes, pattern, values);
-    detail::add_block(of_both_transposed, 6, slope, slopes, position, positions, pattern, values);
+    const auto add = [&](const double* block, int down, int along, const int* row, int rows,
+                         const int* column, int columns) {
+        detail::add_block(block, down, along, row, rows, column, columns, pattern, values);
+    };
+    add(of_positions, 6, 1, position, positions, position, positions);
+    add(of_both, 18, 1, position, positions, slope, slope_count);
+    add(of_both, 1, 18, slope, slope_count, position, positions);
 }
 
 /// Returns the forces of the chords whose resultants at the nodes are the residual of positions, in
