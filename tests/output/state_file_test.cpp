@@ -5,12 +5,12 @@
 #include <ancf/output/state_file.hpp>
 
 #include <support/catch.hpp>
+#include <support/grouped.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <locale>
 #include <sstream>
 #include <string>
 
@@ -71,13 +71,9 @@ TEST_CASE("state file: every bit comes back", "[output][state-file]") {
     CHECK(back.memory.get("nothing", 0).size() == 0);
 }
 
-struct Grouped : std::numpunct<char> {
-    std::string do_grouping() const override { return "\1"; }
-};
-
 TEST_CASE("state file: the stream's locale changes nothing", "[output][state-file]") {
     std::ostringstream out;
-    out.imbue(std::locale(std::locale::classic(), new Grouped));
+    out.imbue(ancf::test::grouped());
     ancf::write_state(out, awkward());
     CHECK(out.str() == text(awkward()));
 }

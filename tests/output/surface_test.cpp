@@ -15,6 +15,7 @@
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
+#include <support/grouped.hpp>
 #include <support/random_state.hpp>
 
 #include <Eigen/Geometry>
@@ -320,10 +321,6 @@ TEST_CASE("write_vtk: the legacy file counts what it holds", "[output]") {
     CHECK(counts["POINT_DATA"] == surface.points().size());
 }
 
-struct Grouped : std::numpunct<char> {
-    std::string do_grouping() const override { return "\1"; }
-};
-
 TEST_CASE("write_vtk: the stream's locale changes nothing and stays", "[output]") {
     Scene<ancf::CrossSectionBeam<3>> scene;
     ancf::Surface surface;
@@ -331,7 +328,7 @@ TEST_CASE("write_vtk: the stream's locale changes nothing and stays", "[output]"
     for (const auto format :
          {ancf::VtkFormat::legacy, ancf::VtkFormat::vtp, ancf::VtkFormat::vtu}) {
         std::ostringstream plain, grouped;
-        grouped.imbue(std::locale(std::locale::classic(), new Grouped));
+        grouped.imbue(ancf::test::grouped());
         ancf::write_vtk(plain, surface, format, 1.5);
         ancf::write_vtk(grouped, surface, format, 1.5);
         CHECK(grouped.str() == plain.str());

@@ -27,7 +27,7 @@ enum class VtkFormat { vtp, vtu, legacy };
 /// @throws InvalidArgument naming the file, for another extension than .vtp, .vtu and .vtk.
 [[nodiscard]] VtkFormat vtk_format(const std::filesystem::path& file);
 
-/// Writes a surface to a stream.
+/// Writes a surface to a stream, whose locale does not count and stays.
 /// @param time  s; stored with the surface.
 void write_vtk(std::ostream& out, const Surface& surface, VtkFormat format, double time = 0.0);
 

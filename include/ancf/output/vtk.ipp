@@ -154,12 +154,15 @@ ANCF_INLINE VtkFormat vtk_format(const std::filesystem::path& file) {
 
 ANCF_INLINE void write_vtk(std::ostream& out, const Surface& surface, VtkFormat format,
                            double time) {
-    const std::locale given = out.imbue(std::locale::classic());
+    struct Classic {  // of whatever locale the stream is
+        std::ostream& out;
+        std::locale given = out.imbue(std::locale::classic());
+        ~Classic() { out.imbue(given); }
+    } classic{out};
     if (format == VtkFormat::legacy)
         detail::write_legacy(out, surface, time);
     else
         detail::write_xml(out, surface, format, time);
-    out.imbue(given);
 }
 
 ANCF_INLINE void write_vtk(const std::filesystem::path& file, const Surface& surface, double time) {
