@@ -145,7 +145,7 @@ public:
     }
 
     /// Tells whether e is a line: finite, with a stretch over 1e-6 at the nodes and stations, and
-    /// turning by less than 90 degrees in every seventh of the element.
+    /// turning by less than 90 degrees by the control points of every seventh of the element.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the reference length, along the curve, m.

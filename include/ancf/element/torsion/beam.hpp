@@ -119,8 +119,8 @@ public:
 
     /// Tells whether the strains are defined at e: everything finite, slopes longer than 1e-6 and
     /// not parallel, no turn of 180 degrees between a node and a station; and that the section
-    /// twists by less than 150 degrees from node to node: beyond 180 it would seem twisted the
-    /// other way, and no load step may pass that unseen.
+    /// twists by less than 150 degrees from node to node. Beyond 180 it would seem twisted the
+    /// other way. One driven joint does not pass that in a load step; two joints or a moment can.
     ANCF_LAZY [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
     /// Returns the length of the stress-free element, m.

@@ -35,7 +35,7 @@ namespace ancf {
 /// the part of r_y normal to it. What a joint transmits then enters through the section.
 /// Two slopes make the frame t along the first, n the part of the second normal to t: with r_x and
 /// r_y the joint turns the tangent, and the shear of one element, of length l, passes the moment
-/// on, which is too soft by 3 M/(k G A l): the more, the finer the mesh.
+/// M, N m, on. It is too soft by 3 M/(k G A l) rad: the more, the finer the mesh.
 struct FrameAt {
     NodeId node;                ///< where
     bool of_section = true;     ///< the default; the slopes do not count then
