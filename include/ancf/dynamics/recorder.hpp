@@ -45,9 +45,10 @@ struct MotionPoint {
 }
 
 /// Takes what a step left into the report, before any projection: constraints and, where it is
-/// followed, energy by an evaluation of its own. Of the start the report has counted no step. About
-/// once in 24 evaluations of the forces, where the report counts them, and in 12 steps otherwise it
-/// looks whether every element still is a beam: DynamicsReport::left_range.
+/// followed, energy by an evaluation of its own. Of the start the report has counted no step.
+///
+/// Now and then it looks whether every element still is a beam: DynamicsReport::left_range. It does
+/// so about every 24 evaluations of the forces, or every 12 steps where those are not counted yet.
 void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
           DynamicsReport& report);
 

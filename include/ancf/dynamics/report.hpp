@@ -81,8 +81,8 @@ struct Memory {
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
     Status status = Status::converged;  ///< how it ended
-    std::string message;                ///< what failed where, that the end is off its constraints;
-                                        ///< and left_range
+    std::string message;                ///< what failed where; left_range; that the end is off its
+                                        ///< constraints
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
     std::string left_range;  ///< an element that was seen to be no beam on the way, and when
     double time = 0.0;       ///< s, reached

@@ -33,7 +33,7 @@ struct SectionPoint {
 };
 
 /// A cross-section, immutable: moments about the reference axis, shear correction factors, torsion
-/// constant.
+/// constant, shear centre.
 ///
 ///     const auto plain = ancf::rectangle(0.1, 0.5);  // width, height, m; k = 5/6, J by series
 ///     const auto paper = plain.with_shear_correction(0.85, 0.85);
