@@ -29,7 +29,7 @@ struct MatrixEntry {
 /// Returns the compressed matrix of entries, those of one place added in their order.
 [[nodiscard]] SparseMatrix compressed(int size, const Records<MatrixEntry>& entries);
 
-/// Factorises a symmetric matrix, definite or not.
+/// Factorises a symmetric matrix, definite or not. Of the same pattern again it keeps the order.
 class SparseLdlt {
 public:
     /// @param lower   compressed, with the lower half or more: what is above the diagonal is left
@@ -53,14 +53,16 @@ public:
     void solve(VectorX& x) const;
 
 private:
-    void permute(const SparseMatrix& lower);
+    void order(const SparseMatrix& lower);
+    void permute();
     void analyze();
     [[nodiscard]] bool eliminate();
 
-    std::vector<int> order_, place_;  // row at a place, place of a row
+    std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
+    std::vector<int> order_, place_;           // row at a place, place of a row
     // of the permuted matrix the upper half, by columns
     Records<std::size_t> upper_first_;
-    std::vector<int> upper_row_;
+    std::vector<int> upper_row_, from_;  // from_: place among the matrix's values
     std::vector<double> upper_value_;
     std::vector<int> parent_;  // in the elimination tree, -1 for a root
     // L below its diagonal, by columns

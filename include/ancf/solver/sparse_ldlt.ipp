@@ -112,44 +112,60 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
 }
 
 ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks) {
-    const std::vector<int> sequence = minimum_degree(coupled_blocks(lower, blocks));
+    const int* outer = lower.outerIndexPtr();
+    const int* inner = lower.innerIndexPtr();
+    const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
+    if (blocks != blocks_ || !std::equal(outer, outer_end, outer_.begin(), outer_.end()) ||
+        !std::equal(inner, inner_end, inner_.begin(), inner_.end())) {
+        blocks_ = blocks;
+        outer_.assign(outer, outer_end);
+        inner_.assign(inner, inner_end);
+        order(lower);
+        permute();
+        analyze();
+    }
+    for (std::size_t k = 0; k < from_.size(); ++k) upper_value_[k] = lower.valuePtr()[from_[k]];
+    return eliminate();
+}
+
+/// Finds the order of elimination.
+ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
+    const std::vector<int> sequence = minimum_degree(coupled_blocks(lower, blocks_));
     std::vector<std::vector<int>> rows(sequence.size());
-    for (std::size_t row = 0; row < blocks.size(); ++row)
-        rows[static_cast<std::size_t>(blocks[row])].push_back(static_cast<int>(row));
+    for (std::size_t row = 0; row < blocks_.size(); ++row)
+        rows[static_cast<std::size_t>(blocks_[row])].push_back(static_cast<int>(row));
     order_.clear();
-    place_.assign(blocks.size(), -1);
+    place_.assign(blocks_.size(), -1);
     for (const int block : sequence)
         for (const int row : rows[static_cast<std::size_t>(block)]) {
             place_[static_cast<std::size_t>(row)] = static_cast<int>(order_.size());
             order_.push_back(row);
         }
-    permute(lower);
-    analyze();
-    return eliminate();
 }
 
-/// Copies the lower half into the upper half of the permuted matrix.
-ANCF_INLINE void SparseLdlt::permute(const SparseMatrix& lower) {
+/// Finds where each value of the lower half stands in the upper half of the permuted matrix.
+ANCF_INLINE void SparseLdlt::permute() {
     const auto visit = [&](const auto& entry) {
         for (int j = 0; j < size(); ++j)
-            for (int k = lower.outerIndexPtr()[j]; k < lower.outerIndexPtr()[j + 1]; ++k) {
-                const int i = lower.innerIndexPtr()[k];
+            for (int k = outer_[static_cast<std::size_t>(j)];
+                 k < outer_[static_cast<std::size_t>(j) + 1]; ++k) {
+                const int i = inner_[static_cast<std::size_t>(k)];
                 if (i < j) continue;
                 const int a = place_[static_cast<std::size_t>(i)];
                 const int b = place_[static_cast<std::size_t>(j)];
-                entry(std::min(a, b), static_cast<std::size_t>(std::max(a, b)),
-                      lower.valuePtr()[k]);
+                entry(std::min(a, b), static_cast<std::size_t>(std::max(a, b)), k);
             }
     };
     upper_first_.assign(order_.size() + 1, 0);
-    visit([&](int, std::size_t column, double) { ++upper_first_[column + 1]; });
+    visit([&](int, std::size_t column, int) { ++upper_first_[column + 1]; });
     for (std::size_t k = 0; k < order_.size(); ++k) upper_first_[k + 1] += upper_first_[k];
     upper_row_.resize(upper_first_.back());
     upper_value_.resize(upper_first_.back());
+    from_.resize(upper_first_.back());
     Records<std::size_t> next = upper_first_;
-    visit([&](int row, std::size_t column, double value) {
+    visit([&](int row, std::size_t column, int slot) {
         upper_row_[next[column]] = row;
-        upper_value_[next[column]++] = value;
+        from_[next[column]++] = slot;
     });
 }
 
