@@ -185,10 +185,10 @@ private:
                      [[maybe_unused]] PivotSummary& summary) noexcept {
         for (int j = 0; j < size; ++j) {
             const Scalar inverse = panel[j * N + j];  // of zero: infinite, of an infinity: zero
-            const double magnitude = std::abs(inverse);
-            if (!(magnitude > 0.0 && magnitude <= std::numeric_limits<double>::max())) return j;
+            const double amount = magnitude(inverse);
+            if (!(amount > 0.0 && amount <= std::numeric_limits<double>::max())) return j;
             if constexpr (probed) {
-                summary.energy += z[j] * z[j] * magnitude;
+                summary.energy += z[j] * z[j] * amount;
                 summary.negative += inverse < 0.0 ? 1 : 0;
             }
         }
@@ -207,15 +207,17 @@ private:
     // Solves L y = y within a block; `carry` comes from the block before and goes to the next.
     static void forward(const Scalar* panel, int size, Column& carry, Scalar* y) noexcept {
         const Scalar* below = panel + square_size;
-        Column rest = carry;
+        Column rest = padded(y, size);
+        rest += carry;
         Column next = Column::zero();
-        for (int j = 0; j < size; ++j) rest.set(j, rest[j] + y[j]);
-        for (int j = 0; j < size; ++j) {
-            const Scalar solved = rest[j];
-            y[j] = solved;
-            rest.subtract(panel + j * N, solved);
-            next.subtract(below + j * N, solved);
+        Scalar solved[N];
+        ANCF_UNROLL_BLOCK
+        for (int j = 0; j < N; ++j) {
+            solved[j] = rest[j];
+            rest.subtract(panel + j * N, solved[j]);
+            next.subtract(below + j * N, solved[j]);
         }
+        std::copy_n(solved, size, y);
         carry = next;
     }
 
@@ -226,17 +228,35 @@ private:
             const Scalar* below = panel + square_size;
             const int size = layout.size(block);
             Scalar* y = x + layout.start(block);
-            Column rest = Column::zero();
-            for (int j = 0; j < size; ++j)
-                rest.set(j, y[j] * panel[j * N + j] - dot(Column::at(below + j * N), next));
-            for (int j = size - 1; j >= 0; --j) {
-                const Scalar solved = rest[j];
-                y[j] = solved;
-                rest.subtract(panel + j * N, solved);
-                next.set(j, solved);
+            const Column given = padded(y, size);
+            Column rest, solved;
+            ANCF_UNROLL_BLOCK
+            for (int j = 0; j < N; ++j)
+                rest.set(j, given[j] * panel[j * N + j] - dot(Column::at(below + j * N), next));
+            ANCF_UNROLL_BLOCK
+            for (int j = N - 1; j >= 0; --j) {
+                const Scalar one = rest[j];
+                solved.set(j, one);
+                rest.subtract(panel + j * N, one);
             }
-            for (int j = size; j < N; ++j) next.set(j, 0.0);
+            store(solved, size, y);
+            next = solved;
         }
+    }
+
+    static void store(const Column& from, int size, Scalar* y) noexcept {
+        if (size == N) return from.store(y);
+        Scalar all[N];
+        from.store(all);
+        std::copy_n(all, size, y);
+    }
+
+    static Column padded(const Scalar* y, int size) noexcept {
+        if (size == N) return Column::at(y);
+        Scalar all[N];
+        std::copy_n(y, size, all);
+        std::fill(all + size, all + N, Scalar(0.0));
+        return Column::at(all);
     }
 };
 

@@ -12,6 +12,8 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/pack.hpp>
 
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
@@ -19,11 +21,19 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #define ANCF_UNROLL_COLUMN _Pragma("GCC unroll 16")
+#define ANCF_UNROLL_BLOCK _Pragma("GCC unroll 24")
 #else
 #define ANCF_UNROLL_COLUMN
+#define ANCF_UNROLL_BLOCK
 #endif
 
 namespace ancf::detail {
+
+/// Returns how large a number is; of a complex one |re| + |im|, which takes no root.
+inline double magnitude(double x) noexcept { return std::abs(x); }
+inline double magnitude(const std::complex<double>& x) noexcept {
+    return std::abs(x.real()) + std::abs(x.imag());
+}
 
 /// Returns how many of N doubles stand in one register.
 constexpr int column_lanes(int n, int lanes = register_lanes) {
@@ -70,12 +80,23 @@ struct FixedColumn {
     }
 
     Scalar operator[](int k) const noexcept {
-        Scalar out;
-        std::memcpy(&out, reinterpret_cast<const char*>(part) + scalar_size * k, sizeof out);
-        return out;
+        if constexpr (lanes == 1 && !paired) {
+            return part[k];
+        } else if constexpr (real) {
+            return part[k / lanes][k % lanes];
+        } else {
+            return {part[k / lanes][2 * (k % lanes)], part[k / lanes][2 * (k % lanes) + 1]};
+        }
     }
     void set(int k, const Scalar& value) noexcept {
-        std::memcpy(reinterpret_cast<char*>(part) + scalar_size * k, &value, sizeof value);
+        if constexpr (lanes == 1 && !paired) {
+            part[k] = value;
+        } else if constexpr (real) {
+            part[k / lanes][k % lanes] = value;
+        } else {
+            part[k / lanes][2 * (k % lanes)] = value.real();
+            part[k / lanes][2 * (k % lanes) + 1] = value.imag();
+        }
     }
 
     FixedColumn& operator+=(const FixedColumn& b) noexcept {
