@@ -17,6 +17,7 @@
 namespace kkt_test {
 
 using namespace ancf;
+using namespace ancf::detail;
 
 /// Returns [I G^T; G 0] of G = [1 0; 1 delta].
 SparseMatrix nearly_dependent(double delta) {

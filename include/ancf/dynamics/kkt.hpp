@@ -15,7 +15,7 @@
 
 #include <vector>
 
-namespace ancf {
+namespace ancf::detail {
 
 /// A factorised saddle point [A G^T; G D] of fixed pattern, A symmetric and positive definite, D
 /// zero or, in the rows of equations left out, one.
@@ -57,10 +57,12 @@ private:
     int rows_ = 0;
     std::vector<int> blocks_;
     double share_ = largest_share;
-    SparseMatrix matrix_;  // lower half
-    VectorX scales_;       // of the unknowns
+    SparseMatrix matrix_;     // lower half
+    std::vector<int> slots_;  // where its values stand in the pattern
+    VectorX scales_;          // of the unknowns
+    VectorX sizes_[2];        // |matrix| scales, of the columns of A and of the others
     std::vector<double> factorised_;
-    detail::SparseLdlt ldlt_;
+    SparseLdlt ldlt_;
 };
 
 /// Returns the rows of G that depend on the rows before them, ascending.
@@ -76,7 +78,7 @@ private:
 [[nodiscard]] std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
                                               double tolerance);
 
-}  // namespace ancf
+}  // namespace ancf::detail
 
 #if !defined(ANCF_COMPILED)
 #include <ancf/dynamics/kkt.ipp>  // IWYU pragma: export

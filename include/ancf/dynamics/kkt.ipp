@@ -15,7 +15,7 @@
 #include <limits>
 #include <utility>
 
-namespace ancf {
+namespace ancf::detail {
 
 ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
                                     std::vector<int> blocks) {
@@ -25,22 +25,33 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
         for (int row = 0; row < pattern.cols(); ++row) blocks_.push_back(row);
     share_ = largest_share;
     factorised_.clear();
-    matrix_ = detail::lower_half(pattern);
+    matrix_ = lower_half(pattern);
+    slots_.clear();
+    for (int j = 0; j < pattern.cols(); ++j)
+        for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k)
+            if (pattern.innerIndexPtr()[k] >= j) slots_.push_back(k);
     for (int row = 0; row < matrix_.cols(); ++row) {
         const SparseMatrix::InnerIterator first(matrix_, row);
-        detail::require(first && first.row() == row,
-                        "KktSystem: the pattern has no diagonal entry in row ", row);
+        require(first && first.row() == row, "KktSystem: the pattern has no diagonal entry in row ",
+                row);
     }
 }
 
 ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
     const double* first = matrix.valuePtr();
-    const double* last = first + detail::entries(matrix);
+    const double* last = first + entries(matrix);
     if (std::equal(first, last, factorised_.begin(), factorised_.end())) return Status::converged;
     factorised_.clear();
-    if (!detail::all_finite(matrix)) return Status::not_finite;
-    matrix_ = detail::lower_half(matrix);
-    scales_ = detail::unit_scales(matrix_);
+    if (!all_finite(matrix)) return Status::not_finite;
+    for (std::size_t k = 0; k < slots_.size(); ++k) matrix_.valuePtr()[k] = first[slots_[k]];
+    scales_ = unit_scales(matrix_);
+    for (VectorX& sizes : sizes_) sizes.setZero(matrix_.cols());
+    for (int j = 0; j < matrix_.cols(); ++j)
+        for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
+            const auto i = entry.row();
+            sizes_[j < rows_ ? 0 : 1][i] += std::abs(entry.value()) * scales_[j];
+            if (i != j) sizes_[i < rows_ ? 0 : 1][j] += std::abs(entry.value()) * scales_[i];
+        }
     if (!factorize_shifted()) return Status::singular;
     factorised_.assign(first, last);
     return Status::converged;
@@ -50,7 +61,7 @@ ANCF_INLINE Status KktSystem::solve(const VectorX& b, VectorX& x) {
     for (;;) {
         const double error = refine(b, x);
         if (error <= 1e-13) return Status::converged;
-        if (!detail::all_finite(x) || share_ < smallest_share)
+        if (!all_finite(x) || share_ < smallest_share)
             return error <= 1e-10 ? Status::converged : Status::singular;
         share_ *= 1e-3;
         if (!factorize_shifted()) return Status::singular;
@@ -86,22 +97,18 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
     const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
     for (Eigen::Index i = 0; i < x.size(); ++i)
         largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]) / scales_[i]);
-    VectorX terms = b;  // |b| + |matrix| times the largest entries of x
-    for (double& term : terms) term = std::abs(term);
     for (int j = 0; j < matrix_.cols(); ++j)
         for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
             const auto i = entry.row();
             residual[i] -= entry.value() * x[j];
-            terms[i] += std::abs(entry.value()) * scales_[j] * largest[part(j)];
-            if (i == j) continue;
-            residual[j] -= entry.value() * x[i];
-            terms[j] += std::abs(entry.value()) * scales_[i] * largest[part(i)];
+            if (i != j) residual[j] -= entry.value() * x[i];
         }
     for (Eigen::Index i = 0; i < b.size(); ++i) {
         rest[part(i)] = std::max(rest[part(i)], scales_[i] * std::abs(residual[i]));
-        size[part(i)] = std::max(size[part(i)], scales_[i] * terms[i]);
+        const double terms = std::abs(b[i]) + sizes_[0][i] * largest[0] + sizes_[1][i] * largest[1];
+        size[part(i)] = std::max(size[part(i)], scales_[i] * terms);
     }
-    if (!detail::all_finite(residual)) return std::numeric_limits<double>::infinity();
+    if (!all_finite(residual)) return std::numeric_limits<double>::infinity();
     double ratio = 0.0;
     for (int k = 0; k < 2; ++k)
         if (size[k] > nothing) ratio = std::max(ratio, rest[k] / size[k]);
@@ -125,8 +132,6 @@ ANCF_INLINE bool KktSystem::factorize_shifted() {
     }
     return ldlt_.factorize(shifted, blocks_);
 }
-
-namespace detail {
 
 /// A row of a sparse triangular factor, columns ascending.
 struct SparseRow {
@@ -173,12 +178,10 @@ ANCF_INLINE void insert(std::vector<SparseRow>& factor, SparseRow row) {
     }
 }
 
-}  // namespace detail
-
 ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
                                             double tolerance) {
     const auto equations = static_cast<int>(columns.cols());
-    std::vector<detail::SparseRow> coordinates(static_cast<std::size_t>(columns.rows()));
+    std::vector<SparseRow> coordinates(static_cast<std::size_t>(columns.rows()));
     for (int j = 0; j < equations; ++j) {
         double square = 0.0;
         for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry)
@@ -191,25 +194,24 @@ ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& columns, const V
         }
     }
     // in the order of their first equations: a row then ends soon in an empty row of the factor
-    std::vector<detail::SparseRow> factor(static_cast<std::size_t>(equations));
+    std::vector<SparseRow> factor(static_cast<std::size_t>(equations));
     for (int j = 0; j < equations; ++j)
         for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
-            detail::SparseRow& row = coordinates[static_cast<std::size_t>(entry.row())];
-            if (!row.columns.empty() && row.columns[0] == j)
-                detail::insert(factor, std::exchange(row, {}));
+            SparseRow& row = coordinates[static_cast<std::size_t>(entry.row())];
+            if (!row.columns.empty() && row.columns[0] == j) insert(factor, std::exchange(row, {}));
         }
     std::vector<int> dependent;
     for (int j = 0; j < equations; ++j) {
-        detail::SparseRow& row = factor[static_cast<std::size_t>(j)];
+        SparseRow& row = factor[static_cast<std::size_t>(j)];
         if (!row.columns.empty() && std::abs(row.values[0]) > tolerance) continue;
         dependent.push_back(j);
         if (row.columns.empty()) continue;
-        detail::SparseRow rest = std::exchange(row, {});
+        SparseRow rest = std::exchange(row, {});
         rest.columns.erase(rest.columns.begin());
         rest.values.erase(rest.values.begin());
-        detail::insert(factor, std::move(rest));
+        insert(factor, std::move(rest));
     }
     return dependent;
 }
 
-}  // namespace ancf
+}  // namespace ancf::detail

@@ -334,7 +334,7 @@ private:
     detail::SparseLdlt mass_factor_;
     SparseMatrix tangent_;     // with the changes for equations left out
     SparseMatrix kkt_matrix_;  // [M G^T; G 0]
-    KktSystem kkt_;
+    detail::KktSystem kkt_;
     VectorX scales_;       // of free coordinates
     VectorX full_scales_;  // of all coordinates
     double length_ = 1.0;

@@ -262,8 +262,8 @@ ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     left_out_.clear();
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
-    const std::vector<int> dependent =
-        dependent_rows(constraints_.transposed_jacobian(), scales_, options_.redundancy_tolerance);
+    const std::vector<int> dependent = detail::dependent_rows(
+        constraints_.transposed_jacobian(), scales_, options_.redundancy_tolerance);
     if (dependent.empty()) return;
     if (options_.redundancy == Redundancy::minimum_norm) {
         left_out_ = dependent;
@@ -761,7 +761,7 @@ ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) 
     if (options_.storage == Storage::full) detail::symmetrise(shifted);  // following loads
     for (Eigen::Index k = 0; k < detail::entries(shifted); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
-    KktSystem system;
+    detail::KktSystem system;
     system.analyze(shifted, size(), blocks(numbering().unknowns()));
     if (system.factorize(shifted) != Status::converged) return 0.0;
     const auto solve = [&](const VectorX& b) {
