@@ -69,7 +69,7 @@ inline Integrator explicit_method(std::string name, sundials::Table table, bool 
 template <class Method>
 DynamicsReport run_with_solver(Scene& model, const Schedule& schedule, const Method& integrator) {
     const bool chain = model.constraints().empty() && model.attachments().empty();
-    const auto solver = solver_named(chain ? "block-tridiagonal" : general_solver);
+    const auto solver = solver_named(chain ? "block-tridiagonal" : "bordered-chain");
     ProblemOptions for_solver;
     for_solver.storage = solver->storage();
     DynamicProblem problem(model, for_solver);

@@ -54,7 +54,11 @@ ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
 }
 
 std::unique_ptr<ancf::LinearSolver> general_solver() {
-    return linear_solver(ANCF_WITH_SUITESPARSE ? "klu" : "eigen");
+#if ANCF_WITH_SUITESPARSE
+    return ancf::suitesparse::solver_named("bordered-chain");
+#else
+    return ancf::solver_named("bordered-chain");
+#endif
 }
 
 }  // namespace examples

@@ -43,6 +43,7 @@
 #include <ancf/section/stiffness.hpp>
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/modal.hpp>
 #include <ancf/solver/path.hpp>

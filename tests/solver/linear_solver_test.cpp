@@ -3,6 +3,7 @@
 
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
+#include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/scaled.hpp>
@@ -54,8 +55,8 @@ std::unique_ptr<LinearSolver> scaled() {
 
 TEST_CASE("linear solver: each one of the core meets the list", "[solver]") {
     const std::vector<MakeSolver> makes = {
-        made<BlockTridiagonal>,   made<EigenLdlt>,   made<EigenLu>,  made<Automatic>,
-        scaled<BlockTridiagonal>, scaled<EigenLdlt>, scaled<EigenLu>};
+        made<BlockTridiagonal>, made<EigenLdlt>,          made<EigenLu>,     made<Automatic>,
+        made<BorderedChain>,    scaled<BlockTridiagonal>, scaled<EigenLdlt>, scaled<EigenLu>};
     for (std::size_t k = 0; k < makes.size(); ++k) DYNAMIC_SECTION(k << " " << makes[k]()->name()) {
             check_linear_solver(makes[k]);
         }
@@ -66,6 +67,7 @@ TEST_CASE("linear solver: one that is moved keeps its factorisation", "[solver]"
     keeps_its_factorisation_when_moved(EigenLdlt(), EigenLdlt());
     keeps_its_factorisation_when_moved(EigenLu(), EigenLu());
     keeps_its_factorisation_when_moved(Automatic(), Automatic());
+    keeps_its_factorisation_when_moved(BorderedChain(), BorderedChain());
     keeps_its_factorisation_when_moved(Scaled(EigenLu()), Scaled(EigenLu()));
 }
 
@@ -85,6 +87,7 @@ TEST_CASE(
     bends_a_long_cantilever(made<BlockTridiagonal>, 1e-4);  // measured 2e-6
     bends_a_long_cantilever(made<EigenLdlt>, 1e-4);
     bends_a_long_cantilever(made<EigenLu>, 1e-4);
+    bends_a_long_cantilever(made<BorderedChain>, 1e-4);
     bends_a_long_cantilever(scaled<BlockTridiagonal>, 1e-5);  // measured 5e-7
 }
 
@@ -97,7 +100,7 @@ TEST_CASE("solver_named: every name makes a solver that calls itself so", "[solv
         CHECK(solve_and_check(*solver, chain, 4e-15).status == Status::converged);
         ++made;
     }
-    CHECK(made == 4);
+    CHECK(made == 5);
 }
 
 TEST_CASE("solver_named: a singular_rcond reaches the solver", "[solver]") {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/solver/automatic.hpp>
+#include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/scaled.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 #include <ancf/suitesparse/klu.hpp>
@@ -39,21 +40,15 @@ MakeSolver scaled(const MakeSolver& make) {
 }
 
 std::unique_ptr<LinearSolver> automatic() { return std::make_unique<Automatic>(Cholmod()); }
+std::unique_ptr<LinearSolver> bordered() { return std::make_unique<BorderedChain>(Klu()); }
 
 TEST_CASE("linear solver: each one of SuiteSparse meets the list", "[suitesparse]") {
-    const std::vector<MakeSolver> makes = {made<Cholmod>,
-                                           simplicial,
-                                           simplicial_natural,
-                                           supernodal,
-                                           supernodal_natural,
-                                           tried,
-                                           made<Klu>,
-                                           made<Umfpack>,
-                                           automatic,
-                                           scaled(supernodal),
-                                           scaled(made<Cholmod>),
-                                           scaled(made<Klu>),
-                                           scaled(made<Umfpack>)};
+    const std::vector<MakeSolver> makes = {
+        made<Cholmod>,     simplicial,           simplicial_natural,
+        supernodal,        supernodal_natural,   tried,
+        made<Klu>,         made<Umfpack>,        automatic,
+        bordered,          scaled(supernodal),   scaled(made<Cholmod>),
+        scaled(made<Klu>), scaled(made<Umfpack>)};
     for (std::size_t k = 0; k < makes.size(); ++k) DYNAMIC_SECTION(k << " " << makes[k]()->name()) {
             check_linear_solver(makes[k]);
         }
@@ -95,7 +90,7 @@ TEST_CASE("solver_named: it knows SuiteSparse's solvers and the core's", "[suite
                           ContainsSubstring("singular_rcond"));
         ++made;
     }
-    CHECK(made == 8);
+    CHECK(made == 9);
     CHECK(suitesparse::solver_named("klu")->name() == "klu");
     CHECK(suitesparse::solver_named("umfpack")->name() == "umfpack");
     CHECK_THROWS_WITH(suitesparse::solver_named("pardiso"), ContainsSubstring("pardiso") &&

@@ -91,7 +91,7 @@ private:
     const Scene& model_;
     const Numbering& numbering_;
     std::vector<detail::LocalCoordinates> coordinates_;  // per constraint
-    std::vector<int> first_;                     // first equation of each constraint
+    std::vector<int> first_;                             // first equation of each constraint
     std::vector<ConstraintResult> results_;
     std::vector<char> left_out_;
     ConstraintState local_;

@@ -32,7 +32,13 @@ struct BlockLayout {
 ///
 /// The first block is the set of columns that reach as far as the first one; each block ends where
 /// the profile of the block before it does.
-[[nodiscard]] std::vector<int> chain_starts(const SparseMatrix& lower);
+/// @param rows  of the leading part that is looked at.
+[[nodiscard]] std::vector<int> chain_starts(const SparseMatrix& lower, int rows);
+
+/// Returns those of all of a matrix.
+[[nodiscard]] inline std::vector<int> chain_starts(const SparseMatrix& lower) {
+    return chain_starts(lower, static_cast<int>(lower.cols()));
+}
 
 /// Returns the size of the largest block.
 [[nodiscard]] int widest_block(const std::vector<int>& starts);

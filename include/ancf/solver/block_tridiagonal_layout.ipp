@@ -13,28 +13,28 @@
 
 namespace ancf::detail {
 
-/// Returns for each column of a lower half the end of its profile: one more than the last row
-/// reached by it or by a column before it.
-ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& lower) {
-    std::vector<int> ends(static_cast<std::size_t>(lower.cols()));
+/// Returns for each of the leading columns of a lower half the end of its profile: one more than
+/// the last of the leading rows reached by it or by a column before it.
+ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& lower, int rows) {
+    std::vector<int> ends(static_cast<std::size_t>(rows));
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     int end = 0;
-    for (int column = 0; column < static_cast<int>(lower.cols()); ++column) {
+    for (int column = 0; column < rows; ++column) {
+        int last = outer[column + 1];
+        while (last > outer[column] && inner[last - 1] >= rows) --last;
         end = std::max(end, column + 1);
-        if (outer[column + 1] > outer[column])
-            end = std::max(end, inner[outer[column + 1] - 1] + 1);
+        if (last > outer[column]) end = std::max(end, inner[last - 1] + 1);
         ends[static_cast<std::size_t>(column)] = end;
     }
     return ends;
 }
 
-ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& lower) {
-    const std::vector<int> ends = profile_ends(lower);
-    const int size = static_cast<int>(ends.size());
+ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& lower, int rows) {
+    const std::vector<int> ends = profile_ends(lower, rows);
     std::vector<int> starts = {0};
     int reach = 0;  // of the block before: rows that the next block has to hold
-    while (starts.back() < size) {
+    while (starts.back() < rows) {
         const int first = starts.back();
         int end = reach;
         if (end <= first) {  // nothing before couples with what follows: a new chain

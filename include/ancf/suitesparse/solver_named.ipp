@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/solver_named.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 #include <ancf/suitesparse/klu.hpp>
@@ -29,9 +30,11 @@ ANCF_LAZY std::unique_ptr<LinearSolver> solver_named(std::string_view name, doub
         options.singular_rcond = singular_rcond;
         return std::make_unique<Cholmod>(options);
     }
-    if (name == "klu") {
+    if (name == "klu" || name == "bordered-chain") {
         KluOptions options;
         options.singular_rcond = singular_rcond;
+        if (name == "bordered-chain")
+            return std::make_unique<BorderedChain>(Klu(options), singular_rcond);
         return std::make_unique<Klu>(options);
     }
     if (name == "umfpack") {

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of bordered_chain.hpp.
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/solver/bordered_chain.hpp>
+#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/eigen_complex_lu.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+
+#include <complex>
+#include <vector>
+
+namespace ancf {
+namespace detail {
+
+/// BorderedChain of complex matrices.
+class ComplexBorderedChain final : public ComplexSolver {
+public:
+    explicit ComplexBorderedChain(std::unique_ptr<ComplexSolver> general)
+        : general_(std::move(general)) {}
+
+    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& pattern) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL Status
+    factorize(const std::vector<std::complex<double>>& values) override;
+    ANCF_INLINE_VIRTUAL void solve(ComplexVectorX& b) const override;
+    [[nodiscard]] std::string_view name() const noexcept override {
+        return is_chain_ ? "complex bordered-chain" : general_->name();
+    }
+
+private:
+    std::unique_ptr<ComplexSolver> general_;
+    BorderedFactors<std::complex<double>> factors_;
+    bool is_chain_ = true, by_chain_ = true;
+};
+
+ANCF_INLINE void ComplexBorderedChain::analyze(const SparseMatrix& pattern) {
+    require_storage(name(), pattern, Storage::full);
+    is_chain_ = by_chain_ = factors_.analyze(pattern);
+    general_->analyze(pattern);
+}
+
+ANCF_INLINE Status
+ComplexBorderedChain::factorize(const std::vector<std::complex<double>>& values) {
+    by_chain_ =
+        is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
+    return by_chain_ ? Status::converged : general_->factorize(values);
+}
+
+ANCF_INLINE void ComplexBorderedChain::solve(ComplexVectorX& b) const {
+    by_chain_ ? factors_.solve(b.data()) : general_->solve(b);
+}
+
+}  // namespace detail
+
+ANCF_LAZY BorderedChain::BorderedChain() : general_(std::make_unique<EigenLu>()) {}
+
+ANCF_INLINE BorderedChain::BorderedChain(std::unique_ptr<LinearSolver> general,
+                                         double singular_rcond)
+    : general_(std::move(general)), singular_rcond_(singular_rcond) {
+    detail::require_singular_rcond(singular_rcond);
+    detail::require(general_ != nullptr, "BorderedChain needs a general solver, got none");
+    detail::require(general_->storage() == Storage::full,
+                    "BorderedChain needs a solver of any matrices, of full storage, got ",
+                    general_->name());
+}
+
+ANCF_INLINE void BorderedChain::analyze(const SparseMatrix& matrix) {
+    detail::require_storage("bordered-chain", matrix, storage());
+    stage_.reset();
+    is_chain_ = by_chain_ = factors_.analyze(matrix);
+    detail::require(is_chain_ || general_, "BorderedChain was moved from: it takes chains alone");
+    analysed_ = !is_chain_;
+    if (analysed_) general_->analyze(matrix);
+    stage_.analysed(matrix);
+}
+
+ANCF_INLINE FactorReport BorderedChain::factorize(const SparseMatrix& matrix) {
+    stage_.begin_factorisation(name(), matrix);
+    detail::require(!is_chain_ || factors_.has_pattern(matrix), name(),
+                    " analysed another pattern");
+    FactorReport report;
+    by_chain_ = is_chain_ && factors_.factorize(matrix.valuePtr());
+    if (by_chain_) {
+        detail::report_condition(
+            matrix, singular_rcond_,
+            [this](const VectorX& b, VectorX& x) {
+                if (&x != &b) x = b;
+                factors_.solve(x.data());
+            },
+            report);
+        by_chain_ = report.status == Status::converged;
+    }
+    if (!by_chain_ && !general_) detail::report_failure(matrix, -1, report);
+    if (!by_chain_ && general_) {
+        if (!analysed_) general_->analyze(matrix);
+        analysed_ = true;
+        report = general_->factorize(matrix);
+    }
+    return stage_.finished(report);
+}
+
+ANCF_INLINE void BorderedChain::solve(const VectorX& b, VectorX& x) const {
+    stage_.require_solvable(name(), b);
+    if (!by_chain_) return general_->solve(b, x);
+    if (&x != &b) x = b;
+    factors_.solve(x.data());
+}
+
+ANCF_INLINE std::unique_ptr<ComplexSolver> BorderedChain::complex_solver() const {
+    std::unique_ptr<ComplexSolver> general = general_ ? general_->complex_solver() : nullptr;
+    if (!general) general = std::make_unique<EigenComplexLu>(Storage::full);
+    return std::make_unique<detail::ComplexBorderedChain>(std::move(general));
+}
+
+}  // namespace ancf

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// The factors of a chain with a border: unknowns at the end, few, that couple with any other.
+///
+///     [ A  B^T ] [ x ]   [ b ]        S = C - B A^-1 B^T,     y = S^-1 (c - B A^-1 b),
+///     [ B  C   ] [ y ] = [ c ]        x = A^-1 b - A^-1 B^T y
+///
+/// A is a chain, factorised by block_tridiagonal_kernel.hpp; S is dense and factorised with pivots.
+/// That is as good as A is well conditioned, which it is in motion: A holds the masses. So each
+/// factorisation proves itself. A known vector is multiplied by all of the matrix and has to come
+/// back from a solution; it does not where A is nearly singular or the matrix is not symmetric.
+
+#pragma once
+
+#include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/types.hpp>
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace ancf::detail {
+
+/// Factorises matrices of doubles or of complex numbers, symmetric, in the pattern of all entries.
+template <class Scalar>
+class BorderedFactors {
+public:
+    /// Unknowns in the widest border.
+    static constexpr int max_border = 24;
+
+    /// Looks for the border that leaves a chain of the narrowest blocks.
+    /// @param matrix  compressed, square, all entries; values do not matter.
+    /// @return        false where no border does; the factors are of no use then.
+    [[nodiscard]] bool analyze(const SparseMatrix& matrix);
+
+    /// @param values  those of the pattern analysed.
+    /// @return        whether the factors solve the equations of these values.
+    [[nodiscard]] bool factorize(const Scalar* values);
+
+    /// Replaces a right-hand side by the solution.
+    void solve(Scalar* x) const;
+
+    /// Returns whether a matrix of the columns analysed has the rows analysed, too.
+    [[nodiscard]] bool has_pattern(const SparseMatrix& matrix) const;
+
+    /// Number of values in the pattern.
+    [[nodiscard]] std::size_t entries() const noexcept { return inner_.size(); }
+
+    /// Number of unknowns in the border.
+    [[nodiscard]] int border() const noexcept { return border_; }
+
+private:
+    struct Entry {
+        int row, column, slot;  // slot: place among the values
+    };
+
+    [[nodiscard]] bool factorize_chain(const Scalar* values);
+    [[nodiscard]] bool factorize_border(const Scalar* values);
+    void solve_chain(Scalar* x) const;
+    [[nodiscard]] bool scale(const Scalar* values);
+    [[nodiscard]] bool proves_right(const Scalar* values);
+
+    int chain_ = 0, border_ = 0;      // numbers of unknowns
+    std::vector<int> outer_, inner_;  // of all entries
+    BlockLayout layout_;
+    std::vector<int> chain_outer_, chain_inner_, chain_slots_;  // lower half of A
+    std::vector<Entry> across_, corner_;  // B, and C; their rows counted from 0
+    std::vector<int> diagonal_;           // slots, -1: no entry
+    std::vector<Scalar> chain_values_, panels_;
+    std::vector<Scalar> columns_;  // A^-1 B^T
+    std::vector<Scalar> small_;    // L U of S, row by row
+    std::vector<int> pivots_;
+    std::vector<double> scales_;  // of the unknowns, by which the diagonal of A becomes one
+    std::vector<Scalar> probe_;
+    VectorX roots_, load_;  // what the kernel of doubles leaves beside its factors
+};
+
+#if defined(ANCF_COMPILED)
+extern template class BorderedFactors<double>;
+extern template class BorderedFactors<std::complex<double>>;
+#endif
+
+}  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/solver/bordered_factors.ipp>
+#endif

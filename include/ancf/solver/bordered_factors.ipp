@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of bordered_factors.hpp.
+
+#pragma once
+
+#include <ancf/algebra.hpp>
+#include <ancf/solver/block_tridiagonal_kernel.hpp>
+#include <ancf/solver/block_widths.hpp>
+#include <ancf/solver/bordered_factors.hpp>
+#include <ancf/solver/conditioning.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace ancf::detail {
+
+template <class Scalar>
+bool BorderedFactors<Scalar>::analyze(const SparseMatrix& matrix) {
+    const auto size = static_cast<int>(matrix.cols());
+    const SparseMatrix lower = lower_half(matrix);
+    int width = 0;
+    for (int border = std::min(max_border, size - 1); border >= 0; --border) {
+        const int widest = widest_block(chain_starts(lower, size - border));
+        if (widest > widest_compiled_block) break;  // as it is with more rows
+        const int fitting = fitting_width(widest, BlockWidths());
+        if (width > 0 && fitting > width) break;
+        width = fitting;
+        border_ = border;
+    }
+    if (width == 0) return false;
+    chain_ = size - border_;
+    SparseMatrix chain = lower.topLeftCorner(chain_, chain_);
+    chain.makeCompressed();
+    layout_ = block_layout(chain, chain_starts(chain), width);
+    panels_.resize(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(width) *
+                   static_cast<std::size_t>(layout_.blocks()));
+    const int* outer = matrix.outerIndexPtr();
+    const int* inner = matrix.innerIndexPtr();
+    outer_.assign(outer, outer + size + 1);
+    inner_.assign(inner, inner + matrix.nonZeros());
+    chain_outer_.assign(1, 0);
+    for (auto* list : {&chain_inner_, &chain_slots_}) list->clear();
+    for (auto* list : {&across_, &corner_}) list->clear();
+    diagonal_.assign(static_cast<std::size_t>(size), -1);
+    for (int column = 0; column < size; ++column) {
+        for (int slot = outer[column]; slot < outer[column + 1]; ++slot) {
+            const int row = inner[slot];
+            if (row == column) diagonal_[static_cast<std::size_t>(row)] = slot;
+            if (row >= chain_ && column >= chain_) {
+                corner_.push_back({row - chain_, column - chain_, slot});
+            } else if (row >= chain_) {
+                across_.push_back({row - chain_, column, slot});
+            } else if (row >= column) {
+                chain_inner_.push_back(row);
+                chain_slots_.push_back(slot);
+            }
+        }
+        if (column < chain_) chain_outer_.push_back(static_cast<int>(chain_inner_.size()));
+    }
+    chain_values_.resize(chain_slots_.size());
+    columns_.resize(static_cast<std::size_t>(chain_) * static_cast<std::size_t>(border_));
+    small_.resize(static_cast<std::size_t>(border_) * static_cast<std::size_t>(border_));
+    pivots_.resize(static_cast<std::size_t>(border_));
+    scales_.resize(static_cast<std::size_t>(size));
+    probe_.resize(static_cast<std::size_t>(size));
+    roots_.resize(chain_);
+    load_.resize(chain_);
+    return true;
+}
+
+template <class Scalar>
+bool BorderedFactors<Scalar>::factorize(const Scalar* values) {
+    return scale(values) && factorize_chain(values) && factorize_border(values) &&
+           proves_right(values);
+}
+
+template <class Scalar>
+bool BorderedFactors<Scalar>::has_pattern(const SparseMatrix& matrix) const {
+    return std::equal(inner_.begin(), inner_.end(), matrix.innerIndexPtr());
+}
+
+/// Finds scales of the unknowns; returns whether there are.
+template <class Scalar>
+bool BorderedFactors<Scalar>::scale(const Scalar* values) {
+    const auto size = [values](int slot) { return slot < 0 ? 0.0 : magnitude(values[slot]); };
+    for (std::size_t i = 0; i < scales_.size(); ++i) scales_[i] = std::sqrt(size(diagonal_[i]));
+    const auto first = scales_.begin() + chain_;
+    if (std::any_of(scales_.begin(), first, [](double root) { return !(root > 0.0); }))
+        return false;
+    for (const Entry& entry : across_) {  // of a constraint: what its largest entry becomes one by
+        double& root = scales_[static_cast<std::size_t>(chain_ + entry.row)];
+        if (size(diagonal_[static_cast<std::size_t>(chain_ + entry.row)]) > 0.0) continue;
+        root = std::max(root, size(entry.slot) / scales_[static_cast<std::size_t>(entry.column)]);
+    }
+    for (double& root : scales_) {
+        root = 1.0 / root;
+        if (!std::isfinite(root)) return false;
+    }
+    return true;
+}
+
+template <class Scalar>
+bool BorderedFactors<Scalar>::factorize_chain(const Scalar* values) {
+    for (std::size_t k = 0; k < chain_slots_.size(); ++k)
+        chain_values_[k] = values[chain_slots_[k]];
+    int failed = -1;
+    with_block_width(
+        layout_.width,
+        [&](auto width) {
+            failed = BlockKernel<width(), Scalar>::factorize(
+                         layout_, {chain_outer_.data(), chain_inner_.data(), chain_values_.data()},
+                         panels_.data(), roots_.data(), load_.data())
+                         .failed_column;
+        },
+        BlockWidths());
+    return failed < 0;
+}
+
+template <class Scalar>
+void BorderedFactors<Scalar>::solve_chain(Scalar* x) const {
+    with_block_width(
+        layout_.width,
+        [&](auto width) { BlockKernel<width(), Scalar>::solve(layout_, panels_.data(), x); },
+        BlockWidths());
+}
+
+/// Makes A^-1 B^T and the factors of S, by Gauss with the largest pivot of each column.
+template <class Scalar>
+bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
+    const auto m = static_cast<std::size_t>(border_), n = static_cast<std::size_t>(chain_);
+    std::fill(columns_.begin(), columns_.end(), Scalar(0.0));
+    std::fill(small_.begin(), small_.end(), Scalar(0.0));
+    for (const Entry& entry : across_)
+        columns_[static_cast<std::size_t>(entry.row) * n + static_cast<std::size_t>(entry.column)] =
+            values[entry.slot];
+    for (std::size_t k = 0; k < m; ++k) solve_chain(columns_.data() + k * n);
+    for (const Entry& entry : corner_)
+        small_[static_cast<std::size_t>(entry.row) * m + static_cast<std::size_t>(entry.column)] +=
+            values[entry.slot];
+    for (const Entry& entry : across_)
+        for (std::size_t k = 0; k < m; ++k)
+            small_[static_cast<std::size_t>(entry.row) * m + k] -=
+                values[entry.slot] * columns_[k * n + static_cast<std::size_t>(entry.column)];
+    for (std::size_t k = 0; k < m; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < m; ++i)
+            if (magnitude(small_[i * m + k]) > magnitude(small_[pivot * m + k])) pivot = i;
+        pivots_[k] = static_cast<int>(pivot);
+        if (!(magnitude(small_[pivot * m + k]) > 0.0)) return false;
+        for (std::size_t j = 0; j < m; ++j) std::swap(small_[k * m + j], small_[pivot * m + j]);
+        for (std::size_t i = k + 1; i < m; ++i) {
+            const Scalar factor = small_[i * m + k] /= small_[k * m + k];
+            for (std::size_t j = k + 1; j < m; ++j) small_[i * m + j] -= factor * small_[k * m + j];
+        }
+    }
+    return true;
+}
+
+template <class Scalar>
+void BorderedFactors<Scalar>::solve(Scalar* x) const {
+    const auto m = static_cast<std::size_t>(border_), n = static_cast<std::size_t>(chain_);
+    Scalar* y = x + n;
+    for (std::size_t k = 0; k < m; ++k)  // c - B A^-1 b
+        for (std::size_t i = 0; i < n; ++i) y[k] -= columns_[k * n + i] * x[i];
+    for (std::size_t k = 0; k < m; ++k) std::swap(y[k], y[pivots_[k]]);
+    for (std::size_t k = 0; k < m; ++k)
+        for (std::size_t j = 0; j < k; ++j) y[k] -= small_[k * m + j] * y[j];
+    for (std::size_t k = m; k-- > 0;) {
+        for (std::size_t j = k + 1; j < m; ++j) y[k] -= small_[k * m + j] * y[j];
+        y[k] /= small_[k * m + k];
+    }
+    solve_chain(x);
+    for (std::size_t k = 0; k < m; ++k)
+        for (std::size_t i = 0; i < n; ++i) x[i] -= columns_[k * n + i] * y[k];
+}
+
+/// Returns whether a known vector comes back from a solution.
+template <class Scalar>
+bool BorderedFactors<Scalar>::proves_right(const Scalar* values) {
+    constexpr double tolerance = 1e-9;  // of its entries
+    const auto known = [this](std::size_t i) {
+        return scales_[i] * probe_weight(static_cast<std::int64_t>(i));
+    };
+    std::fill(probe_.begin(), probe_.end(), Scalar(0.0));
+    for (std::size_t column = 0; column < probe_.size(); ++column) {
+        const double x = known(column);
+        for (int slot = outer_[column]; slot < outer_[column + 1]; ++slot)
+            probe_[static_cast<std::size_t>(inner_[static_cast<std::size_t>(slot)])] +=
+                values[slot] * x;
+    }
+    solve(probe_.data());
+    double error = 0.0;
+    for (std::size_t i = 0; i < probe_.size(); ++i) {
+        const double one = magnitude(probe_[i] - known(i)) / scales_[i];
+        if (!(one <= error)) error = one;  // NaN stays
+    }
+    return error <= tolerance;
+}
+
+#if defined(ANCF_SOURCE)
+template class BorderedFactors<double>;
+template class BorderedFactors<std::complex<double>>;
+#endif
+
+}  // namespace ancf::detail
