@@ -205,7 +205,8 @@ private:
     }
 
     // Solves L y = y within a block; `carry` comes from the block before and goes to the next.
-    static void forward(const Scalar* panel, int size, Column& carry, Scalar* y) noexcept {
+    ANCF_NOINLINE static void forward(const Scalar* panel, int size, Column& carry,
+                                      Scalar* y) noexcept {
         const Scalar* below = panel + square_size;
         Column rest = padded(y, size);
         rest += carry;
