@@ -86,6 +86,9 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
     const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
     for (Eigen::Index i = 0; i < x.size(); ++i)
         largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]) / scales_[i]);
+    // what b alone would make of the first part: where constraints take all of it, x is round-off
+    for (Eigen::Index i = 0; i < rows_; ++i)
+        largest[0] = std::max(largest[0], scales_[i] * std::abs(b[i]));
     VectorX terms = b;  // |b| + |matrix| times the largest entries of x
     for (double& term : terms) term = std::abs(term);
     for (int j = 0; j < matrix_.cols(); ++j)
