@@ -476,6 +476,22 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         const auto report = ancf::buckling_modes(cantilever(2, 0.01), solver);
         CHECK(report.status == Status::singular);
         CHECK(report.modes.empty());
+        CHECK_THAT(report.message, ContainsSubstring("the load makes no stress"));
+    }
+    SECTION("a scene that its supports or joints press is refused") {
+        const ancf::Motion press{[](double f) { return 1.0 - 1e-3 * f; },
+                                 [](double) { return -1e-3; }, [](double) { return 0.0; }};
+        Scene scene = cantilever(2, 0.01);
+        const ancf::NodeId tip{2};
+        scene.add(ancf::Force<3>(tip, {0.0, 1.0, 0.0}));
+        Scene joint = scene;
+        scene.prescribe(tip, ancf::Field::r, 0, press.value);
+        joint.add(ancf::FixedCoordinate<3>(tip, ancf::Field::r, 0, press));
+        ancf::EigenLu full;
+        CHECK_THROWS_WITH(ancf::buckling_modes(scene, full),
+                          ContainsSubstring("a support moves r of node 2 with the load factor"));
+        CHECK_THROWS_WITH(ancf::buckling_modes(joint, full),
+                          ContainsSubstring("the fixed r, component 0, of node 2 moves with"));
     }
     SECTION("lateral buckling under a dead tip load") {
         Scene scene;
