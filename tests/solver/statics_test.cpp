@@ -330,6 +330,30 @@ TEST_CASE("statics: a scene at rest needs no iteration", "[statics]") {
     CHECK(scene.state().q == before);
 }
 
+TEST_CASE("statics: a free end at the origin is at rest without load, and under one on its support",
+          "[statics]") {
+    // the stresses' round-off there comes from the coordinates of the held end
+    for (const double length : {0.5, 1.07, 1.3, 2.0})
+        for (const double load : {0.0, 0.01}) {
+            INFO("length " << length << ", load " << load);
+            ancf::Model model;
+            const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+                model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::circle(0.02),
+                {-length, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1);
+            model.clamp(beam.first());
+            model.add(ancf::Force<3>(beam.first(), {load, 2.0 * load, 3.0 * load}));
+            ancf::EigenLdlt solver;
+            const auto report = ancf::solve_statics(model, solver);
+            INFO(report.message);
+            REQUIRE(report.status == Status::converged);
+            CHECK(report.stability == ancf::Stability::stable);
+            CHECK(model.position(beam.last()).norm() <= 1e-14);
+            const auto foot =
+                ancf::nodal_resultant(model, model.state().q, report.reactions, beam.first());
+            CHECK(foot.force.norm() == Approx(std::sqrt(14.0) * load).margin(1e-6));
+        }
+}
+
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {
     Chain empty;
     CHECK(solve(empty).status == Status::converged);

@@ -133,8 +133,13 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
                                                   const VectorX& q) const {
     const SparseMatrix& tangent = assembly.tangent();
     const int unknowns = numbering_.free_coordinates();
-    VectorX at;
-    numbering_.gather_free(q, at);
+    // a neighbour that is held, whose column the tangent has not, is an element's length away
+    VectorX sizes = q, at;
+    for (std::size_t k = 0; k < power_.size(); ++k) {
+        double& size = sizes[static_cast<Eigen::Index>(k)];
+        size = std::abs(size) + (power_[k] > 0 ? element_size_ : 0.0);
+    }
+    numbering_.gather_free(sizes, at);
     VectorX floor = VectorX::Zero(numbering_.unknowns());
     const bool lower = assembly.pattern().storage() == Storage::lower;
     for (int j = 0; j < unknowns; ++j)
@@ -142,8 +147,8 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
             const int i = tangent.innerIndexPtr()[k];
             if (i >= unknowns) continue;
             const double value = std::abs(tangent.valuePtr()[k]);
-            floor[i] += value * std::abs(at[j]);
-            if (lower && i != j) floor[j] += value * std::abs(at[i]);
+            floor[i] += value * at[j];
+            if (lower && i != j) floor[j] += value * at[i];
         }
     VectorX sums;  // of the coordinates, over all parts
     if (exchange_ != nullptr) {
