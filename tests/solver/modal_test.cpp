@@ -15,6 +15,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -311,6 +312,29 @@ TEST_CASE("modes: constraints leave as many as supports do", "[modal]") {
     REQUIRE(joined.modes.size() == 15);
     for (std::size_t k = 0; k < 15; ++k)
         CHECK(joined.modes[k].value == Approx(held.modes[k].value).epsilon(1e-6));
+}
+
+TEST_CASE("modes: a weld whose forces are large beside the energies loses none", "[modal]") {
+    // what a solution leaves of the weld's equations, 1e-12, times its forces is more than x^T K x
+    int checked = 0;
+    for (double length = 1.5; length < 3.5; length += 0.02) {
+        INFO("length " << length);
+        Scene scene;
+        const auto beam = ancf::straight_beam<ancf::TorsionBeam>(
+            scene, steel(), ancf::circle(0.02), {-2.0, 0.0, 0.0}, {-2.0, 0.0, -length}, 1);
+        scene.clamp(beam.first());
+        scene.add(ancf::Weld(scene, beam.last()));
+        ancf::EigenLu solver;
+        const auto report = ancf::natural_modes(scene, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(report.modes.size() == 3);  // of the slopes: the weld holds their directions
+        CHECK(report.modes[0].value > 0.0);
+        // of r_y, whatever the length; 7.606565409e10 at 1, 1.3 and 1.8 m with three solvers
+        CHECK(report.modes[1].value == Approx(7.606565409e10).epsilon(1e-8));
+        ++checked;
+    }
+    CHECK(checked == 100);
 }
 
 TEST_CASE("modes: none is lost beside one that is far slower", "[modal]") {
