@@ -3,6 +3,7 @@
 
 #include <ancf/solver/statics.hpp>
 
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -352,6 +353,28 @@ TEST_CASE("statics: a free end at the origin is at rest without load, and under 
                 ancf::nodal_resultant(model, model.state().q, report.reactions, beam.first());
             CHECK(foot.force.norm() == Approx(std::sqrt(14.0) * load).margin(1e-6));
         }
+}
+
+TEST_CASE("statics: a cable of which a slope alone is free is at rest in every direction",
+          "[statics]") {
+    int checked = 0;
+    for (double angle = 0.0; angle < 6.28; angle += 0.05) {
+        INFO("angle " << angle);
+        ancf::PlanarModel model;
+        const ancf::Vector<double, 2> end(std::cos(angle), std::sin(angle));
+        const auto cable = ancf::straight_beam<ancf::Cable<2>>(
+            model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.03, 0.04),
+            {0.0, 0.0}, end, 1);
+        model.pin(cable.first());
+        model.clamp(cable.last());
+        model.add(ancf::Force<2>(cable.last(), {0.0, 0.3}));
+        ancf::EigenLdlt solver;
+        const auto report = ancf::solve_statics(model, solver);
+        INFO(report.message);
+        CHECK(report.status == Status::converged);
+        ++checked;
+    }
+    CHECK(checked == 126);
 }
 
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {

@@ -39,7 +39,7 @@ public:
 
     /// Returns whether the residual is within the round-off of its own evaluation: below
     /// eps |K| |q|, what a relative change of every coordinate by eps makes of it. |K| is that of
-    /// the free coordinates, so positions count as larger by the elements' length: held neighbours.
+    /// the free coordinates; what is held enters as docs/theory-statics.md says.
     [[nodiscard]] bool at_round_off(const Assembly& assembly, const VectorX& q) const;
 
     /// Returns the largest change of a position relative to the scene's size, of a slope, or of

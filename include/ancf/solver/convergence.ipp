@@ -133,12 +133,20 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
                                                   const VectorX& q) const {
     const SparseMatrix& tangent = assembly.tangent();
     const int unknowns = numbering_.free_coordinates();
-    // a neighbour that is held, whose column the tangent has not, is an element's length away
-    VectorX sizes = q, at;
+    // Held vectors at a node and beside it, whose columns the tangent has not: positions of the
+    // node's size and an element's length, entries of K by powers of that length.
+    VectorX sizes = q, at,
+            reach = VectorX::Constant(static_cast<Eigen::Index>(numbering_.block_sizes().size()),
+                                      element_size_);
+    const auto node = [&](std::size_t k) { return numbering_.block(static_cast<int>(k)); };
     for (std::size_t k = 0; k < power_.size(); ++k) {
         double& size = sizes[static_cast<Eigen::Index>(k)];
-        size = std::abs(size) + (power_[k] > 0 ? element_size_ : 0.0);
+        size = std::abs(size);
+        if (power_[k] > 0) reach[node(k)] = std::max(reach[node(k)], size + element_size_);
     }
+    for (std::size_t k = 0; k < power_.size(); ++k)
+        sizes[static_cast<Eigen::Index>(k)] +=
+            reach[node(k)] * std::pow(element_size_, power_[k] - 1);
     numbering_.gather_free(sizes, at);
     VectorX floor = VectorX::Zero(numbering_.unknowns());
     const bool lower = assembly.pattern().storage() == Storage::lower;
