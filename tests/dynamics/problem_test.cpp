@@ -131,6 +131,20 @@ TEST_CASE("problem: an inconsistent start is refused with the constraint and its
     }
 }
 
+TEST_CASE("DynamicProblem: a scene at rest starts where constraints take its load whole",
+          "[dynamics]") {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    const Vector3 load(0.3, -0.7, 0.2);
+    scene.model.add(ancf::Pin<3>(scene.first(), Vector3(0.0, 0.0, 0.0)));
+    scene.model.add(ancf::Pin<3>(scene.last(), Vector3(1.0, 0.0, 0.0)));
+    scene.model.add(ancf::Force<3>(scene.last(), load));
+    const ancf::Start start = ancf::DynamicProblem(scene.model).start();
+    INFO(start.message);
+    REQUIRE(start.status == Status::converged);
+    CHECK(start.acceleration.norm() <= 1e-12);  // round-off of 0.8 N on half a kilogram
+    CHECK((start.multipliers.tail(3) - load).norm() <= 1e-14);
+}
+
 TEST_CASE("problem: redundant constraints are named, or solved with the least multipliers",
           "[dynamics]") {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});

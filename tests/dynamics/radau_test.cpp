@@ -762,4 +762,36 @@ TEST_CASE("Radau IIA: what converges has a small residual, in ten thousand rando
     CHECK(check_random_scenes(1000, 10000) >= 9900);
 }
 
+TEST_CASE("RadauIIA: a scene whose load its constraints take whole stays at rest to the end",
+          "[radau]") {
+    // corrections are round-off of nothing, 1e-50, and do not shrink
+    const int stages = GENERATE(3, 5);
+    int checked = 0;
+    for (double length = 0.5; length < 0.6; length += 0.001) {
+        INFO("stages " << stages << ", length " << length);
+        Model model;
+        const auto cable =
+            straight_beam<Cable<3>>(model, Material::isotropic(2e8, 0.3, 7850.0), circle(0.02),
+                                    {0.0, 0.0, 0.0}, {0.0, 0.0, -length}, 1);
+        model.add(Pin<3>(cable.first(), {0.0, 0.0, 0.0}));
+        model.add(AlignedTangent(model, cable.first()));
+        model.add(Force<3>(cable.first(), {0.0, 3.0, 0.0}));
+        const VectorX before = model.state().q;
+        DynamicProblem problem(model);
+        EigenLu solver;
+        Schedule schedule;
+        schedule.end = 0.05;
+        RadauOptions options;
+        options.stages = stages;
+        const auto report = RadauIIA(options).integrate(problem, solver, schedule);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.steps <= 1000);
+        CHECK((model.state().q - before).norm() <= 1e-15);
+        CHECK(model.state().multipliers[1] == Approx(3.0).epsilon(1e-12));
+        ++checked;
+    }
+    CHECK(checked == 100);
+}
+
 }  // namespace radau_test

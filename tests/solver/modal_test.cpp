@@ -15,6 +15,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -313,6 +314,29 @@ TEST_CASE("modes: constraints leave as many as supports do", "[modal]") {
         CHECK(joined.modes[k].value == Approx(held.modes[k].value).epsilon(1e-6));
 }
 
+TEST_CASE("modes: a weld whose forces are large beside the energies loses none", "[modal]") {
+    // what a solution leaves of the weld's equations, 1e-12, times its forces is more than x^T K x
+    int checked = 0;
+    for (double length = 1.5; length < 3.5; length += 0.02) {
+        INFO("length " << length);
+        Scene scene;
+        const auto beam = ancf::straight_beam<ancf::TorsionBeam>(
+            scene, steel(), ancf::circle(0.02), {-2.0, 0.0, 0.0}, {-2.0, 0.0, -length}, 1);
+        scene.clamp(beam.first());
+        scene.add(ancf::Weld(scene, beam.last()));
+        ancf::EigenLu solver;
+        const auto report = ancf::natural_modes(scene, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(report.modes.size() == 3);  // of the slopes: the weld holds their directions
+        CHECK(report.modes[0].value > 0.0);
+        // of r_y, whatever the length; 7.606565409e10 at 1, 1.3 and 1.8 m with three solvers
+        CHECK(report.modes[1].value == Approx(7.606565409e10).epsilon(1e-8));
+        ++checked;
+    }
+    CHECK(checked == 100);
+}
+
 TEST_CASE("modes: none is lost beside one that is far slower", "[modal]") {
     // a heavy mass holds the place of the tip: the beam is clamped and hinged then, of either plane
     const double hinged =
@@ -476,6 +500,22 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         const auto report = ancf::buckling_modes(cantilever(2, 0.01), solver);
         CHECK(report.status == Status::singular);
         CHECK(report.modes.empty());
+        CHECK_THAT(report.message, ContainsSubstring("the load makes no stress"));
+    }
+    SECTION("a scene that its supports or joints press is refused") {
+        const ancf::Motion press{[](double f) { return 1.0 - 1e-3 * f; },
+                                 [](double) { return -1e-3; }, [](double) { return 0.0; }};
+        Scene scene = cantilever(2, 0.01);
+        const ancf::NodeId tip{2};
+        scene.add(ancf::Force<3>(tip, {0.0, 1.0, 0.0}));
+        Scene joint = scene;
+        scene.prescribe(tip, ancf::Field::r, 0, press.value);
+        joint.add(ancf::FixedCoordinate<3>(tip, ancf::Field::r, 0, press));
+        ancf::EigenLu full;
+        CHECK_THROWS_WITH(ancf::buckling_modes(scene, full),
+                          ContainsSubstring("a support moves r of node 2 with the load factor"));
+        CHECK_THROWS_WITH(ancf::buckling_modes(joint, full),
+                          ContainsSubstring("the fixed r, component 0, of node 2 moves with"));
     }
     SECTION("lateral buckling under a dead tip load") {
         Scene scene;

@@ -793,6 +793,28 @@ TEST_CASE("path: without a count of pivots limit points are still found", "[path
     CHECK_FALSE(report.bifurcations_sought);
 }
 
+TEST_CASE("path: a load that moves nothing is called that", "[path][bad-input]") {
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        model, ancf::Material::isotropic(2e8, 0.3, 1000.0), ancf::circle(0.02), {0, 0, 0},
+        {1, 0, 0}, 2);
+    model.clamp(beam.first());
+    model.add(ancf::Force<3>(beam.last(), {0.0, 1.0, 0.0}));
+    ancf::EigenLu solver;
+    ancf::PathOptions options;
+    options.control = ancf::PathControl::displacement;
+    options.at = {beam.last(), ancf::Field::r};
+    options.component = 2;
+    auto report = ancf::follow_path(model, solver, options);
+    CHECK(report.status == Status::singular);
+    CHECK_THAT(report.message,
+               ContainsSubstring("the load does not move the coordinate that is controlled"));
+    model.pin(beam.last());
+    report = ancf::follow_path(model, solver);
+    CHECK(report.status == Status::singular);
+    CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+}
+
 TEST_CASE("path: calls that cannot be meant are refused", "[path][bad-input]") {
     Truss truss = make_truss(0.5);
     ancf::EigenLdlt solver;

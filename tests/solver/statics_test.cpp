@@ -3,6 +3,7 @@
 
 #include <ancf/solver/statics.hpp>
 
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -328,6 +329,52 @@ TEST_CASE("statics: a scene at rest needs no iteration", "[statics]") {
     CHECK(report.status == Status::converged);
     CHECK(report.iterations() == 0);
     CHECK(scene.state().q == before);
+}
+
+TEST_CASE("statics: a free end at the origin is at rest without load, and under one on its support",
+          "[statics]") {
+    // the stresses' round-off there comes from the coordinates of the held end
+    for (const double length : {0.5, 1.07, 1.3, 2.0})
+        for (const double load : {0.0, 0.01}) {
+            INFO("length " << length << ", load " << load);
+            ancf::Model model;
+            const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+                model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::circle(0.02),
+                {-length, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1);
+            model.clamp(beam.first());
+            model.add(ancf::Force<3>(beam.first(), {load, 2.0 * load, 3.0 * load}));
+            ancf::EigenLdlt solver;
+            const auto report = ancf::solve_statics(model, solver);
+            INFO(report.message);
+            REQUIRE(report.status == Status::converged);
+            CHECK(report.stability == ancf::Stability::stable);
+            CHECK(model.position(beam.last()).norm() <= 1e-14);
+            const auto foot =
+                ancf::nodal_resultant(model, model.state().q, report.reactions, beam.first());
+            CHECK(foot.force.norm() == Approx(std::sqrt(14.0) * load).margin(1e-6));
+        }
+}
+
+TEST_CASE("statics: a cable of which a slope alone is free is at rest in every direction",
+          "[statics]") {
+    int checked = 0;
+    for (double angle = 0.0; angle < 6.28; angle += 0.05) {
+        INFO("angle " << angle);
+        ancf::PlanarModel model;
+        const ancf::Vector<double, 2> end(std::cos(angle), std::sin(angle));
+        const auto cable = ancf::straight_beam<ancf::Cable<2>>(
+            model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.03, 0.04),
+            {0.0, 0.0}, end, 1);
+        model.pin(cable.first());
+        model.clamp(cable.last());
+        model.add(ancf::Force<2>(cable.last(), {0.0, 0.3}));
+        ancf::EigenLdlt solver;
+        const auto report = ancf::solve_statics(model, solver);
+        INFO(report.message);
+        CHECK(report.status == Status::converged);
+        ++checked;
+    }
+    CHECK(checked == 126);
 }
 
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {

@@ -97,6 +97,12 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
     const auto part = [this](Eigen::Index i) { return i < rows_ ? 0 : 1; };  // of other units
     for (Eigen::Index i = 0; i < x.size(); ++i)
         largest[part(i)] = std::max(largest[part(i)], std::abs(x[i]) / scales_[i]);
+    // what b alone would make of the first part: where constraints take all of it, x is round-off
+    for (int i = 0; i < rows_; ++i) {
+        const double diagonal = std::abs(matrix_.valuePtr()[matrix_.outerIndexPtr()[i]]);
+        if (diagonal > 0.0)
+            largest[0] = std::max(largest[0], std::abs(b[i]) / (diagonal * scales_[i]));
+    }
     for (int j = 0; j < matrix_.cols(); ++j)
         for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
             const auto i = entry.row();

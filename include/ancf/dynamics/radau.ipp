@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -400,6 +401,8 @@ ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
 
 /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at hand.
 ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    constexpr double nothing = epsilon * epsilon;  // of a correction, relative to the scene
     const bool constrained = problem_.multipliers() > 0;
     const Span step{now_, h, next_.time};
     predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
@@ -420,12 +423,14 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         const double change = correct(h);
         if (!std::isfinite(change)) return Status::not_finite;
         const double ratio = iterations_ > 1 ? change / before : 0.0;
-        // at the round-off of the residual the corrections no longer shrink
-        if (change == 0.0 || (ratio >= 1.0 && change <= round_off_)) break;
+        // at the round-off of the residual the corrections no longer shrink; in a scene at rest
+        // they are round-off of nothing, and tell nothing of the matrices
+        if (change <= nothing || (ratio >= 1.0 && change <= round_off_)) break;
         if (++since > 1) {
             // a first ratio may flatter: it stands beside that of the step before
             contraction_ =
                 since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
+            if (contraction_ >= 0.99 && change <= round_off_) break;
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;

@@ -38,7 +38,8 @@ public:
     [[nodiscard]] double residual(const Assembly& assembly) const;
 
     /// Returns whether the residual is within the round-off of its own evaluation: below
-    /// eps |K| |q|, what a relative change of every coordinate by eps makes of it.
+    /// eps |K| |q|, what a relative change of every coordinate by eps makes of it. |K| is that of
+    /// the free coordinates; what is held enters as docs/theory-statics.md says.
     [[nodiscard]] bool at_round_off(const Assembly& assembly, const VectorX& q) const;
 
     /// Returns the largest change of a position relative to the scene's size, of a slope, or of

@@ -133,8 +133,21 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
                                                   const VectorX& q) const {
     const SparseMatrix& tangent = assembly.tangent();
     const int unknowns = numbering_.free_coordinates();
-    VectorX at;
-    numbering_.gather_free(q, at);
+    // Held vectors at a node and beside it, whose columns the tangent has not: positions of the
+    // node's size and an element's length, entries of K by powers of that length.
+    VectorX sizes = q, at,
+            reach = VectorX::Constant(static_cast<Eigen::Index>(numbering_.block_sizes().size()),
+                                      element_size_);
+    const auto node = [&](std::size_t k) { return numbering_.block(static_cast<int>(k)); };
+    for (std::size_t k = 0; k < power_.size(); ++k) {
+        double& size = sizes[static_cast<Eigen::Index>(k)];
+        size = std::abs(size);
+        if (power_[k] > 0) reach[node(k)] = std::max(reach[node(k)], size + element_size_);
+    }
+    for (std::size_t k = 0; k < power_.size(); ++k)
+        sizes[static_cast<Eigen::Index>(k)] +=
+            reach[node(k)] * std::pow(element_size_, power_[k] - 1);
+    numbering_.gather_free(sizes, at);
     VectorX floor = VectorX::Zero(numbering_.unknowns());
     const bool lower = assembly.pattern().storage() == Storage::lower;
     for (int j = 0; j < unknowns; ++j)
@@ -142,8 +155,8 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
             const int i = tangent.innerIndexPtr()[k];
             if (i >= unknowns) continue;
             const double value = std::abs(tangent.valuePtr()[k]);
-            floor[i] += value * std::abs(at[j]);
-            if (lower && i != j) floor[j] += value * std::abs(at[i]);
+            floor[i] += value * at[j];
+            if (lower && i != j) floor[j] += value * at[i];
         }
     VectorX sums;  // of the coordinates, over all parts
     if (exchange_ != nullptr) {

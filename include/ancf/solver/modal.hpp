@@ -82,8 +82,8 @@ ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolv
 /// @param model   unloaded in its state; it is left as it is.
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
-/// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
-///         does not suit.
+/// @throws InvalidArgument for options that cannot be meant, a scene that the solver's storage does
+///         not suit, and supports or constraints that move with the load factor.
 ANCF_LAZY [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                                                    const ModalOptions& options = {});
 

@@ -92,6 +92,25 @@ private:
     double size_ = 0.0;   // of the deflection, each coordinate relative to its scale
 };
 
+/// Throws where supports or constraints move with the load factor: their stresses do not count.
+ANCF_INLINE void require_resting(const Assembly& assembly, const VectorX& q) {
+    VectorX here = q, ahead = q;
+    const double step = factor_step(0.0);
+    assembly.apply_supports({0.0, 0.0}, here);
+    assembly.apply_supports({step, step}, ahead);
+    const char* const advice =
+        " with the load factor, and only loads count here: give a load instead, or follow the path";
+    for (Eigen::Index k = 0; k < q.size(); ++k)
+        require(here[k] == ahead[k], "buckling_modes: a support moves ",
+                to_string(assembly.model().layout().field_of(static_cast<int>(k))), " of node ",
+                assembly.model().layout().node_of(static_cast<int>(k)), advice);
+    Eigen::Index row = 0;
+    for (const AnyConstraint& constraint : assembly.model().constraints())
+        for (const Eigen::Index end = row + constraint.equations(); row < end; ++row)
+            require(assembly.violation_rate()[row] == 0.0, "buckling_modes: the ",
+                    constraint.name(), " moves", advice);
+}
+
 /// Factorises A; what a constraint does not account for must not be negative.
 [[nodiscard]] ANCF_INLINE Status factorise(const Assembly& assembly, const SparseMatrix& A,
                                            LinearSolver& solver) {
@@ -103,13 +122,14 @@ private:
 }
 
 /// Returns a report with the cause of its failure in A.
-[[nodiscard]] ANCF_INLINE ModalReport with_cause(ModalReport report, const Scene& model,
-                                                 const Assembly& assembly, const SparseMatrix& A,
-                                                 LinearSolver& solver) {
+/// @param otherwise  why there are no modes where nothing moves without stiffness
+[[nodiscard]] ANCF_INLINE ModalReport
+with_cause(ModalReport report, const Scene& model, const Assembly& assembly, const SparseMatrix& A,
+           LinearSolver& solver, const char* otherwise = "the matrix is not positive definite") {
     std::string& message = report.message;
     if (report.status == Status::singular) {
         message = singular_cause(model.layout(), assembly.numbering(), A, solver);
-        if (message.empty()) message = "the matrix is not positive definite";
+        if (message.empty()) message = otherwise;
     } else if (report.status == Status::max_iterations) {
         message = joined({"modes are left to converge after ", report.iterations, " iterations"});
     } else if (report.status != Status::converged) {
@@ -188,6 +208,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     detail::Deflected deflected(model, assembly);
     if (const auto fault = deflected.evaluate(0.0, model.state().q))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
+    detail::require_resting(assembly, model.state().q);
     if (assembly.numbering().free_coordinates() == 0) return {};
     SparseMatrix unloaded = assembly.tangent();
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
@@ -202,7 +223,8 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (solver.storage() == Storage::full) detail::symmetrise(B);
     return detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
                                                [](double th, double&) { return 1.0 / th; }),
-                              model, assembly, unloaded, solver);
+                              model, assembly, unloaded, solver,
+                              "the load makes no stress, or the scene without it is not stable");
 }
 
 }  // namespace ancf

@@ -276,8 +276,8 @@ private:
         const double length = controlled_ >= 0
                                   ? at.tangent_u[controlled_]
                                   : std::sqrt(product(at.tangent_u, at.tangent_u) + psi_ * psi_);
-        if (!(std::abs(length) > 0.0) || !std::isfinite(length))
-            return Outcome::of(Status::singular);
+        idle_ = length == 0.0;
+        if (idle_ || !std::isfinite(length)) return Outcome::of(Status::singular);
         at.tangent_u /= length;
         at.tangent_f /= length;
         return {};
@@ -516,6 +516,9 @@ private:
         std::string found;
         if (status == Status::singular && report_.points.empty())
             found = singular_cause(model_.layout(), numbering_, assembly_.tangent(), solver_);
+        if (found.empty() && status == Status::singular && idle_)
+            found = controlled_ >= 0 ? "the load does not move the coordinate that is controlled"
+                                     : "the load moves nothing";
         text += found.empty() ? std::string(to_string(status)) : found;
         return report_.points.empty() ? text + unfulfilled_ : text;
     }
@@ -560,6 +563,7 @@ private:
     double first_ = 0.0;   // size of the one that others are measured by
     bool branching_ = false;
     std::string unfulfilled_;  // constraint at the start, in words
+    bool idle_ = false;        // a change of the load moves nothing, of what is measured
     PathReport report_;
 };
 

@@ -43,6 +43,9 @@ private:
     // Refills a block that lost vectors to a far slower mode: new mixtures, without the modes that
     // it has.
     void complete(Eigen::Index width);
+    // Solves A x = b. Multipliers that are large beside the energies make of what a solution leaves
+    // of G x a negative x^T A x: with constraints a solution is refined once.
+    void solve(const VectorX& b, VectorX& x) const;
     // Tells whether a vector without these modes is more than round-off.
     [[nodiscard]] bool above_round_off(const Dense& x) const;
     [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const;
@@ -58,6 +61,7 @@ private:
     const LinearSolver& solver_;
     VectorX scales_;
     double draw_ = 0.5;  // of the mixtures
+    bool constrained_ = false;
 };
 
 }  // namespace ancf::detail

@@ -29,6 +29,7 @@ Status Subspace<Dense>::run(int free, int count, double tolerance, int max_itera
     // what constraints leave; a block beyond it would be filled by round-off
     const Eigen::Index all = std::max<Eigen::Index>(2 * free - A_.rows(), 1);
     const auto width = std::min<Eigen::Index>(2 * count + 8, all);
+    constrained_ = free < A_.rows();
     scales_ = unit_scales(A_);
     vectors = mixtures(width);
     VectorX last = VectorX::Zero(count);
@@ -38,7 +39,7 @@ Status Subspace<Dense>::run(int free, int count, double tolerance, int max_itera
         const Dense image = product(B_, vectors);
         VectorX column;
         for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
-            solver_.solve(image.col(k), column);
+            solve(image.col(k), column);
             vectors.col(k) = column;
         }
         if (!vectors.allFinite()) return Status::not_finite;
@@ -88,13 +89,23 @@ void Subspace<Dense>::complete(Eigen::Index width) {
     VectorX column;
     Eigen::Index kept = 0;
     for (Eigen::Index k = 0; k < added.cols(); ++k) {
-        solver_.solve(added_image.col(k), column);
+        solve(added_image.col(k), column);
         Dense x = column;
         remove_found(x);
         if (above_round_off(x)) added.col(kept++) = x;
     }
     vectors.conservativeResize(Eigen::NoChange, found + kept);
     vectors.rightCols(kept) = added.leftCols(kept);
+}
+
+template <class Dense>
+void Subspace<Dense>::solve(const VectorX& b, VectorX& x) const {
+    solver_.solve(b, x);
+    if (!constrained_) return;
+    const VectorX rest = b - product(A_, x).col(0);
+    VectorX correction;
+    solver_.solve(rest, correction);
+    x += correction;
 }
 
 template <class Dense>
