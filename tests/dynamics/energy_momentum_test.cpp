@@ -63,6 +63,18 @@ struct Spring {
     }
 };
 
+/// A force that counts how often its derivatives are asked for.
+struct Counted {
+    NodeId node;
+    long* asked;
+    ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
+        *asked += at.derivatives ? 1 : 0;
+        out.potential = at.q[0];
+        out.force[0] = -1.0;
+    }
+};
+
 /// Largest relative change of both momenta over a run of a free scene.
 double momentum_drift(ancf::Model& model, double step, double end, DynamicsReport& report) {
     ancf::DynamicProblem problem(model);
@@ -283,6 +295,16 @@ TEST_CASE("energy-momentum: energy on a link and on a spring of fourth order", "
     CHECK(report.energy_drift <= 1e-10 * report.kinetic_largest);
     CHECK(report.violation <= 1e-13);
     CHECK(report.violation_rate <= 0.5);  // held at positions alone
+}
+
+TEST_CASE("energy-momentum: loads give derivatives where a matrix is built alone", "[dynamics]") {
+    Chain scene = swing();
+    long asked = 0;
+    scene.model.add(Counted{scene.last(), &asked});
+    const DynamicsReport report = run(scene.model, 1e-3, until(0.02));
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.iterations > report.jacobians);
+    CHECK(asked == report.jacobians + 1);  // one more for the report's memory; 268 if always
 }
 
 TEST_CASE("energy-momentum: second order", "[dynamics]") {
