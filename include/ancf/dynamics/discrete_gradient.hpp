@@ -5,11 +5,12 @@
 /// Forces of a step that do exactly the work by which an energy changes, without moving momenta.
 ///
 /// With the middle e_m of a step, the change De and its part D that no rigid motion at e_m
-/// explains, z the middle at the size of the ends and A the stretch to it (turn_stretch.hpp):
+/// explains, u the mean of both ends without their turn, S the symmetric part of half that turn
+/// (half_turn.hpp) and x the nodal vectors of e_m:
 ///
-///     f = A^-1 grad U(z) + s W D,    s = (U(e_1) - U(e_0) - A^-1 grad U(z).De)/(D.W D).
+///     f = f_0 + s W D,   f_0 = S grad U(u) + W (mu x x),   s = (U(e_1) - U(e_0) - f_0.De)/(D.W D).
 ///
-/// f.De = U(e_1) - U(e_0), and s W D has neither a resultant nor a moment. docs/theory-dynamics.md.
+/// f.De = U(e_1) - U(e_0), and f has neither a resultant nor a moment. docs/theory-dynamics.md.
 
 #pragma once
 

@@ -7,10 +7,14 @@
 #pragma once
 
 #include <ancf/dynamics/discrete_gradient.hpp>
-#include <ancf/dynamics/turn_stretch.hpp>
+#include <ancf/dynamics/half_turn.hpp>
 #include <ancf/element/fields.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace ancf::detail {
 
@@ -18,68 +22,128 @@ namespace ancf::detail {
 /// of it is then below the round-off of U.
 inline constexpr double smallest_change = 1e-8;
 
-/// Writes A^-1 g of every nodal vector of a gradient in its place.
-ANCF_INLINE void turn_gradient(int dofs, int dimension, const Matrix<double, 3>& inverse,
-                               double* gradient) {
-    for (int first = 0; first < dofs; first += dimension) {
-        double g[3];
-        for (int i = 0; i < dimension; ++i) g[i] = gradient[first + i];
-        for (int i = 0; i < dimension; ++i) {
-            gradient[first + i] = 0.0;
-            for (int j = 0; j < dimension; ++j) gradient[first + i] += inverse(i, j) * g[j];
-        }
+/// One element over a step, in the frame of its middle.
+struct TurnedStep {
+    int dofs, dimension;
+    HalfTurn half;
+    int positions = 0;  // of the nodal vectors
+    /// x and d of every nodal vector: at the middle, and half of its change.
+    std::array<Vector<double, 3>, 2 * field_count> at, by;
+    std::array<Vector<double, 3>, 2 * field_count> arm;       ///< X (u_1 - u_0)
+    std::array<Vector<double, 3>, 2 * field_count> gradient;  ///< g = grad U(u)
+    Vector<double, 3> spin;                                   ///< mu = J^-1 kappa
+
+    [[nodiscard]] int vectors() const noexcept { return dofs / dimension; }
+
+    /// Returns R^T v.
+    [[nodiscard]] Vector<double, 3> back(const Vector<double, 3>& v) const {
+        return half.symmetric(v) - half.skew(v);
+    }
+
+    /// Returns a nodal vector of coordinates.
+    [[nodiscard]] Vector<double, 3> vector(const double* e, int k) const {
+        Vector<double, 3> v = Vector<double, 3>::Zero();
+        for (int i = 0; i < dimension; ++i) v[i] = e[dimension * k + i];
+        return v;
+    }
+
+    /// Adds a nodal vector to coordinates.
+    void add(double* e, int k, const Vector<double, 3>& v) const {
+        for (int i = 0; i < dimension; ++i) e[dimension * k + i] += v[i];
+    }
+};
+
+/// Writes S g + W (mu x x), the force that has neither a resultant nor a moment, but for s W D.
+ANCF_INLINE void turned_force(TurnedStep& step, StepForce& out) {
+    Vector<double, 3> moment = Vector<double, 3>::Zero();
+    for (int k = 0; k < step.vectors(); ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        step.gradient[at] = step.vector(out.force, k);
+        const Vector<double, 3> turned = step.half.symmetric(step.gradient[at]);
+        moment -= 0.5 * cross(step.arm[at], turned);
+        for (int i = 0; i < step.dimension; ++i) out.force[step.dimension * k + i] = turned[i];
+    }
+    step.spin = out.modes.spin_of(moment);
+    for (int k = 0; k < step.vectors(); ++k) {
+        step.add(out.force, k,
+                 out.modes.weight_of(k) * cross(step.spin, step.at[static_cast<std::size_t>(k)]));
     }
 }
 
-/// Makes K(z) the derivative of A^-1 grad U(z) with respect to the later end, where
-/// z = centroid + A (e_m - centroid).
-/// @param gradient  grad U(z).
-ANCF_INLINE void add_stretch_tangent(int dofs, int dimension, const TurnStretch& stretch,
-                                     const Vector<double, 3>& turn, const double* change,
-                                     const double* gradient, StepForce& step) {
+/// Makes K(u) the derivative of turned_force() with respect to the later end.
+/// @param turn    y.
+/// @param whole   e_1 - e_0.
+ANCF_INLINE void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& turn,
+                                  const double* whole, StepForce& out) {
     constexpr int most = ElementGroup::max_dofs;
-    double turn_rate[3 * most], moved[3][most] = {}, rates[3][most];
-    step.modes.derivative_of_firm_turn(change, turn, turn_rate);
-    for (int a = 0; a < 3; ++a) {
-        if (dimension == 2 && a < 2) continue;
-        // dA/dy_a (e_m - centroid), K of it, and d(A^-1)/dy_a grad U
-        const Matrix<double, 3> rate = stretch.rate(a), inverse_rate = stretch.inverse_rate(a);
-        for (int first = 0; first < dofs; first += dimension) {
-            const Vector<double, 3>& x = step.modes.vector(first / dimension);
-            for (int j = 0; j < dimension; ++j) {
-                double p = 0.0;
-                for (int i = 0; i < dimension; ++i) p += rate(j, i) * x[i];
-                const double* const column = step.tangent + dofs * (first + j);
-                for (int i = 0; i < dofs; ++i) moved[a][i] += column[i] * p;
-            }
-            for (int i = 0; i < dimension; ++i) {
-                rates[a][first + i] = 0.0;
-                for (int j = 0; j < dimension; ++j)
-                    rates[a][first + i] += inverse_rate(i, j) * gradient[first + j];
-            }
+    const int dofs = step.dofs, dimension = step.dimension, vectors = step.vectors();
+    const int first_axis = dimension == 2 ? 2 : 0;
+    double turn_rate[3 * most];
+    out.modes.derivative_of_firm_turn(whole, turn, turn_rate);
+    // by y: of g, of S g but for g, and of kappa but for S g
+    double gradient_rate[3][most] = {}, turned_rate[3][most] = {};
+    Vector<double, 3> moment_rate[3];
+    for (int b = first_axis; b < 3; ++b) {
+        moment_rate[b].setZero();
+        for (int k = 0; k < vectors; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            const Vector<double, 3>&x = step.at[at], &d = step.by[at], &g = step.gradient[at];
+            const Vector<double, 3> mean =
+                step.half.symmetric_rate(b, x) - step.half.skew_rate(b, d);
+            for (int j = 0; j < dimension; ++j)
+                for (int i = 0; i < dofs; ++i)
+                    gradient_rate[b][i] += out.tangent[dofs * (dimension * k + j) + i] * mean[j];
+            step.add(turned_rate[b], k, step.half.symmetric_rate(b, g));
+            const Vector<double, 3> change =
+                2.0 * (step.half.symmetric_rate(b, d) - step.half.skew_rate(b, x));
+            const Vector<double, 3> moved =
+                step.half.skew(change) +
+                step.half.skew_rate(b, 2.0 * (step.half.symmetric(d) - step.half.skew(x)));
+            moment_rate[b] -= 0.5 * cross(moved, step.half.symmetric(g));
         }
-        turn_gradient(dofs, dimension, stretch.inverse(), moved[a]);
-        for (int i = 0; i < dofs; ++i) moved[a][i] += rates[a][i];
     }
-    for (int first = 0; first < dofs; first += dimension) {
-        double* const column = step.tangent + dofs * first;
-        for (int i = 0; i < dofs; ++i) {
-            double k[3];
-            for (int j = 0; j < dimension; ++j) k[j] = 0.5 * column[dofs * j + i];
-            for (int j = 0; j < dimension; ++j) {
-                double sum = k[j];
-                for (int l = 0; l < dimension; ++l) sum += k[l] * stretch.excess()(l, j);
-                column[dofs * j + i] = sum;
-            }
-        }
+    double tangent[most * most];
+    for (int m = 0; m < vectors; ++m)
         for (int j = 0; j < dimension; ++j) {
-            turn_gradient(dofs, dimension, stretch.inverse(), column + dofs * j);
-            for (int a = dimension == 2 ? 2 : 0; a < 3; ++a) {
-                const double y = turn_rate[3 * (first + j) + a];
-                for (int i = 0; i < dofs; ++i) column[dofs * j + i] += y * moved[a][i];
+            const auto of = static_cast<std::size_t>(m);
+            const double* const by_turn = turn_rate + 3 * (dimension * m + j);
+            double* const column = tangent + dofs * (dimension * m + j);
+            Vector<double, 3> unit = Vector<double, 3>::Zero();
+            unit[j] = 1.0;
+            const Vector<double, 3> back = step.back(unit);
+            double rate[most];  // of g
+            for (int i = 0; i < dofs; ++i) {
+                rate[i] = 0.0;
+                for (int l = 0; l < dimension; ++l)
+                    rate[i] += 0.5 * out.tangent[dofs * (dimension * m + l) + i] * back[l];
+                for (int b = first_axis; b < 3; ++b) rate[i] += gradient_rate[b][i] * by_turn[b];
             }
+            Vector<double, 3> moment =
+                -0.5 * cross(step.half.skew(back), step.half.symmetric(step.gradient[of]));
+            for (int b = first_axis; b < 3; ++b) moment += by_turn[b] * moment_rate[b];
+            for (int k = 0; k < vectors; ++k) {
+                Vector<double, 3> turned = step.half.symmetric(step.vector(rate, k));
+                for (int b = first_axis; b < 3; ++b)
+                    turned += by_turn[b] * step.vector(turned_rate[b], k);
+                moment -= 0.5 * cross(step.arm[static_cast<std::size_t>(k)], turned);
+                for (int i = 0; i < dimension; ++i) column[dimension * k + i] = turned[i];
+            }
+            // x moves by half a unit: the inertia and the arms with it
+            const double weight = out.modes.weight_of(m);
+            const Vector<double, 3>& x = step.at[of];
+            const Vector<double, 3> arm = 0.5 * weight * cross(step.spin, unit);
+            moment -= 0.5 * weight * cross(unit, cross(step.spin, x)) + cross(x, arm);
+            const Vector<double, 3> spin = out.modes.spin_of(moment);
+            for (int k = 0; k < vectors; ++k) {
+                step.add(
+                    column, k,
+                    out.modes.weight_of(k) * cross(spin, step.at[static_cast<std::size_t>(k)]));
+                if (out.modes.is_position(m) && out.modes.is_position(k))
+                    step.add(column, k, -arm / step.positions);
+            }
+            step.add(column, m, arm);
         }
-    }
+    std::copy_n(tangent, dofs * dofs, out.tangent);
 }
 
 /// Adds the derivative of s W D to that of the gradient.
@@ -120,36 +184,52 @@ ANCF_INLINE void step_force(const ElementGroup& group, int prototype, const doub
     for (int k = 0; k < 2 * per_node; ++k) power[k] = length_power(group.fields().at(k % per_node));
     out.modes.set(dimension, 2 * per_node, middle, power, length * length);
     const Vector<double, 3> turn = out.modes.firm_turn_of(change);
-    const TurnStretch stretch(turn);
-    for (int i = 0; i < dofs; ++i) {
-        const Vector<double, 3>& x = out.modes.vector(i / dimension);
-        for (int j = 0; j < dimension; ++j) middle[i] += stretch.excess()(i % dimension, j) * x[j];
+    TurnedStep step{dofs, dimension, HalfTurn(turn), 0, {}, {}, {}, {}, {}};
+    Vector<double, 3> shift = Vector<double, 3>::Zero();  // of the positions' halves
+    for (int k = 0; k < step.vectors(); ++k) {
+        if (!out.modes.is_position(k)) continue;
+        shift += 0.5 * step.vector(change, k);
+        ++step.positions;
+    }
+    if (step.positions > 0) shift /= step.positions;
+    for (int k = 0; k < step.vectors(); ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        Vector<double, 3>&x = step.at[at], &d = step.by[at];
+        x = out.modes.vector(k);
+        d = 0.5 * step.vector(change, k);
+        if (out.modes.is_position(k)) d -= shift;
+        Vector<double, 3> mean;
+        step.half.middle(x, d, mean, step.arm[at]);
+        step.add(middle, k, mean - x);
     }
     out.energy = group.energy(prototype, e1);
-    if (wanted == StepTangent::none) {
+    if (wanted == StepTangent::none)
         group.force(prototype, middle, out.force);
-    } else {
+    else
         group.evaluate(prototype, middle, out.force, out.tangent);
-        if (wanted == StepTangent::exact)
-            add_stretch_tangent(dofs, dimension, stretch, turn, change, out.force, out);
-        else
-            for (int i = 0; i < dofs * dofs; ++i) out.tangent[i] *= 0.5;
-    }
-    turn_gradient(dofs, dimension, stretch.inverse(), out.force);
+    turned_force(step, out);
+    if (wanted == StepTangent::exact) add_turn_tangent(step, turn, change, out);
+    if (wanted == StepTangent::symmetric)
+        for (int i = 0; i < dofs * dofs; ++i) out.tangent[i] *= 0.5;
     out.modes.without(change, rest);
-    double square = 0.0, work = 0.0;
+    double weights[most], square = 0.0, work = 0.0, round_off = 0.0;
     for (int i = 0; i < dofs; ++i) {
-        square += rest[i] * out.modes.weight(i) * rest[i];
+        weights[i] = out.modes.weight_of(i / dimension);
+        square += rest[i] * weights[i] * rest[i];
         work += out.force[i] * change[i];
+        round_off += std::abs(out.force[i]) * std::max(std::abs(e0[i]), std::abs(e1[i]));
     }
+    round_off *= std::numeric_limits<double>::epsilon();  // of U
+    const double missed = out.energy - before - work;
     if (!(square > smallest_change * smallest_change * length * length)) return;
-    const double s = (out.energy - before - work) / square;
+    if (!(std::abs(missed) > round_off)) return;
+    const double s = missed / square;
     if (wanted == StepTangent::exact) {
         double end[most];
         group.force(prototype, e1, end);
         add_correction_tangent(dofs, end, change, rest, square, s, out);
     }
-    for (int i = 0; i < dofs; ++i) out.force[i] += s * out.modes.weight(i) * rest[i];
+    for (int i = 0; i < dofs; ++i) out.force[i] += s * weights[i] * rest[i];
 }
 
 ANCF_INLINE void correct_gradient(int dimension, double difference, const VectorX& middle,

@@ -52,11 +52,13 @@ private:
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status evaluate(double h, bool matrix);
     void set_rates(double h);
+    [[nodiscard]] bool reaches_far(const VectorX& correction) const;
     [[nodiscard]] bool turns_inside_out() const;
 
     static constexpr double floor = 1e-16;         // of corrections, relative
     static constexpr double fastest = 1e-2;        // the fastest contraction that is believed
-    static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size
+    static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size;
+                                                   // of r_xx the inverse length of an element
     static constexpr double smallest_part = 1e-3;  // of a step that fails
     static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
 
@@ -178,7 +180,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         const double change = largest_ratio(correction, problem_.scales());
         if (!std::isfinite(change)) return Status::not_finite;
         // what Newton's method found from there had energies of its own
-        if (change > farthest) return Status::diverged;
+        if (change > farthest && reaches_far(correction)) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
         // corrections that no longer shrink are the round-off of the residual
         if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11)) {
@@ -221,6 +223,16 @@ ANCF_INLINE Status EnergyMomentumRun::evaluate(double h, bool matrix) {
 }
 
 ANCF_INLINE void EnergyMomentumRun::set_rates(double h) { next_.v = 2.0 / h * increment_ - now_.v; }
+
+/// Tells whether a correction changes a slope by more than its length, or a position by more than
+/// the scene's size. A change of r_xx counts by what it makes of the slopes of an element.
+ANCF_INLINE bool EnergyMomentumRun::reaches_far(const VectorX& correction) const {
+    VectorX sizes;
+    problem_.numbering().gather_free(
+        problem_.scales_of(problem_.length_scale()).cwiseMax(problem_.scales_of(system_.length())),
+        sizes);
+    return largest_ratio(correction, sizes) > farthest;
+}
 
 /// Tells whether r_x and r_y of a node in the plane change sides between now_ and next_.
 ///

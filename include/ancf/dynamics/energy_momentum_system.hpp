@@ -40,6 +40,9 @@ public:
 
     [[nodiscard]] const SparseMatrix& matrix() const noexcept { return matrix_; }
 
+    /// Returns the length of the shortest element, m.
+    [[nodiscard]] double length() const noexcept { return length_; }
+
 private:
     struct LocalLoad {
         LocalCoordinates at;

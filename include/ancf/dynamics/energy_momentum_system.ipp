@@ -184,11 +184,12 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
     const Scene& model = problem_.model();
     const Instant middle{t0_ + 0.5 * h_, 1.0};
     force_ -= model.gravity_scale(middle) * gravity_;
-    const auto evaluate = [&](const ScaledLoad& load, const VectorX& q, const VectorX& v) {
+    const auto evaluate = [&](const ScaledLoad& load, const VectorX& q, const VectorX& v,
+                              bool derivatives) {
         const Eigen::Index size = q.size();
         LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size),
                        0.0};
-        load.load.evaluate({q, v, middle.time}, out);
+        load.load.evaluate({q, v, middle.time, derivatives}, out);
         return out;
     };
     for (std::size_t k = 0; k < loads_.size(); ++k) {
@@ -198,13 +199,13 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
         gather(change_, place.at.read(), change);
         gather(middle_, place.at.read(), middle_q);
         const VectorX rate = change / h_;
-        LoadResult result = evaluate(load, middle_q, rate);
+        LoadResult result = evaluate(load, middle_q, rate, matrix);
         if (result.potential != 0.0 || result.period > 0.0) {
             // a conservative load does the work by which its potential falls
             gather(q1, place.at.read(), end);
-            const double later = evaluate(load, end, rate).potential;
+            const double later = evaluate(load, end, rate, false).potential;
             gather(q0_, place.at.read(), end);
-            const double earlier = evaluate(load, end, rate).potential;
+            const double earlier = evaluate(load, end, rate, false).potential;
             const double work = result.force.dot(change);
             double fall = earlier - later;
             if (result.period > 0.0)  // an angle that passes pi

@@ -52,6 +52,21 @@ public:
         return vectors_[static_cast<std::size_t>(k)].value;
     }
 
+    /// Returns W of the components of a nodal vector.
+    [[nodiscard]] double weight_of(int k) const {
+        return vectors_[static_cast<std::size_t>(k)].weight;
+    }
+
+    /// Tells whether a nodal vector is a position.
+    [[nodiscard]] bool is_position(int k) const {
+        return vectors_[static_cast<std::size_t>(k)].position;
+    }
+
+    /// Returns mu of the forces W (mu x x) that have a moment and no resultant.
+    [[nodiscard]] Vector<double, 3> spin_of(const Vector<double, 3>& moment) const {
+        return inertia_.solve(moment);
+    }
+
     /// Writes a change without its rigid part: W-orthogonal to every rigid motion.
     void without(const double* change, double* rest) const;
 

@@ -50,6 +50,10 @@ ANCF_INLINE void RigidModes::set(int dimension, int count, const double* e, cons
         Vector<double, 3>& x = vector.value;
         if (vector.position) x -= centroid;
         const double square = vector.weight * (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        if (dimension == 2) {  // about the normal alone
+            for (int i = 0; i < 3; ++i) inertia(i, i) += square;
+            continue;
+        }
         for (int i = 0; i < 3; ++i) {
             inertia(i, i) += square;
             for (int j = 0; j < 3; ++j) inertia(i, j) -= vector.weight * x[i] * x[j];
