@@ -29,7 +29,8 @@ struct Energies {
     double strain = 0.0;            ///< of all elements, J
     double potential = 0.0;         ///< of gravity and of the loads that have one, J
     double load_power = 0.0;        ///< Q^T v of all loads, gravity included, W
-    double constraint_power = 0.0;  ///< of driven supports and of constraints that move in time, W
+    double constraint_power = 0.0;  ///< of driven supports and of constraints that move in time, W;
+                                    ///< with EnergyMomentum by the forces of the step's middle
 
     /// Returns their sum, J.
     [[nodiscard]] double total() const noexcept { return kinetic + strain + potential; }

@@ -23,8 +23,8 @@ namespace ancf {
 enum class RotaryInertia {
     consistent,  ///< of slopes interpolated linearly, [Dufva2006, Eq. 34]
     /// By the trapezoidal rule, at the nodes. Slopes between nodes turn with the centre line, not
-    /// linearly: where rotary inertia counts, frequencies converge with the fourth order instead
-    /// of the second. docs/theory-modal.md.
+    /// linearly: where rotary inertia counts, frequencies are far closer than with the other, until
+    /// the meshes are fine. docs/theory-modal.md.
     lumped
 };
 

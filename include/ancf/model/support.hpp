@@ -25,7 +25,8 @@ struct Support {
 enum class Clamp {
     full,       ///< position and slopes; with r_x as well as r_y held the shear strain is zero
                 ///< there, see docs/theory.md, "Section forces". Nothing of the curvature r_xx
-    free_slope  ///< the same but r_x: the clamp of the paper's cantilevers
+    free_slope  ///< the same but r_x: the clamp of the paper's cantilevers. Of TorsionBeam, whose
+                ///< frame turns with r_x, it is a hinge
 };
 
 }  // namespace ancf

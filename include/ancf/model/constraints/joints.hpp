@@ -192,7 +192,8 @@ public:
 };
 
 /// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
-/// 6 equations. The multiplier of the axis is the motor's moment.
+/// 6 equations. The last three multipliers are about the directions of A's frame. That of the axis
+/// is the motor's moment.
 class DrivenRevolute : public detail::FrameJoint {
 public:
     /// @param axis   in global components, as the model stands.
