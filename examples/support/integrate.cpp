@@ -56,8 +56,11 @@ namespace {
 [[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem, const MotionOptions& options,
                                        const ancf::Schedule& schedule, const ancf::Memory& memory) {
     if (options.by_sundials()) return integrate_by_sundials(problem, options, schedule);
-    const std::unique_ptr<ancf::LinearSolver> solver = general_solver();
-    if (options.integrator == "energy") {
+    // the matrix of the energy-momentum scheme is not symmetric
+    const bool symmetric = options.integrator != "energy";
+    const std::unique_ptr<ancf::LinearSolver> solver =
+        symmetric ? motion_solver() : general_solver();
+    if (!symmetric) {
         ancf::EnergyMomentumOptions method;
         method.step = options.step;
         return {ancf::EnergyMomentum(method).integrate(problem, *solver, schedule, memory), ""};

@@ -54,6 +54,10 @@ ancf::StaticsReport solve(ancf::Scene& model, const SolverOptions& options) {
 }
 
 std::unique_ptr<ancf::LinearSolver> general_solver() {
+    return linear_solver(ANCF_WITH_SUITESPARSE ? "klu" : "eigen");
+}
+
+std::unique_ptr<ancf::LinearSolver> motion_solver() {
 #if ANCF_WITH_SUITESPARSE
     return ancf::suitesparse::solver_named("bordered-chain");
 #else

@@ -27,8 +27,11 @@ struct SolverOptions {
     void add_to(CommandLine& line);
 };
 
-/// Returns the linear solver of integrators that bring none along.
+/// Returns a linear solver for any matrix.
 [[nodiscard]] std::unique_ptr<ancf::LinearSolver> general_solver();
+
+/// Returns the linear solver of integrators that bring none along and have symmetric matrices.
+[[nodiscard]] std::unique_ptr<ancf::LinearSolver> motion_solver();
 
 /// Brings a model to equilibrium.
 /// @throws InvalidArgument for a linear solver that is not there.

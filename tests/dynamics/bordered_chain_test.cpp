@@ -54,6 +54,15 @@ std::unique_ptr<Scene> necklace() {
     return std::make_unique<ancf::Model>(std::move(scene.model));
 }
 
+/// Bars from a support to a link at their last node.
+std::unique_ptr<Scene> bridge() {
+    Chain scene = chain(12, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    scene.model.add(ancf::Distance<3>(scene.last(), Vector3(1.2, 0.5, 0.0), 0.5));
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    return std::make_unique<ancf::Model>(std::move(scene.model));
+}
+
 std::unique_ptr<Scene> swinging() { return std::make_unique<ancf::Model>(swing().model); }
 
 template <int Dimension>
@@ -70,7 +79,7 @@ TEST_CASE("BorderedChain: motions are those of a general solver", "[dynamics]") 
     radau.tolerance = 1e-6;
     ancf::EnergyMomentumOptions energy;
     energy.step = 1e-3;
-    for (const auto& make : {necklace, swinging, driven<2>, driven<3>}) {
+    for (const auto& make : {necklace, bridge, swinging, driven<2>, driven<3>}) {
         CHECK(apart(ancf::GeneralizedAlpha(fixed), make, 0.05, true) <= 1e-12);
         CHECK(apart(ancf::GeneralizedAlpha(adaptive), make, 0.05, true) <= 1e-12);
         CHECK(apart(ancf::RadauIIA(radau), make, 0.05, true) <= 1e-12);

@@ -49,6 +49,37 @@ TEST_CASE("BorderedChain: chains of every width with borders of every width", "[
         }
 }
 
+TEST_CASE("BorderedChain: one solver for patterns of every kind, and multipliers of last nodes",
+          "[solver]") {
+    BorderedChain solver;
+    CHECK_FALSE(solver.by_chain());
+    for (const int width : {12, 3, 24})
+        for (const int border : {2, 30, 7}) {
+            CAPTURE(width, border);
+            const SparseMatrix lower = bordered(std::vector<int>(12, width), border, 1);
+            CHECK(solve_and_check(solver, lower, 1e-13).status == Status::converged);
+            CHECK(solver.by_chain() == (border < 30));
+        }
+    // the pattern has the multipliers of the last node as one more block of the chain
+    for (const int held : {1, 3, 6}) {
+        CAPTURE(held);
+        const SparseMatrix chain = random_chain(std::vector<int>(9, 6), 3);
+        Triplets triplets;
+        for (int j = 0; j < 54; ++j)
+            for (SparseMatrix::InnerIterator entry(chain, j); entry; ++entry)
+                triplets.emplace_back(static_cast<int>(entry.row()), j, entry.value());
+        for (int k = 0; k < held; ++k) {
+            for (int j = 48; j < 54; ++j)
+                triplets.emplace_back(54 + k, j,
+                                      random_vector(6, 9U + static_cast<unsigned>(k))[j - 48]);
+            triplets.emplace_back(54 + k, 54 + k, 0.0);
+        }
+        CHECK(solve_and_check(solver, sparse(54 + held, triplets), 1e-13).status ==
+              Status::converged);
+        CHECK(solver.by_chain());
+    }
+}
+
 TEST_CASE("BorderedChain: what is no such chain goes to the general solver", "[solver]") {
     BorderedChain solver;
     const SparseMatrix wide = bordered(std::vector<int>(9, 12), BorderedChain::max_border + 1, 1);
@@ -74,12 +105,13 @@ TEST_CASE("BorderedChain: a matrix that the chain does not solve goes to the gen
     const SparseMatrix good = stored(bordered(std::vector<int>(9, 6), 6, 1), Storage::full);
     const VectorX b = random_vector(static_cast<int>(good.cols()), 5);
     VectorX x;
-    const auto error_of = [&](BorderedChain& solver, const SparseMatrix& matrix) {
+    const auto error_of = [&](BorderedChain& solver, const SparseMatrix& matrix,
+                              bool by_chain = false) {
         solver.analyze(good);
         REQUIRE(solver.factorize(good).status == Status::converged);
         CHECK(solver.by_chain());
         REQUIRE(solver.factorize(matrix).status == Status::converged);
-        CHECK_FALSE(solver.by_chain());
+        CHECK(solver.by_chain() == by_chain);
         solver.solve(b, x);
         return backward_error(matrix, Storage::full, x, b);
     };
@@ -90,7 +122,8 @@ TEST_CASE("BorderedChain: a matrix that the chain does not solve goes to the gen
     SparseMatrix skew = good;
     skew.coeffRef(57, 0) *= -1.0;  // the factors read the other half
     CHECK(error_of(solver, skew) <= 1e-13);
-    // the border alone holds the last block of the chain, or holds motions that hardly strain it
+    // the border alone holds the last block of the chain, which joins the border where it has no
+    // stiffness at all, or holds motions that hardly strain it
     using Pair = std::pair<double, double>;
     for (const auto& [stiffness, share] :
          {Pair(0.0, 0.0), Pair(40.0, 0.0), Pair(40.0, 1e-12), Pair(40.0, 1e-9)}) {
@@ -104,7 +137,7 @@ TEST_CASE("BorderedChain: a matrix that the chain does not solve goes to the gen
         for (int i = 48; i < 54; ++i)
             for (int j = 48; j < 54; ++j)
                 held.coeffRef(i, j) = stiffness * (i == j ? 1.0 + share : 1.0);
-        CHECK(error_of(solver, held) <= 1e-13);
+        CHECK(error_of(solver, held, stiffness == 0.0) <= 1e-13);
     }
     // another one takes the chain again
     CHECK(solver.factorize(good).status == Status::converged);
@@ -134,6 +167,9 @@ TEST_CASE("BorderedChain: complex matrices", "[solver]") {
             joint.values.push_back(joint.dense(entry.row(), j));
     const auto other = complex_solver_for(BorderedChain(), joint.pattern);
     CHECK(other->name() == "complex bordered-chain");
+    check_solution(*other, joint);
+    // regular, but nothing for the chain
+    joint.dense(0, 0) = joint.values.front() = 0.0;
     check_solution(*other, joint);
     CHECK(complex_solver_for(BorderedChain(), complex_chain(3, 30, Storage::full, 1).pattern)
               ->name() == "complex eigen-lu");

@@ -49,6 +49,33 @@ struct Grid {
     }
 };
 
+TEST_CASE("sparse LDL^T: new values of a pattern and other patterns in one object",
+          "[sparse-ldlt]") {
+    SparseLdlt factor;
+    const auto check = [&](const ancf::SparseMatrix& lower, const std::vector<int>& blocks) {
+        const ancf::MatrixX dense = ancf::MatrixX(lower).selfadjointView<Eigen::Lower>();
+        REQUIRE(factor.factorize(lower, blocks));
+        const ancf::VectorX b = ancf::VectorX::LinSpaced(lower.cols(), 1.0, 2.0);
+        ancf::VectorX x = b;
+        factor.solve(x);
+        CHECK((dense * x - b).norm() <= 1e-12);  // measured 1e-14
+    };
+    const Grid definite(7, 3, 30.0), negative(7, 3, -30.0);
+    for (const Grid* grid : {&definite, &negative})
+        check(ancf::detail::compressed(147, grid->entries), grid->blocks);
+    // as many entries elsewhere, other blocks, a failure between
+    const std::vector<int> each = {0, 1, 2}, pair = {0, 0, 1};
+    const auto first =
+        ancf::detail::compressed(3, {{0, 0, 2.0}, {1, 0, 1.0}, {1, 1, 2.0}, {2, 2, 2.0}});
+    const auto second =
+        ancf::detail::compressed(3, {{0, 0, 2.0}, {1, 1, 2.0}, {2, 1, 1.0}, {2, 2, 2.0}});
+    check(first, each);
+    check(second, each);
+    check(second, pair);
+    CHECK_FALSE(factor.factorize(0.0 * second, pair));
+    check(second, pair);
+}
+
 TEST_CASE("sparse LDL^T: solves and counts signs as dense matrices do", "[sparse-ldlt]") {
     for (const double shift : {30.0, 3.0, -30.0}) {  // definite, indefinite, negative definite
         INFO("shift " << shift);

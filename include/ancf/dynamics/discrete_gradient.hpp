@@ -34,7 +34,7 @@ struct StepForce {
 /// How much of the tangent is wanted.
 enum class StepTangent {
     none,
-    symmetric,  ///< K(z)/2: what a solver of symmetric matrices can take
+    symmetric,  ///< K(u)/2: what a solver of symmetric matrices can take
     exact       ///< with the derivative of s W D, unsymmetric
 };
 

@@ -53,7 +53,7 @@ struct TurnedStep {
     }
 };
 
-/// Writes S g + W (mu x x), the force that has neither a resultant nor a moment, but for s W D.
+/// Replaces g by f_0 = S g + W (mu x x). f_0 has neither a resultant nor a moment.
 ANCF_INLINE void turned_force(TurnedStep& step, StepForce& out) {
     Vector<double, 3> moment = Vector<double, 3>::Zero();
     for (int k = 0; k < step.vectors(); ++k) {
@@ -222,7 +222,7 @@ ANCF_INLINE void step_force(const ElementGroup& group, int prototype, const doub
     round_off *= std::numeric_limits<double>::epsilon();  // of U
     const double missed = out.energy - before - work;
     if (!(square > smallest_change * smallest_change * length * length)) return;
-    if (!(std::abs(missed) > round_off)) return;
+    if (std::abs(missed) <= round_off) return;  // NaN goes on into the force
     const double s = missed / square;
     if (wanted == StepTangent::exact) {
         double end[most];

@@ -60,7 +60,7 @@ private:
     SparseMatrix matrix_;     // lower half
     std::vector<int> slots_;  // where its values stand in the pattern
     VectorX scales_;          // of the unknowns
-    VectorX sizes_[2];        // |matrix| scales, of the columns of A and of the others
+    VectorX sizes_[2];        // of each row sum |entry| scale, over the columns of A, and others
     std::vector<double> factorised_;
     SparseLdlt ldlt_;
 };

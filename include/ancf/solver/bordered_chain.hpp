@@ -19,12 +19,13 @@
 
 namespace ancf {
 
-/// Solves by the blocks of a chain and a dense border of multipliers, or by a general solver.
+/// Solves chains with a border of multipliers block by block, and everything else by a general
+/// solver.
 ///
-/// For beams whose nodes follow each other in the model, with a few joints: at most 24 multipliers.
-/// In motion it takes a third of a general solver's time. The general one is asked where there is
-/// no such chain, and for each matrix that the chain does not solve to nine digits: that of a beam
-/// at rest which only its multipliers hold, or one that is not symmetric. So it takes any matrix:
+/// It is made for beams in motion whose nodes follow each other in the model, with at most 24
+/// multipliers. Every factorisation is tested. Where the chain does not solve to nine digits, the
+/// general solver factorises this matrix. That happens for matrices that are not symmetric, as
+/// EnergyMomentum makes them, and for beams at rest that only joints hold.
 ///
 ///     ancf::BorderedChain solver;                               // with EigenLu
 ///     ancf::BorderedChain solver{ancf::suitesparse::Klu()};     // with SuiteSparse
@@ -49,12 +50,16 @@ public:
     /// All entries are read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
 
-    /// @throws InvalidArgument unless square and compressed. The one that is moved from keeps no
-    ///         general solver: it takes chains alone.
+    /// Looks for a chain with a border; without one the general solver analyses the pattern.
+    /// @param matrix  square, compressed, all entries; values do not matter.
+    /// @throws InvalidArgument unless square and compressed, and in a solver that was moved from for
+    ///         what is no chain: it has no general solver any more.
     ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
 
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
+    /// Factorises by the chain where that solves to nine digits, else by the general solver.
+    /// @return  the report of the one that made it; of the chain negative_pivots is unknown.
+    /// @throws InvalidArgument unless it has the pattern analysed. Without a chain only the size
+    ///         and the number of entries in a column are compared.
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
 
     /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
@@ -77,13 +82,13 @@ public:
     /// Whether the pattern analysed is a chain with a border.
     [[nodiscard]] bool is_chain() const noexcept { return is_chain_; }
 
-    /// Whether the last factorisation is that of the chain.
+    /// Whether the last factorisation is that of the chain; false before one.
     [[nodiscard]] bool by_chain() const noexcept { return by_chain_; }
 
 private:
     std::unique_ptr<LinearSolver> general_;
     detail::BorderedFactors<double> factors_;
-    bool is_chain_ = true, by_chain_ = true;
+    bool is_chain_ = true, by_chain_ = false;
     bool analysed_ = false;  // by the general solver
     double singular_rcond_ = default_singular_rcond;
     detail::SolverStage stage_;

@@ -35,23 +35,30 @@ public:
 private:
     std::unique_ptr<ComplexSolver> general_;
     BorderedFactors<std::complex<double>> factors_;
-    bool is_chain_ = true, by_chain_ = true;
+    SparseMatrix pattern_;
+    bool is_chain_ = false, by_chain_ = false;
+    bool analysed_ = false;  // by the general solver
 };
 
 ANCF_INLINE void ComplexBorderedChain::analyze(const SparseMatrix& pattern) {
     require_storage(name(), pattern, Storage::full);
-    is_chain_ = by_chain_ = factors_.analyze(pattern);
-    general_->analyze(pattern);
+    is_chain_ = factors_.analyze(pattern);
+    by_chain_ = analysed_ = false;
+    pattern_ = pattern;
 }
 
 ANCF_INLINE Status
 ComplexBorderedChain::factorize(const std::vector<std::complex<double>>& values) {
     by_chain_ =
         is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
-    return by_chain_ ? Status::converged : general_->factorize(values);
+    if (by_chain_) return Status::converged;
+    if (!analysed_) general_->analyze(pattern_);
+    analysed_ = true;
+    return general_->factorize(values);
 }
 
 ANCF_INLINE void ComplexBorderedChain::solve(ComplexVectorX& b) const {
+    require(by_chain_ || analysed_, name(), " has no factorisation");
     by_chain_ ? factors_.solve(b.data()) : general_->solve(b);
 }
 
@@ -72,7 +79,8 @@ ANCF_INLINE BorderedChain::BorderedChain(std::unique_ptr<LinearSolver> general,
 ANCF_INLINE void BorderedChain::analyze(const SparseMatrix& matrix) {
     detail::require_storage("bordered-chain", matrix, storage());
     stage_.reset();
-    is_chain_ = by_chain_ = factors_.analyze(matrix);
+    is_chain_ = factors_.analyze(matrix);
+    by_chain_ = false;
     detail::require(is_chain_ || general_, "BorderedChain was moved from: it takes chains alone");
     analysed_ = !is_chain_;
     if (analysed_) general_->analyze(matrix);

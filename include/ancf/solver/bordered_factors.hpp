@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The factors of a chain with a border: unknowns at the end, few, that couple with any other.
+/// The factors of a chain with a border. The border is a few unknowns at the end, which may couple
+/// with all others.
 ///
 ///     [ A  B^T ] [ x ]   [ b ]        S = C - B A^-1 B^T,     y = S^-1 (c - B A^-1 b),
 ///     [ B  C   ] [ y ] = [ c ]        x = A^-1 b - A^-1 B^T y
 ///
 /// A is a chain, factorised by block_tridiagonal_kernel.hpp; S is dense and factorised with pivots.
-/// That is as good as A is well conditioned, which it is in motion: A holds the masses. So each
-/// factorisation proves itself. A known vector is multiplied by all of the matrix and has to come
-/// back from a solution; it does not where A is nearly singular or the matrix is not symmetric.
+/// This is accurate where A is well conditioned. In motion it is: A holds the masses. Each
+/// factorisation is tested: the matrix times a known vector is solved for. The vector does not come
+/// back where A is nearly singular or the matrix is not symmetric.
 
 #pragma once
 
@@ -30,12 +31,13 @@ public:
     /// Unknowns in the widest border.
     static constexpr int max_border = 24;
 
-    /// Looks for the border that leaves a chain of the narrowest blocks.
+    /// Looks for the narrowest border that leaves a chain of the narrowest blocks.
     /// @param matrix  compressed, square, all entries; values do not matter.
     /// @return        false where no border does; the factors are of no use then.
     [[nodiscard]] bool analyze(const SparseMatrix& matrix);
 
     /// @param values  those of the pattern analysed.
+    /// Widens the border where the chain has zeros on its diagonal: multipliers of its last nodes.
     /// @return        whether the factors solve the equations of these values.
     [[nodiscard]] bool factorize(const Scalar* values);
 
@@ -46,7 +48,9 @@ public:
     [[nodiscard]] bool has_pattern(const SparseMatrix& matrix) const;
 
     /// Number of values in the pattern.
-    [[nodiscard]] std::size_t entries() const noexcept { return inner_.size(); }
+    [[nodiscard]] std::size_t entries() const noexcept {
+        return static_cast<std::size_t>(pattern_.nonZeros());
+    }
 
     /// Number of unknowns in the border.
     [[nodiscard]] int border() const noexcept { return border_; }
@@ -56,14 +60,16 @@ private:
         int row, column, slot;  // slot: place among the values
     };
 
+    [[nodiscard]] bool divide(int least_border);
+    [[nodiscard]] int border_of(const Scalar* values) const;
     [[nodiscard]] bool factorize_chain(const Scalar* values);
     [[nodiscard]] bool factorize_border(const Scalar* values);
     void solve_chain(Scalar* x) const;
     [[nodiscard]] bool scale(const Scalar* values);
     [[nodiscard]] bool proves_right(const Scalar* values);
 
-    int chain_ = 0, border_ = 0;      // numbers of unknowns
-    std::vector<int> outer_, inner_;  // of all entries
+    int chain_ = 0, border_ = 0;  // numbers of unknowns
+    SparseMatrix pattern_;        // of all entries
     BlockLayout layout_;
     std::vector<int> chain_outer_, chain_inner_, chain_slots_;  // lower half of A
     std::vector<Entry> across_, corner_;  // B, and C; their rows counted from 0

@@ -22,28 +22,35 @@ namespace ancf::detail {
 
 template <class Scalar>
 bool BorderedFactors<Scalar>::analyze(const SparseMatrix& matrix) {
-    const auto size = static_cast<int>(matrix.cols());
-    const SparseMatrix lower = lower_half(matrix);
+    pattern_ = matrix;
+    return divide(0);
+}
+
+/// Divides the unknowns into a chain and a border of at least this width; false where none does.
+template <class Scalar>
+bool BorderedFactors<Scalar>::divide(int least_border) {
+    const auto size = static_cast<int>(pattern_.cols());
+    const SparseMatrix lower = lower_half(pattern_);
     int width = 0;
-    for (int border = std::min(max_border, size - 1); border >= 0; --border) {
+    int found = 0;
+    for (int border = std::min(max_border, size - 1); border >= least_border; --border) {
         const int widest = widest_block(chain_starts(lower, size - border));
         if (widest > widest_compiled_block) break;  // as it is with more rows
         const int fitting = fitting_width(widest, BlockWidths());
         if (width > 0 && fitting > width) break;
         width = fitting;
-        border_ = border;
+        found = border;
     }
     if (width == 0) return false;
+    border_ = found;
     chain_ = size - border_;
     SparseMatrix chain = lower.topLeftCorner(chain_, chain_);
     chain.makeCompressed();
     layout_ = block_layout(chain, chain_starts(chain), width);
     panels_.resize(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(width) *
                    static_cast<std::size_t>(layout_.blocks()));
-    const int* outer = matrix.outerIndexPtr();
-    const int* inner = matrix.innerIndexPtr();
-    outer_.assign(outer, outer + size + 1);
-    inner_.assign(inner, inner + matrix.nonZeros());
+    const int* outer = pattern_.outerIndexPtr();
+    const int* inner = pattern_.innerIndexPtr();
     chain_outer_.assign(1, 0);
     for (auto* list : {&chain_inner_, &chain_slots_}) list->clear();
     for (auto* list : {&across_, &corner_}) list->clear();
@@ -76,13 +83,26 @@ bool BorderedFactors<Scalar>::analyze(const SparseMatrix& matrix) {
 
 template <class Scalar>
 bool BorderedFactors<Scalar>::factorize(const Scalar* values) {
+    const int needed = border_of(values);
+    if (needed > border_ && (needed > max_border || !divide(needed))) return false;
     return scale(values) && factorize_chain(values) && factorize_border(values) &&
            proves_right(values);
 }
 
 template <class Scalar>
 bool BorderedFactors<Scalar>::has_pattern(const SparseMatrix& matrix) const {
-    return std::equal(inner_.begin(), inner_.end(), matrix.innerIndexPtr());
+    const int* inner = pattern_.innerIndexPtr();
+    return std::equal(inner, inner + pattern_.nonZeros(), matrix.innerIndexPtr());
+}
+
+/// Returns the width of the border that leaves no zero on the diagonal of the chain.
+template <class Scalar>
+int BorderedFactors<Scalar>::border_of(const Scalar* values) const {
+    for (int i = 0; i < chain_; ++i) {
+        const int slot = diagonal_[static_cast<std::size_t>(i)];
+        if (slot < 0 || magnitude(values[slot]) == 0.0) return chain_ + border_ - i;
+    }
+    return border_;
 }
 
 /// Finds scales of the unknowns; returns whether there are.
@@ -90,14 +110,18 @@ template <class Scalar>
 bool BorderedFactors<Scalar>::scale(const Scalar* values) {
     const auto size = [values](int slot) { return slot < 0 ? 0.0 : magnitude(values[slot]); };
     for (std::size_t i = 0; i < scales_.size(); ++i) scales_[i] = std::sqrt(size(diagonal_[i]));
-    const auto first = scales_.begin() + chain_;
-    if (std::any_of(scales_.begin(), first, [](double root) { return !(root > 0.0); }))
-        return false;
-    for (const Entry& entry : across_) {  // of a constraint: what its largest entry becomes one by
-        double& root = scales_[static_cast<std::size_t>(chain_ + entry.row)];
-        if (size(diagonal_[static_cast<std::size_t>(chain_ + entry.row)]) > 0.0) continue;
-        root = std::max(root, size(entry.slot) / scales_[static_cast<std::size_t>(entry.column)]);
-    }
+    // of a multiplier: what its largest entry becomes one by
+    const auto couple = [&](std::size_t row, std::size_t column, int slot) {
+        if (row == column || size(diagonal_[row]) > 0.0 || !(scales_[column] > 0.0)) return;
+        scales_[row] = std::max(scales_[row], size(slot) / scales_[column]);
+    };
+    const auto n = static_cast<std::size_t>(chain_);
+    for (const Entry& entry : across_)
+        couple(n + static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
+               entry.slot);
+    for (const Entry& entry : corner_)
+        couple(n + static_cast<std::size_t>(entry.row), n + static_cast<std::size_t>(entry.column),
+               entry.slot);
     for (double& root : scales_) {
         root = 1.0 / root;
         if (!std::isfinite(root)) return false;
@@ -145,8 +169,8 @@ bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
             values[entry.slot];
     for (const Entry& entry : across_)
         for (std::size_t k = 0; k < m; ++k)
-            small_[static_cast<std::size_t>(entry.row) * m + k] -=
-                values[entry.slot] * columns_[k * n + static_cast<std::size_t>(entry.column)];
+            small_[static_cast<std::size_t>(entry.row) * m + k] -= product(
+                values[entry.slot], columns_[k * n + static_cast<std::size_t>(entry.column)]);
     for (std::size_t k = 0; k < m; ++k) {
         std::size_t pivot = k;
         for (std::size_t i = k + 1; i < m; ++i)
@@ -156,7 +180,8 @@ bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
         for (std::size_t j = 0; j < m; ++j) std::swap(small_[k * m + j], small_[pivot * m + j]);
         for (std::size_t i = k + 1; i < m; ++i) {
             const Scalar factor = small_[i * m + k] /= small_[k * m + k];
-            for (std::size_t j = k + 1; j < m; ++j) small_[i * m + j] -= factor * small_[k * m + j];
+            for (std::size_t j = k + 1; j < m; ++j)
+                small_[i * m + j] -= product(factor, small_[k * m + j]);
         }
     }
     return true;
@@ -167,17 +192,17 @@ void BorderedFactors<Scalar>::solve(Scalar* x) const {
     const auto m = static_cast<std::size_t>(border_), n = static_cast<std::size_t>(chain_);
     Scalar* y = x + n;
     for (std::size_t k = 0; k < m; ++k)  // c - B A^-1 b
-        for (std::size_t i = 0; i < n; ++i) y[k] -= columns_[k * n + i] * x[i];
+        for (std::size_t i = 0; i < n; ++i) y[k] -= product(columns_[k * n + i], x[i]);
     for (std::size_t k = 0; k < m; ++k) std::swap(y[k], y[pivots_[k]]);
     for (std::size_t k = 0; k < m; ++k)
-        for (std::size_t j = 0; j < k; ++j) y[k] -= small_[k * m + j] * y[j];
+        for (std::size_t j = 0; j < k; ++j) y[k] -= product(small_[k * m + j], y[j]);
     for (std::size_t k = m; k-- > 0;) {
-        for (std::size_t j = k + 1; j < m; ++j) y[k] -= small_[k * m + j] * y[j];
+        for (std::size_t j = k + 1; j < m; ++j) y[k] -= product(small_[k * m + j], y[j]);
         y[k] /= small_[k * m + k];
     }
     solve_chain(x);
     for (std::size_t k = 0; k < m; ++k)
-        for (std::size_t i = 0; i < n; ++i) x[i] -= columns_[k * n + i] * y[k];
+        for (std::size_t i = 0; i < n; ++i) x[i] -= product(columns_[k * n + i], y[k]);
 }
 
 /// Returns whether a known vector comes back from a solution.
@@ -188,19 +213,16 @@ bool BorderedFactors<Scalar>::proves_right(const Scalar* values) {
         return scales_[i] * probe_weight(static_cast<std::int64_t>(i));
     };
     std::fill(probe_.begin(), probe_.end(), Scalar(0.0));
+    const int* outer = pattern_.outerIndexPtr();
     for (std::size_t column = 0; column < probe_.size(); ++column) {
         const double x = known(column);
-        for (int slot = outer_[column]; slot < outer_[column + 1]; ++slot)
-            probe_[static_cast<std::size_t>(inner_[static_cast<std::size_t>(slot)])] +=
-                values[slot] * x;
+        for (int slot = outer[column]; slot < outer[column + 1]; ++slot)
+            probe_[static_cast<std::size_t>(pattern_.innerIndexPtr()[slot])] += values[slot] * x;
     }
     solve(probe_.data());
-    double error = 0.0;
-    for (std::size_t i = 0; i < probe_.size(); ++i) {
-        const double one = magnitude(probe_[i] - known(i)) / scales_[i];
-        if (!(one <= error)) error = one;  // NaN stays
-    }
-    return error <= tolerance;
+    for (std::size_t i = 0; i < probe_.size(); ++i)
+        if (!(magnitude(probe_[i] - known(i)) <= tolerance * scales_[i])) return false;  // NaN, too
+    return true;
 }
 
 #if defined(ANCF_SOURCE)

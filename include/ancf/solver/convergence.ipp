@@ -133,8 +133,8 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
                                                   const VectorX& q) const {
     const SparseMatrix& tangent = assembly.tangent();
     const int unknowns = numbering_.free_coordinates();
-    // Held vectors at a node and beside it, whose columns the tangent has not: positions of the
-    // node's size and an element's length, entries of K by powers of that length.
+    // Held coordinates have no column in the tangent: each free one is counted with held ones of the
+    // size of its node's position and an element.
     VectorX sizes = q, at,
             reach = VectorX::Constant(static_cast<Eigen::Index>(numbering_.block_sizes().size()),
                                       element_size_);

@@ -35,6 +35,13 @@ inline double magnitude(const std::complex<double>& x) noexcept {
     return std::abs(x.real()) + std::abs(x.imag());
 }
 
+/// Returns a b; of complex numbers by their parts, which does not look for infinities.
+inline double product(double a, double b) noexcept { return a * b; }
+inline std::complex<double> product(const std::complex<double>& a,
+                                    const std::complex<double>& b) noexcept {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 /// Returns how many of N doubles stand in one register.
 constexpr int column_lanes(int n, int lanes = register_lanes) {
     return n % lanes == 0 ? lanes : column_lanes(n, lanes / 2);
@@ -60,7 +67,6 @@ struct FixedColumn {
     static constexpr bool paired = !real && doubles > 1;
     static constexpr int lanes = real ? doubles : paired ? doubles / 2 : 1;  // scalars in one
     static constexpr int parts = N / lanes;
-    static constexpr int scalar_size = static_cast<int>(sizeof(Scalar));
     using Part = std::conditional_t<real || paired, PackType<doubles>, Scalar>;
 
     Part part[parts];
@@ -185,8 +191,7 @@ private:
             else if constexpr (paired)
                 return a * value.real + swapped(a) * value.imaginary;
             else
-                return {a.real() * value.real() - a.imag() * value.imag(),
-                        a.real() * value.imag() + a.imag() * value.real()};
+                return detail::product(a, value);
         }
     };
     static Part load(const Scalar* first) noexcept {

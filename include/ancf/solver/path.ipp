@@ -267,6 +267,7 @@ private:
 
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
     [[nodiscard]] Outcome prepare(Point& at) {
+        idle_ = false;
         if (const std::optional<Fault> fault = evaluate(at)) return Outcome::of(*fault);
         const FactorReport factor = solver_.factorize(assembly_.tangent());
         if (factor.status != Status::converged) return Outcome::of(factor.status);

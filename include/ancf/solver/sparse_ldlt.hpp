@@ -54,7 +54,7 @@ public:
 
 private:
     void order(const SparseMatrix& lower);
-    void permute();
+    void permute(const int* outer);
     void analyze();
     [[nodiscard]] bool eliminate();
 

@@ -117,12 +117,13 @@ ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vec
     const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
     if (blocks != blocks_ || !std::equal(outer, outer_end, outer_.begin(), outer_.end()) ||
         !std::equal(inner, inner_end, inner_.begin(), inner_.end())) {
+        outer_.clear();  // until all is known
         blocks_ = blocks;
-        outer_.assign(outer, outer_end);
         inner_.assign(inner, inner_end);
         order(lower);
-        permute();
+        permute(outer);
         analyze();
+        outer_.assign(outer, outer_end);
     }
     for (std::size_t k = 0; k < from_.size(); ++k) upper_value_[k] = lower.valuePtr()[from_[k]];
     return eliminate();
@@ -144,11 +145,10 @@ ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
 }
 
 /// Finds where each value of the lower half stands in the upper half of the permuted matrix.
-ANCF_INLINE void SparseLdlt::permute() {
+ANCF_INLINE void SparseLdlt::permute(const int* outer) {
     const auto visit = [&](const auto& entry) {
         for (int j = 0; j < size(); ++j)
-            for (int k = outer_[static_cast<std::size_t>(j)];
-                 k < outer_[static_cast<std::size_t>(j) + 1]; ++k) {
+            for (int k = outer[j]; k < outer[j + 1]; ++k) {
                 const int i = inner_[static_cast<std::size_t>(k)];
                 if (i < j) continue;
                 const int a = place_[static_cast<std::size_t>(i)];

@@ -43,8 +43,8 @@ private:
     // Refills a block that lost vectors to a far slower mode: new mixtures, without the modes that
     // it has.
     void complete(Eigen::Index width);
-    // Solves A x = b. Multipliers that are large beside the energies make of what a solution leaves
-    // of G x a negative x^T A x: with constraints a solution is refined once.
+    // Solves A x = b, with constraints refined once. What a solution leaves of G x, times large
+    // multipliers, can make x^T A x negative.
     void solve(const VectorX& b, VectorX& x) const;
     // Tells whether a vector without these modes is more than round-off.
     [[nodiscard]] bool above_round_off(const Dense& x) const;

@@ -19,7 +19,7 @@ namespace ancf::suitesparse {
 /// Returns the names that solver_named knows, the core's among them.
 ///
 /// "cholmod-simplicial" is Cholmod as L D L^T, which indefinite matrices may need; it calls itself
-/// "cholmod".
+/// "cholmod". "bordered-chain" has Klu as its general solver here, EigenLu in ancf::solver_named.
 [[nodiscard]] std::vector<std::string> solver_names();
 
 /// Returns a new linear solver of SuiteSparse or of the core.
