@@ -4,8 +4,9 @@
 /// @file
 /// The integrators that the benchmarks compare, each with its one setting.
 ///
-/// One beam without constraints is solved by the solver for chains, every other scene by the one for
-/// chains with constraints, in the energy-momentum scheme by a general one. Newton's method goes to 1e-10 of the scene's size, far below any error that is measured.
+/// One beam without constraints is solved by the solver for chains, every other scene by the one
+/// for chains with constraints, in the energy-momentum scheme by a general one. Newton's method
+/// goes to 1e-10 of the scene's size, far below any error that is measured.
 
 #pragma once
 

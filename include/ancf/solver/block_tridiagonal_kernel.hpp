@@ -212,12 +212,11 @@ private:
         rest += carry;
         Column next = Column::zero();
         Scalar solved[N];
-        ANCF_UNROLL_BLOCK
-        for (int j = 0; j < N; ++j) {
+        each_column([&](int j) {
             solved[j] = rest[j];
             rest.subtract(panel + j * N, solved[j]);
             next.subtract(below + j * N, solved[j]);
-        }
+        });
         std::copy_n(solved, size, y);
         carry = next;
     }
@@ -231,17 +230,29 @@ private:
             Scalar* y = x + layout.start(block);
             const Column given = padded(y, size);
             Column rest, solved;
-            ANCF_UNROLL_BLOCK
-            for (int j = 0; j < N; ++j)
+            each_column([&](int j) {
                 rest.set(j, given[j] * panel[j * N + j] - dot(Column::at(below + j * N), next));
-            ANCF_UNROLL_BLOCK
-            for (int j = N - 1; j >= 0; --j) {
+            });
+            each_column([&](int before) {
+                const int j = N - 1 - before;
                 const Scalar one = rest[j];
                 solved.set(j, one);
                 rest.subtract(panel + j * N, one);
-            }
+            });
             store(solved, size, y);
             next = solved;
+        }
+    }
+
+    // Where the loop is unrolled, entries of a column stay in registers; beyond some size it is not
+    // worth its code.
+    template <class Action>
+    static void each_column(const Action& action) noexcept {
+        if constexpr (N * Column::parts <= 144) {
+            ANCF_UNROLL_BLOCK
+            for (int j = 0; j < N; ++j) action(j);
+        } else {
+            for (int j = 0; j < N; ++j) action(j);
         }
     }
 

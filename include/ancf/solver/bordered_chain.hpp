@@ -52,8 +52,8 @@ public:
 
     /// Looks for a chain with a border; without one the general solver analyses the pattern.
     /// @param matrix  square, compressed, all entries; values do not matter.
-    /// @throws InvalidArgument unless square and compressed, and in a solver that was moved from for
-    ///         what is no chain: it has no general solver any more.
+    /// @throws InvalidArgument unless square and compressed; for what is no chain, in a solver that
+    ///         was moved from: it has no general solver any more.
     ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
 
     /// Factorises by the chain where that solves to nine digits, else by the general solver.

@@ -133,8 +133,8 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
                                                   const VectorX& q) const {
     const SparseMatrix& tangent = assembly.tangent();
     const int unknowns = numbering_.free_coordinates();
-    // Held coordinates have no column in the tangent: each free one is counted with held ones of the
-    // size of its node's position and an element.
+    // Held coordinates have no column in the tangent: each free one is counted with held ones of
+    // the size of its node's position and an element.
     VectorX sizes = q, at,
             reach = VectorX::Constant(static_cast<Eigen::Index>(numbering_.block_sizes().size()),
                                       element_size_);
