@@ -67,10 +67,12 @@ inline Integrator explicit_method(std::string name, sundials::Table table, bool 
 #endif
 
 /// Runs an integrator with the solver that suits the scene.
+/// @param general  name of the solver of scenes that are no chain.
 template <class Method>
-DynamicsReport run_with_solver(Scene& model, const Schedule& schedule, const Method& integrator) {
+DynamicsReport run_with_solver(Scene& model, const Schedule& schedule, const Method& integrator,
+                               const char* general = "bordered-chain") {
     const bool chain = model.constraints().empty() && model.attachments().empty();
-    const auto solver = solver_named(chain ? "block-tridiagonal" : "bordered-chain");
+    const auto solver = solver_named(chain ? "block-tridiagonal" : general);
     ProblemOptions for_solver;
     for_solver.storage = solver->storage();
     DynamicProblem problem(model, for_solver);
@@ -121,12 +123,11 @@ inline Integrator radau(std::string name, int stages) {
 /// The energy-momentum scheme of fixed steps.
 inline Integrator energy_momentum(std::string name) {
     return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
-                DynamicProblem problem(model);
                 EnergyMomentumOptions options;
                 options.step = step;
                 options.follow_energy = false;
-                return EnergyMomentum(options).integrate(problem, *solver_named(general_solver),
-                                                         schedule);
+                // its matrix is symmetric for a solver of symmetric ones alone
+                return run_with_solver(model, schedule, EnergyMomentum(options), general_solver);
             }};
 }
 
