@@ -52,9 +52,6 @@ public:
         return static_cast<std::size_t>(pattern_.nonZeros());
     }
 
-    /// Number of unknowns in the border.
-    [[nodiscard]] int border() const noexcept { return border_; }
-
 private:
     struct Entry {
         int row, column, slot;  // slot: place among the values
