@@ -12,6 +12,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>

@@ -177,6 +177,11 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
+    /// Returns the first load, amplitudes aside, whose force is another at other rates; -1 where
+    /// there is none. Vectors have an entry per coordinate.
+    [[nodiscard]] int damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
+                                   double time) const;
+
     // Inertia, as the prototypes are now, constant in q -------------------------------------------
 
     /// Returns the mass matrix in the pattern of the tangent; zero for the multipliers.

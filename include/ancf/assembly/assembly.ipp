@@ -546,6 +546,21 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
     return rate;
 }
 
+ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
+                                       double time) const {
+    std::vector<VectorX> forces;
+    const auto keep = [&](const ScaledLoad&, const std::vector<int>&, const LoadResult& result) {
+        forces.push_back(result.force);
+    };
+    for_each_load(q, v, time, false, keep);
+    for_each_load(q, others, time, false, keep);
+    const std::size_t loads = load_coordinates_.size();
+    for (std::size_t k = 0; k < loads; ++k)
+        if (detail::all_finite(forces[k]) && forces[k] != forces[loads + k])
+            return static_cast<int>(k);
+    return -1;
+}
+
 ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request request) {
     violation_.setZero(numbering_.multipliers());
     violation_rate_.setZero(numbering_.multipliers());

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace ancf {
+namespace ancf::detail {
 
 /// The constraints of one model; sizes are of all coordinates unless said to be free ones.
 class ConstraintSet {
@@ -100,7 +100,7 @@ private:
     VectorX violation_, rate_, full_rate_, convection_;
 };
 
-}  // namespace ancf
+}  // namespace ancf::detail
 
 #if !defined(ANCF_COMPILED)
 #include <ancf/dynamics/constraint_set.ipp>  // IWYU pragma: export

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace ancf {
+namespace ancf::detail {
 
 template <class Visitor>
 void ConstraintSet::for_each(const Visitor& visit) const {
@@ -54,13 +54,13 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
         const auto size = static_cast<Eigen::Index>(read.size());
         const int equations = constraint.equations();
         local_.time = time;
-        detail::gather(q, read, local_.q);
-        detail::gather(v, read, local_.v);
+        gather(q, read, local_.q);
+        gather(v, read, local_.v);
         local_.multipliers.setZero(equations);
         ConstraintResult& result = results_[k];
         result.reset(equations, size);
         constraint.evaluate(local_, result);
-        const VectorX slide = detail::multiply(result.jacobian, local_.v);
+        const VectorX slide = multiply(result.jacobian, local_.v);
         coordinates_[k].carry_columns(result.jacobian);
         for (int i = 0; i < equations; ++i) {
             violation_[first_[k] + i] = result.violation[i];
@@ -74,19 +74,19 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
 }
 
 ANCF_INLINE double ConstraintSet::largest_violation() const noexcept {
-    return detail::largest_magnitude(violation_);
+    return largest_magnitude(violation_);
 }
 
 ANCF_INLINE double ConstraintSet::largest_rate() const noexcept {
-    return detail::largest_magnitude(full_rate_);
+    return largest_magnitude(full_rate_);
 }
 
 ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
     VectorX out = VectorX::Zero(size());
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
         VectorX local;
-        detail::gather(a, at, local);
-        const VectorX part = detail::multiply(result.jacobian, local);
+        gather(a, at, local);
+        const VectorX part = multiply(result.jacobian, local);
         std::copy_n(part.data(), part.size(), out.data() + first);
     });
     for (int i = 0; i < size(); ++i)
@@ -162,8 +162,8 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
         const auto size = static_cast<Eigen::Index>(at.size());
         const int equations = constraint.equations();
         const int own = numbering_.constraint_block(static_cast<int>(k));
-        detail::gather(q_, read, local.q);
-        detail::gather(v_, read, local.v);
+        gather(q_, read, local.q);
+        gather(v_, read, local.v);
         for (int e = 0; e < equations; ++e) {
             if (left_out(first_[k] + e)) continue;
             // with one multiplier 1 the stiffness is the Hessian of that equation
@@ -171,7 +171,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
             local.multipliers[e] = 1.0;
             result.reset(equations, static_cast<Eigen::Index>(read.size()));
             constraint.evaluate(local, result);
-            VectorX row = detail::multiply(result.stiffness, local.v);
+            VectorX row = multiply(result.stiffness, local.v);
             coordinates_[k].carry(row);
             coordinates_[k].carry(result.stiffness);
             const double weight = mu[first_[k] + e];
@@ -227,8 +227,8 @@ ANCF_INLINE int ConstraintSet::constraint_of(int equation) const {
 
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
     const auto constraint = static_cast<std::size_t>(constraint_of(equation));
-    return detail::joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
+    return joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
                            "), equation ", equation - first_[constraint]});
 }
 
-}  // namespace ancf
+}  // namespace ancf::detail

@@ -21,9 +21,9 @@ using LinearMap = std::function<VectorX(const VectorX&)>;
 [[nodiscard]] VectorX scattered(const VectorX& scales, int seed);
 
 /// Returns the largest |omega^2| of M^-1 K by power iteration with the Rayleigh quotient.
-/// @param scales     typical sizes of the coordinates.
+/// @param x          where to begin, not zero; becomes the mode.
 /// @param stiffness  x -> K x.  @param mass  x -> M x.  @param solve_mass  b -> M^-1 b.
-[[nodiscard]] double largest_eigenvalue(const VectorX& scales, const LinearMap& stiffness,
+[[nodiscard]] double largest_eigenvalue(VectorX& x, const LinearMap& stiffness,
                                         const LinearMap& mass, const LinearMap& solve_mass,
                                         int iterations = 60);
 

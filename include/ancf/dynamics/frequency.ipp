@@ -28,11 +28,9 @@ ANCF_INLINE VectorX scattered(const VectorX& scales, int seed) {
     return x;
 }
 
-ANCF_INLINE double largest_eigenvalue(const VectorX& scales, const LinearMap& stiffness,
-                                      const LinearMap& mass, const LinearMap& solve_mass,
-                                      int iterations) {
-    if (scales.size() == 0) return 0.0;
-    VectorX x = scattered(scales, 0);
+ANCF_INLINE double largest_eigenvalue(VectorX& x, const LinearMap& stiffness, const LinearMap& mass,
+                                      const LinearMap& solve_mass, int iterations) {
+    if (x.size() == 0) return 0.0;
     double estimate = 0.0;
     for (int k = 0; k < iterations; ++k) {
         x /= std::sqrt(x.dot(mass(x)));

@@ -285,8 +285,11 @@ public:
     [[nodiscard]] double motion_frequency(const Start& start);
 
     /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, within some per cent
-    /// (power iteration; constraints left aside, so an upper bound with them).
-    [[nodiscard]] double highest_frequency(double t, const VectorX& q);
+    /// (power iteration; constraints left aside, so an upper bound with them); 0 where an element
+    /// fails.
+    /// @param mode  where the iteration begins, not zero, n entries; becomes the mode. Null: it
+    ///              begins with all modes.
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q, VectorX* mode = nullptr);
 
     /// Returns the lowest angular frequency of K on M and G at (t, q) that is not of a rigid motion
     /// or mechanism, rad/s, by subspace iteration; 0 where every motion is free.
@@ -329,7 +332,7 @@ private:
     ProblemOptions options_;
     Assembly assembly_;
     Revision revision_;  // of the model that the mass below is of
-    ConstraintSet constraints_;
+    detail::ConstraintSet constraints_;
     SparseMatrix mass_, compact_mass_;
     detail::SparseLdlt mass_factor_;
     SparseMatrix tangent_;     // with the changes for equations left out

@@ -735,11 +735,13 @@ ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {
     return acceleration > round_off ? std::sqrt(acceleration) : turn;
 }
 
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q, VectorX* mode) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    VectorX all_modes;
+    if (mode == nullptr) mode = &(all_modes = detail::scattered(scales_, 0));
     return std::sqrt(detail::largest_eigenvalue(
-        scales_,
+        *mode,
         [&](const VectorX& x) {
             return detail::multiply(assembly_.tangent(), options_.storage, x);
         },

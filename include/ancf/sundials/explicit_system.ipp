@@ -70,9 +70,9 @@ ANCF_INLINE int ExplicitSystem::stability(N_Vector y, sunrealtype t, sunrealtype
 
 ANCF_INLINE double ExplicitSystem::largest(const SparseMatrix& matrix) const {
     const Storage storage = problem_.assembly().pattern().storage();
+    VectorX all_modes = ancf::detail::scattered(problem_.scales(), 0);
     return ancf::detail::largest_eigenvalue(
-        problem_.scales(),
-        [&](const VectorX& x) { return ancf::detail::multiply(matrix, storage, x); },
+        all_modes, [&](const VectorX& x) { return ancf::detail::multiply(matrix, storage, x); },
         [&](const VectorX& x) {
             return ancf::detail::multiply(problem_.compact_mass(), Storage::full, x);
         },

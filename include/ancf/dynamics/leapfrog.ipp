@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Definitions of leapfrog.hpp: one run of the method.
+
+#pragma once
+
+#include <ancf/dynamics/frequency.hpp>
+#include <ancf/dynamics/hermite.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
+#include <ancf/dynamics/recorder.hpp>
+#include <ancf/error.hpp>
+#include <ancf/types.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace ancf {
+namespace detail {
+
+/// One run. Q and V are what the steps move, q and v the motion.
+class LeapfrogRun {
+public:
+    LeapfrogRun(DynamicProblem& problem, const Schedule& schedule, const LeapfrogOptions& options,
+                LeapfrogReport& report);
+
+    void run();
+
+private:
+    // A moved place with s = -a(t, Q) and the kick -a(t, q).
+    struct Moved {
+        VectorX Q, V, s, kick;
+    };
+
+    static constexpr int most_attempts = 12;             // between two estimates, each half as long
+    static constexpr double reach = 3.4641016151377544;  // sqrt(12), the largest stable h w
+
+    [[nodiscard]] bool begin();
+    void require_no_damping();
+    void estimate();
+    [[nodiscard]] bool fill(double step);
+    [[nodiscard]] bool is_stable();
+    [[nodiscard]] bool evaluate(double time, const VectorX& q, VectorX& s);
+    [[nodiscard]] bool enter();
+    [[nodiscard]] bool take_step();
+    [[nodiscard]] bool advance();
+    [[nodiscard]] MotionPoint between(double time) const;
+    [[nodiscard]] bool is_fixed() const noexcept { return options_.step > 0.0; }
+    [[nodiscard]] bool goes_on() const noexcept { return now_.time < schedule_.end; }
+    void fail(Status status, std::string message) {
+        report_.status = status;
+        report_.message = std::move(message);
+    }
+
+    DynamicProblem& problem_;
+    const Schedule& schedule_;
+    const LeapfrogOptions& options_;
+    LeapfrogReport& report_;
+    Recorder recorder_;
+
+    MotionPoint now_, earlier_, next_;
+    Moved at_, moved_;                  // of now_, of next_
+    VectorX s_before_, kick_before_;    // of earlier_
+    VectorX s_rate_;                    // ds/dt at now_
+    VectorX fastest_;                   // mode of the highest frequency
+    double origin_ = 0.0, step_ = 0.0;  // s, of the grid: origin + count step
+    double count_ = 0.0, steps_ = 0.0;  // taken and to be taken of it
+    int since_ = 0, interval_ = 1;      // steps since the last estimate, and to the next one
+    int attempts_ = 0;                  // that failed since
+};
+
+ANCF_INLINE LeapfrogRun::LeapfrogRun(DynamicProblem& problem, const Schedule& schedule,
+                                     const LeapfrogOptions& options, LeapfrogReport& report)
+    : problem_(problem),
+      schedule_(schedule),
+      options_(options),
+      report_(report),
+      recorder_(problem, schedule, report, options.follow_energy) {}
+
+ANCF_INLINE void LeapfrogRun::run() {
+    if (!begin()) return;
+    recorder_.start(now_);
+    bool good = fill(is_fixed() ? options_.step : options_.stable_share * report_.stable_step) &&
+                is_stable();
+    while (good && goes_on() && advance()) {
+        if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) {
+            fail(Status::stopped, "the progress callback asked to stop");
+            break;
+        }
+        if (++since_ < interval_ && goes_on()) continue;
+        estimate();
+        good = is_stable();
+    }
+    recorder_.finish(now_);
+}
+
+ANCF_INLINE bool LeapfrogRun::begin() {
+    Start start = problem_.start();
+    report_.time = start.time;
+    ++report_.evaluations;
+    if (start.status != Status::converged) {
+        fail(start.status, start.message);
+        return false;
+    }
+    now_ = {start.time, std::move(start.q), std::move(start.v), {}};
+    at_.kick = -start.acceleration;
+    fastest_ = scattered(problem_.scales(), 0);
+    estimate();
+    require_no_damping();
+    return true;
+}
+
+/// A kick takes forces where the rates are not known yet: refuses those that depend on rates.
+ANCF_INLINE void LeapfrogRun::require_no_damping() {
+    const State at = problem_.raw_state(now_.time, now_.q, now_.v);
+    const double frequency = std::max(report_.highest_frequency, 1.0);
+    const VectorX others =
+        at.v + frequency * scattered(problem_.scales_of(problem_.length_scale()), 0);
+    const int load = problem_.assembly().damping_load(at.q, at.v, others, at.time);
+    require(load < 0, "Leapfrog: the force of load ", load,
+            " depends on rates, as damping does; integrate by sundials::Explicit, RadauIIA or "
+            "GeneralizedAlpha");
+}
+
+/// Estimates the highest frequency; where an element fails the last estimate stays.
+ANCF_INLINE void LeapfrogRun::estimate() {
+    since_ = 0;
+    ++report_.jacobians;
+    const double before = report_.highest_frequency;
+    const double now = problem_.highest_frequency(now_.time, now_.q, &fastest_);
+    if (now > 0.0) report_.highest_frequency = now;
+    report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
+                                                          : std::numeric_limits<double>::infinity();
+    // between two estimates the frequency is to rise by 2 % at most
+    const double rise = now / before - 1.0;  // NaN or infinite at the start
+    const double longer = rise > 0.01 ? std::max(0.02 / rise, 0.1) : 2.0;
+    interval_ = std::clamp(static_cast<int>(interval_ * longer), 1, options_.stable_interval);
+    attempts_ = 0;
+}
+
+/// Divides what is left of the run into equal steps of at most a width; false where max_steps are
+/// too few.
+ANCF_INLINE bool LeapfrogRun::fill(double step) {
+    const double rest = schedule_.end - now_.time;
+    origin_ = now_.time;
+    count_ = 0.0;
+    steps_ = std::max(1.0, std::ceil(rest / step - 1e-9));
+    step_ = rest / steps_;
+    if (options_.max_steps == 0 ||
+        steps_ <= static_cast<double>(options_.max_steps - report_.steps))
+        return true;
+    fail(Status::max_iterations, joined({"at ", now_.time, " s the rest of the run takes ", steps_,
+                                         " steps of ", step_, " s, as the scene vibrates at up to ",
+                                         report_.highest_frequency, " rad/s, and max_steps is ",
+                                         options_.max_steps, "; a stiff scene is one for RadauIIA"},
+                                        6));
+    return false;
+}
+
+/// Tells whether the step is below the stable one; chooses it anew where the margin has changed.
+ANCF_INLINE bool LeapfrogRun::is_stable() {
+    const double stable = report_.stable_step, most = options_.stable_share * stable;
+    if (step_ > stable) {
+        fail(Status::diverged,
+             joined({"the step of ", step_, " s is above the stable one of ", stable, " s at ",
+                     now_.time, " s",
+                     is_fixed() ? "" : "; a smaller stable_share or stable_interval may pass"},
+                    6));
+        return false;
+    }
+    const bool suits = step_ <= 0.5 * (most + stable) && step_ >= 0.5 * most;
+    return is_fixed() || suits || !goes_on() || fill(most);
+}
+
+/// Evaluates s = -a(t, q); false where an element fails.
+ANCF_INLINE bool LeapfrogRun::evaluate(double time, const VectorX& q, VectorX& s) {
+    ++report_.evaluations;
+    report_.fault = problem_.evaluate(time, q, now_.v, now_.lambda, Request::force);
+    if (report_.fault) return false;
+    problem_.solve_mass(problem_.force(), s);
+    return true;
+}
+
+/// Finds Q and V of the motion at hand for the step that begins.
+ANCF_INLINE bool LeapfrogRun::enter() {
+    const double part = step_ / 16.0;  // of differences, forward: a load may begin here
+    VectorX first, second;
+    const auto along = [&](double later, VectorX& s) {
+        return evaluate(now_.time + later, now_.q + later * (now_.v - 0.5 * later * at_.kick), s);
+    };
+    if (!along(part, first) || !along(2.0 * part, second)) return false;
+    s_rate_ = (4.0 * first - 3.0 * at_.kick - second) / (2.0 * part);
+    const double share = step_ * step_ / 12.0;
+    at_.V = now_.v - share * s_rate_;
+    at_.s = at_.kick;
+    for (int k = 0; k < 2; ++k) {
+        at_.Q = now_.q + share * at_.s;
+        if (!evaluate(now_.time, at_.Q, at_.s)) return false;
+    }
+    return true;
+}
+
+/// Takes a step into next_; false where an element fails.
+ANCF_INLINE bool LeapfrogRun::take_step() {
+    if (count_ == 0.0 && !enter()) return false;
+    const double h = step_, share = h * h / 12.0;
+    next_.time = count_ + 1.0 < steps_ ? origin_ + (count_ + 1.0) * h : schedule_.end;
+    moved_.V = at_.V - 0.5 * h * at_.kick;
+    moved_.Q = at_.Q + h * moved_.V;
+    if (!evaluate(next_.time, moved_.Q, moved_.s)) return false;
+    next_.q = moved_.Q - share * moved_.s;
+    if (!evaluate(next_.time, next_.q, moved_.kick)) return false;
+    moved_.V -= 0.5 * h * moved_.kick;
+    // of second order, which is fourth in v
+    if (count_ == 0.0)
+        s_rate_ = 2.0 / h * (moved_.s - at_.s) - s_rate_;
+    else
+        s_rate_ = (3.0 * moved_.s - 4.0 * at_.s + s_before_) / (2.0 * h);
+    next_.v = moved_.V + share * s_rate_;
+    return true;
+}
+
+/// Takes a step, where an element fails a shorter one.
+ANCF_INLINE bool LeapfrogRun::advance() {
+    while (!take_step()) {
+        ++report_.convergence_failures;
+        if (is_fixed() || ++attempts_ == most_attempts) {
+            fail(report_.fault->status,
+                 joined({"a step of ", step_, " s from ", now_.time, " s failed; "}, 6) +
+                     problem_.assembly().describe(*report_.fault));
+            return false;
+        }
+        if (!fill(0.5 * step_)) return false;
+    }
+    count_ += 1.0;
+    std::swap(earlier_, now_);
+    std::swap(now_, next_);
+    std::swap(at_, moved_);
+    s_before_.swap(moved_.s);
+    kick_before_.swap(moved_.kick);
+    return true;
+}
+
+ANCF_INLINE MotionPoint LeapfrogRun::between(double time) const {
+    MotionPoint at{time, {}, {}, {}};
+    interpolate({{earlier_.time, earlier_.q, earlier_.v, -kick_before_},
+                 {now_.time, now_.q, now_.v, -at_.kick}},
+                time, at.q, at.v);
+    return at;
+}
+
+}  // namespace detail
+
+ANCF_INLINE void LeapfrogOptions::check() const {
+    detail::require(std::isfinite(step) && step >= 0.0,
+                    "LeapfrogOptions: step must be positive, or 0 for automatic, got ", step);
+    detail::require(stable_share > 0.0 && stable_share < 1.0,
+                    "LeapfrogOptions: stable_share must be between 0 and 1, got ", stable_share);
+    detail::require(stable_interval > 0, "LeapfrogOptions: stable_interval must be positive, got ",
+                    stable_interval);
+    detail::require(max_steps >= 0,
+                    "LeapfrogOptions: max_steps must be positive, or 0 for no limit, got ",
+                    max_steps);
+}
+
+ANCF_INLINE LeapfrogReport Leapfrog::integrate(DynamicProblem& problem,
+                                               const Schedule& schedule) const {
+    detail::require(problem.multipliers() == 0, "Leapfrog: the scene has constraints with ",
+                    problem.multipliers(),
+                    " multipliers, which no explicit method takes; integrate by RadauIIA, or join "
+                    "by supports, by polyline and by Scene::attach, which have no multipliers");
+    detail::require_motion(problem);
+    const double from = problem.model().state().time;
+    schedule.check(from);
+    if (options_.step > 0.0 && schedule.end > from)
+        detail::require_resolved(options_.step, from, schedule.end);
+    LeapfrogReport report;
+    detail::LeapfrogRun(problem, schedule, options_, report).run();
+    return report;
+}
+
+}  // namespace ancf

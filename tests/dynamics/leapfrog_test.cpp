@@ -1,0 +1,386 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The leapfrog: order, energy, stable steps, and how a run starts, fails and ends.
+
+#include <ancf/dynamics/leapfrog.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/model/loads/damping.hpp>
+#include <ancf/section/material.hpp>
+#include <ancf/section/section.hpp>
+
+#include <dynamics/scenes.hpp>
+#include <support/catch.hpp>
+#include <support/scaled_motions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace leapfrog_test {
+
+using namespace ancf;
+using namespace ancf::test;
+using ancf::test::Chain;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+LeapfrogOptions fixed(double step) {
+    LeapfrogOptions options;
+    options.step = step;
+    return options;
+}
+
+LeapfrogReport run(Scene& model, const LeapfrogOptions& options, const Schedule& schedule) {
+    DynamicProblem problem(model);
+    return Leapfrog(options).integrate(problem, schedule);
+}
+
+/// Two soft bars that hang on a pin and are thrown out of the plane of gravity; they vibrate at up
+/// to 35 rad/s.
+Chain soft_chain() {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, 20.0);
+    scene.model.pin(scene.first());
+    scene.model.set_gravity({0.0, -2.0, 0.0});
+    scene.model.set_rate(scene.last(), Field::r, {0.0, 0.0, 0.7});
+    return scene;
+}
+
+/// The same with a pin that is driven, a force that grows and one that follows a bar.
+Chain driven_chain() {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, 20.0);
+    const Motion motion = sine(0.05, 4.0);
+    scene.model.prescribe(scene.first(), Field::r, 1, motion.value, motion.rate,
+                          motion.acceleration);
+    scene.model.fix(scene.first(), Field::r, 0);
+    scene.model.fix(scene.first(), Field::r, 2);
+    scene.model.set_rate(scene.first(), Field::r, {0.0, 0.2, 0.0});
+    scene.model.set_gravity({0.0, -2.0, 0.0});
+    scene.model.add(Force<3>(scene.last(), {0.0, 0.0, 1.0}),
+                    [](double t) { return std::sin(3.0 * t); });
+    return scene;
+}
+
+struct Error {
+    double q = 0.0, v = 0.0;
+};
+
+/// Returns the largest errors at fifty times within half a second, most of them between steps.
+template <class Make>
+Error error_of(const Make& make, const std::vector<State>& exact, const LeapfrogOptions& options) {
+    Chain scene = make();
+    Schedule schedule = equal_intervals(0.0, 0.5, 0.01);
+    schedule.times.erase(schedule.times.begin());
+    Error error;
+    std::size_t seen = 0;
+    schedule.observe = [&](const Snapshot& at) {
+        error.q = std::max(error.q, distance(at.state.q, exact[seen].q));
+        error.v = std::max(error.v, distance(at.state.v, exact[seen].v));
+        ++seen;
+    };
+    const LeapfrogReport report = run(scene.model, options, schedule);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(seen == exact.size());
+    CHECK(distance(scene.model.state().q, exact.back().q) <= error.q);
+    return error;
+}
+
+template <class Make>
+void check_order(const Make& make) {
+    Chain scene = make();
+    const std::vector<State> exact = by_runge_kutta(scene.model, 0.5, 10000, 50);
+    const Error coarse = error_of(make, exact, fixed(0.5 / 60)),
+                fine = error_of(make, exact, fixed(0.5 / 120));
+    CAPTURE(coarse.q, fine.q, coarse.v, fine.v);
+    CHECK(std::log2(coarse.q / fine.q) == Approx(4.0).margin(0.2));
+    CHECK(std::log2(coarse.v / fine.v) == Approx(4.0).margin(0.2));
+    CHECK(fine.q <= 1e-6);
+}
+
+TEST_CASE("Leapfrog: it is of fourth order, at steps and between them", "[dynamics][leapfrog]") {
+    check_order(soft_chain);
+}
+
+TEST_CASE("Leapfrog: it is of fourth order with what is driven in time", "[dynamics][leapfrog]") {
+    check_order(driven_chain);
+}
+
+TEST_CASE("Leapfrog: a step takes two forces", "[dynamics][leapfrog]") {
+    Chain scene = soft_chain(), other = soft_chain();
+    LeapfrogOptions options = fixed(0.01);
+    options.follow_energy = false;
+    const long few = run(scene.model, options, until(0.5)).evaluations;
+    const long many = run(other.model, options, until(1.5)).evaluations;
+    CHECK(many - few == 200);
+    CHECK(few <= 110);
+}
+
+TEST_CASE("Leapfrog: the energy of a long run does not drift", "[dynamics][leapfrog]") {
+    const auto drift = [](double end) {
+        Chain scene = soft_chain();
+        const LeapfrogReport report = run(scene.model, fixed(0.02), until(end));
+        REQUIRE(report.status == Status::converged);
+        return report.energy_drift / report.kinetic_largest;
+    };
+    // hundreds of swings and thousands
+    const double early = drift(400.0), late = drift(4000.0);
+    CAPTURE(early, late);
+    CHECK(early <= 1e-2);  // 6e-3
+    CHECK(late <= 1.2 * early);
+}
+
+TEST_CASE("Leapfrog: steps up to the stable one are stable", "[dynamics][leapfrog][stability]") {
+    // a bar that vibrates along itself by a millionth of its length
+    Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    scene.model.set_rate(scene.last(), Field::r, {1e-5, 0.0, 0.0});
+    DynamicProblem problem(scene.model);
+    const double frequency = problem.highest_frequency(0.0, problem.start().q);
+    CHECK(frequency == Approx(std::sqrt(3.0 * 500.0)).epsilon(1e-6));
+    const double stable = std::sqrt(12.0) / frequency;
+    const auto drift = [&](double step, int steps) {
+        Chain again = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+        again.model.pin(again.first());
+        again.model.set_rate(again.last(), Field::r, {1e-5, 0.0, 0.0});
+        const LeapfrogReport report = run(again.model, fixed(step), until(steps * step));
+        CHECK(report.status == Status::converged);
+        CHECK(report.stable_step == Approx(stable).epsilon(1e-3));
+        return report.energy_drift / report.energy_start;
+    };
+    for (const double share : {0.1, 0.5, 0.9, 0.99}) {
+        CAPTURE(share);
+        CHECK(drift(share * stable, 4000) <= 1.01 * drift(share * stable, 400));
+    }
+    CHECK(drift(0.1 * stable, 400) <= 1e-3);
+}
+
+TEST_CASE("Leapfrog: its steps are the longest below the share of the stable one",
+          "[dynamics][leapfrog][stability]") {
+    for (const double share : {0.3, 0.6}) {
+        Chain scene = soft_chain();
+        LeapfrogOptions options;
+        options.stable_share = share;
+        const LeapfrogReport report = run(scene.model, options, until(2.0));
+        CHECK(report.status == Status::converged);
+        CHECK(report.largest_step <= report.stable_step);
+        CHECK(report.smallest_step >= 0.4 * share * report.stable_step);
+        CHECK(report.energy_drift <= share * report.kinetic_largest);
+    }
+}
+
+/// A bar whose end is pulled to three times its length within a second.
+Chain stretched(double until_time = 1.0) {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    for (const int k : {1, 2}) scene.model.fix(scene.last(), Field::r, k);
+    const double speed = 2.0 / until_time;
+    scene.model.prescribe(
+        scene.last(), Field::r, 0, [=](double t) { return 1.0 + speed * t * t; },
+        [=](double t) { return 2.0 * speed * t; }, [=](double) { return 2.0 * speed; });
+    return scene;
+}
+
+TEST_CASE("Leapfrog: a scene that stiffens takes shorter steps",
+          "[dynamics][leapfrog][stability]") {
+    Chain scene = stretched();
+    LeapfrogOptions options;
+    options.stable_interval = 10;
+    const LeapfrogReport report = run(scene.model, options, until(1.0));
+    CHECK(report.status == Status::converged);
+    CHECK(report.smallest_step < 0.6 * report.largest_step);
+    CHECK(report.smallest_step <= report.stable_step);
+    Chain same = stretched();
+    const LeapfrogReport late = run(same.model, fixed(0.9 * std::sqrt(12.0) / 90.0), until(1.0));
+    CHECK(late.status == Status::diverged);
+    CHECK(late.steps > 0);
+    CHECK(late.time < 1.0);
+    CHECK_THAT(late.message, ContainsSubstring("is above the stable one of"));
+    CHECK(same.model.state().time == late.time);
+}
+
+TEST_CASE("Leapfrog: a fixed step above the stable one is refused", "[dynamics][leapfrog]") {
+    Chain scene = soft_chain();
+    Schedule schedule = until(1.0);
+    int seen = 0;
+    schedule.times = {0.0, 0.5};
+    schedule.observe = [&](const Snapshot&) { ++seen; };
+    const LeapfrogReport report = run(scene.model, fixed(0.2), schedule);
+    CHECK(report.status == Status::diverged);
+    CHECK(report.steps == 0);
+    CHECK(seen == 1);
+    CHECK_THAT(report.message, ContainsSubstring("0.2 s is above the stable one of"));
+}
+
+TEST_CASE("Leapfrog: the paper's pendulum passes the known heights", "[dynamics][leapfrog]") {
+    Model model;
+    const auto beam = straight_beam<CrossSectionBeam<3>>(
+        model, Material::from_moduli(0.7e6, 2.6923e5, 5540.0),
+        rectangle(0.05, 0.05).with_shear_correction(5.0 / 6.0, 5.0 / 6.0), {0.0, 0.0, 0.0},
+        {1.2, 0.0, 0.0}, 4, CrossSectionOptions::paper());
+    model.pin(beam.first());
+    model.set_gravity({0.0, -9.81, 0.0});
+    const int tip = model.coordinate(beam.last(), Field::r);
+    Schedule schedule = until(1.2);
+    schedule.times = {0.2, 0.5, 0.8, 1.2};
+    std::vector<double> heights;
+    schedule.observe = [&](const Snapshot& at) { heights.push_back(at.state.q[tip + 1]); };
+    const LeapfrogReport report = run(model, fixed(1e-3), schedule);
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(heights.size() == 4);
+    const double exact[] = {-0.194023, -1.303027, -0.766241, 0.170784};  // in time, to 1e-6
+    for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(heights[k] - exact[k]) <= 5e-6);
+    CHECK(report.energy_drift <= 1e-4 * report.kinetic_largest);
+    CHECK(report.factorisations == 0);
+}
+
+TEST_CASE("Leapfrog: constraints and damping are refused with what to take instead",
+          "[dynamics][leapfrog][input]") {
+    Chain linked = swing();
+    for (const char* name : {"1 multipliers", "RadauIIA", "attach"})
+        CHECK_THROWS_WITH(run(linked.model, {}, until(0.1)), ContainsSubstring(name));
+    Chain damped = soft_chain();
+    damped.model.add(Force<3>(damped.last(), {0.0, 1.0, 0.0}));
+    MatrixX D = MatrixX::Zero(3, 3);
+    D.data()[0] = 1e-9;  // however small, and switched on later
+    damped.model.add(LinearDamping({{damped.last(), Field::r}}, D),
+                     [](double t) { return t > 1.0 ? 1.0 : 0.0; });
+    for (const char* name : {"load 1 depends on rates", "sundials::Explicit"})
+        CHECK_THROWS_WITH(run(damped.model, {}, until(0.1)), ContainsSubstring(name));
+    CHECK_THROWS_AS(run(damped.model, {}, until(0.1)), InvalidArgument);
+}
+
+TEST_CASE("Leapfrog: options, schedules and scenes that cannot be meant are refused",
+          "[dynamics][leapfrog][input]") {
+    const auto refused = [](auto change, const std::string& name) {
+        LeapfrogOptions options;
+        change(options);
+        CHECK_THROWS_WITH(Leapfrog(options), ContainsSubstring(name));
+        CHECK_THROWS_AS(Leapfrog(options), InvalidArgument);
+    };
+    for (const double value : {-1.0, nan, infinity})
+        refused([&](LeapfrogOptions& o) { o.step = value; }, "step");
+    for (const double share : {0.0, 1.0, -0.5, nan})
+        refused([&](LeapfrogOptions& o) { o.stable_share = share; }, "stable_share");
+    refused([](LeapfrogOptions& o) { o.stable_interval = 0; }, "stable_interval");
+    refused([](LeapfrogOptions& o) { o.max_steps = -1; }, "max_steps");
+
+    Chain scene = soft_chain();
+    CHECK_THROWS_AS(run(scene.model, {}, until(-1.0)), InvalidArgument);
+    CHECK_THROWS_WITH(run(scene.model, fixed(1e-18), until(1.0)),
+                      ContainsSubstring("resolution of time"));
+    for (const NodeId node : scene.nodes) scene.model.pin(node);
+    CHECK_THROWS_WITH(run(scene.model, {}, until(1.0)), ContainsSubstring("no free coordinate"));
+}
+
+TEST_CASE("Leapfrog: a run of no length reports its start, a huge step is cut to the run",
+          "[dynamics][leapfrog]") {
+    for (const double step : {0.0, 1e-3, 1e6}) {
+        Chain scene = soft_chain();
+        Schedule schedule = until(0.0);
+        schedule.times = {0.0};
+        int seen = 0;
+        schedule.observe = [&](const Snapshot&) { ++seen; };
+        const LeapfrogReport none = run(scene.model, fixed(step), schedule);
+        CHECK(none.status == Status::converged);
+        CHECK(none.steps == 0);
+        CHECK(seen == 1);
+        const LeapfrogReport one = run(scene.model, fixed(step), until(1e-3));
+        CHECK(one.status == Status::converged);
+        CHECK(one.steps == 1);
+        CHECK(scene.model.state().time == 1e-3);
+    }
+}
+
+TEST_CASE("Leapfrog: more than max_steps are refused before they are taken",
+          "[dynamics][leapfrog]") {
+    Chain scene = soft_chain();
+    LeapfrogOptions options;
+    options.max_steps = 10;
+    const LeapfrogReport report = run(scene.model, options, until(10.0));
+    CHECK(report.status == Status::max_iterations);
+    CHECK(report.steps == 0);
+    CHECK_THAT(report.message, ContainsSubstring("max_steps is 10; a stiff scene is one for"));
+}
+
+/// A load that is no number when it is asked for the n-th time, or below a height.
+struct Lapse {
+    NodeId node;
+    int at;
+    double height;
+    std::shared_ptr<int> calls = std::make_shared<int>(0);
+
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        if (++*calls == at || state.q[1] < height) out.force[1] = nan;
+    }
+};
+
+TEST_CASE("Leapfrog: a step into what cannot be evaluated is taken again, shorter",
+          "[dynamics][leapfrog][failure]") {
+    Chain scene = soft_chain(), same = soft_chain();
+    scene.model.add(Lapse{scene.last(), 40, -10.0});
+    LeapfrogOptions options;
+    options.follow_energy = false;
+    options.stable_share = 0.3;
+    const LeapfrogReport once = run(scene.model, options, until(1.0));
+    CHECK(once.status == Status::converged);
+    CHECK(once.convergence_failures == 1);
+    CHECK(!once.fault);
+    REQUIRE(run(same.model, options, until(1.0)).status == Status::converged);
+    CHECK(distance(scene.model.state().q, same.model.state().q) <= 1e-3);
+
+    Chain falling = soft_chain();
+    falling.model.add(Lapse{falling.last(), 0, -0.1});
+    const LeapfrogReport stopped = run(falling.model, {}, until(2.0));
+    CHECK(stopped.status == Status::not_finite);
+    CHECK(stopped.convergence_failures >= 12);
+    CHECK_THAT(stopped.message, ContainsSubstring("force of load 0 is not finite"));
+    CHECK(falling.model.state().time == stopped.time);
+    CHECK(falling.model.state().q.allFinite());
+    Chain cut = soft_chain();
+    cut.model.add(Lapse{cut.last(), 0, -0.1});
+    const LeapfrogReport at_once = run(cut.model, fixed(0.01), until(2.0));
+    CHECK(at_once.status == Status::not_finite);
+    CHECK(at_once.convergence_failures == 1);
+}
+
+TEST_CASE("Leapfrog: a callback stops a run", "[dynamics][leapfrog]") {
+    Chain scene = soft_chain();
+    Schedule schedule = until(1.0);
+    schedule.progress = [](double time, double) { return time < 0.1; };
+    const LeapfrogReport stopped = run(scene.model, fixed(0.01), schedule);
+    CHECK(stopped.status == Status::stopped);
+    CHECK(stopped.time >= 0.1);
+    CHECK(scene.model.state().time == stopped.time);
+}
+
+TEST_CASE("Leapfrog: a run goes on where another one ended", "[dynamics][leapfrog]") {
+    const auto error = [](int parts, double step) {
+        Chain exact = soft_chain(), scene = soft_chain();
+        REQUIRE(run(exact.model, fixed(1e-3), until(1.0)).status == Status::converged);
+        for (int k = 1; k <= parts; ++k)
+            REQUIRE(run(scene.model, fixed(step), until(static_cast<double>(k) / parts)).status ==
+                    Status::converged);
+        return distance(scene.model.state().q, exact.model.state().q);
+    };
+    CHECK(error(1, 0.01) <= 2e-6);
+    CHECK(error(5, 0.01) <= 3.0 * error(1, 0.01));
+    CHECK(error(5, 0.005) <= error(5, 0.01) / 12.0);  // of fourth order as well
+}
+
+TEST_CASE("Leapfrog: it takes the same steps in any units", "[dynamics][leapfrog][scales]") {
+    for (const double base : {2.0, 1e9})
+        check_scales(base, 0, [](const Scale& s) {
+            PlanarModel model = cantilever(s);
+            return run(model, {}, until(1e-4 * s.time));
+        });
+}
+
+}  // namespace leapfrog_test
