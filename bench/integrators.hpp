@@ -12,6 +12,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/model/scene.hpp>
@@ -65,6 +66,17 @@ inline Integrator explicit_method(std::string name, sundials::Table table, bool 
             }};
 }
 #endif
+
+/// The leapfrog, with fixed steps; for scenes without multipliers.
+inline Integrator leapfrog(std::string name) {
+    return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
+                DynamicProblem problem(model);
+                LeapfrogOptions options;
+                options.step = step;
+                options.follow_energy = false;
+                return Leapfrog(options).integrate(problem, schedule);
+            }};
+}
 
 /// Runs an integrator with the solver that suits the scene.
 /// @param general  name of the solver of scenes that are no chain.

@@ -272,7 +272,7 @@ std::vector<double> steps(double from, double to) {
     return values;
 }
 
-std::vector<Series> all_series([[maybe_unused]] bool constrained, [[maybe_unused]] bool tables) {
+std::vector<Series> all_series(bool constrained, [[maybe_unused]] bool tables) {
     std::vector<Series> all;
     all.push_back({ancf::bench::radau("Radau 3", 3), tolerances(2, 9)});
     all.push_back({ancf::bench::radau("Radau 5", 5), tolerances(2, 9)});
@@ -281,6 +281,7 @@ std::vector<Series> all_series([[maybe_unused]] bool constrained, [[maybe_unused
     all.push_back(
         {ancf::bench::adaptive_generalized_alpha("generalized-alpha adaptive"), tolerances(3, 8)});
     all.push_back({ancf::bench::energy_momentum("energy-momentum"), steps(8e-3, 8e-6)});
+    if (!constrained) all.push_back({ancf::bench::leapfrog("leapfrog"), steps(8e-3, 8e-6)});
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
     using ancf::sundials::Table;

@@ -98,7 +98,7 @@ struct Series {
     std::vector<double> values;
 };
 
-inline std::vector<Series> all_series(bool quick) {
+inline std::vector<Series> all_series(bool quick, bool constrained) {
     std::vector<Series> all;
     const auto add = [&](ancf::bench::Integrator integrator, std::vector<double> values) {
         if (quick) values = {values[1]};
@@ -117,6 +117,9 @@ inline std::vector<Series> all_series(bool quick) {
     for (const int stages : {3, 5})
         add(ancf::bench::radau("radau-" + std::to_string(stages), stages),
             {1e-2, 1e-3, 1e-4, 1e-5, 1e-6});
+    if (!constrained)
+        add(ancf::bench::leapfrog("leapfrog"),
+            {8e-3, 4e-3, 2.8e-3, 2e-3, 1.4e-3, 1e-3, 5e-4, 2.5e-4});
     add(ancf::bench::energy_momentum("energy-momentum"), {1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4});
     return all;
 }
@@ -153,7 +156,7 @@ void run_pendulums(const Plan& plan, const Report& report, const std::string& na
         const Reference reference = limit && scene == "pendulum"
                                         ? Reference{pendulum_limit, 1e-6}
                                         : fine_reference<Element>(scene, fine, plan.quick);
-        for (const auto& [integrator, values] : all_series(plan.quick))
+        for (const auto& [integrator, values] : all_series(plan.quick, scene == "link"))
             for (const ancf::Rule& rule : rules)
                 for (const int mesh : meshes)
                     for (const double setting : values) {

@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/output/csv.hpp>
@@ -30,7 +31,7 @@ namespace {
                                            const MotionOptions& options,
                                            const ancf::Schedule& schedule) {
 #if ANCF_WITH_SUNDIALS
-    if (options.is_explicit()) {
+    if (options.integrator == "explicit") {
         ancf::sundials::ExplicitOptions method;
         method.tolerance = options.tolerance;
         auto report = ancf::sundials::Explicit(method).integrate(problem, schedule);
@@ -56,6 +57,13 @@ namespace {
 [[nodiscard]] Motion integrate_problem(ancf::DynamicProblem& problem, const MotionOptions& options,
                                        const ancf::Schedule& schedule, const ancf::Memory& memory) {
     if (options.by_sundials()) return integrate_by_sundials(problem, options, schedule);
+    if (options.integrator == "leapfrog") {
+        ancf::LeapfrogOptions method;
+        method.step = options.step;
+        auto report = ancf::Leapfrog(method).integrate(problem, schedule);
+        std::string detail = "stable step " + ancf::number_text(report.stable_step, 6) + " s";
+        return {std::move(report), std::move(detail)};
+    }
     // the matrix of the energy-momentum scheme is not symmetric
     const bool symmetric = options.integrator != "energy";
     const std::unique_ptr<ancf::LinearSolver> solver =
@@ -93,7 +101,7 @@ Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedul
             state.multipliers.size(), " multipliers, the file ", saved.state.q.size(), " and ",
             saved.state.multipliers.size());
         state = std::move(saved.state);
-        if (!options.by_sundials()) memory = std::move(saved.memory);
+        if (!options.by_ida() && !options.is_explicit()) memory = std::move(saved.memory);
     }
     const double start = model.state().time;
     schedule.end += start;

@@ -18,10 +18,10 @@ MotionOptions::MotionOptions(double for_seconds, double output_interval)
 
 void MotionOptions::add_to(CommandLine& line) {
     line.set_group("Integration");
-    line.add_choice(
-        "--integrator", integrator,
-        {"ida-index3", "ida-ggl", "explicit", "generalized-alpha", "radau", "radau9", "energy"},
-        "integrator");
+    line.add_choice("--integrator", integrator,
+                    {"ida-index3", "ida-ggl", "explicit", "generalized-alpha", "leapfrog", "radau",
+                     "radau9", "energy"},
+                    "integrator");
     line.add_number("--tolerance", tolerance, Range::positive,
                     "relative, of IDA, Radau and the explicit method");
     line.add_number("--step", step, Range::positive, "of the other integrators, s");

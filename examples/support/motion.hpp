@@ -37,10 +37,13 @@ struct MotionOptions {
 
     [[nodiscard]] bool by_ida() const { return integrator.rfind("ida", 0) == 0; }
     [[nodiscard]] bool by_radau() const { return integrator.rfind("radau", 0) == 0; }
-    [[nodiscard]] bool is_explicit() const { return integrator == "explicit"; }
+    /// Returns whether the integrator takes no multipliers.
+    [[nodiscard]] bool is_explicit() const {
+        return integrator == "explicit" || integrator == "leapfrog";
+    }
 
     /// Returns whether the integrator is one of SUNDIALS.
-    [[nodiscard]] bool by_sundials() const { return by_ida() || is_explicit(); }
+    [[nodiscard]] bool by_sundials() const { return by_ida() || integrator == "explicit"; }
     /// Returns whether the integrator takes a tolerance and no step.
     [[nodiscard]] bool by_tolerance() const { return by_sundials() || by_radau(); }
 

@@ -133,11 +133,12 @@ def check_refusals(checks):
         checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
 
 
-def check_explicit(checks):
+def check_explicit(checks, integrators):
     """Explicit methods refuse constraints and name what takes them."""
-    run, = run_all(checks.folder, [("double_pendulum", ["--integrator", "explicit"])])
-    told = run.code == 2 and run.output == "" and all(name in run.errors for name in ("multipliers", "RadauIIA", "Ida"))
-    checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
+    cases = [("double_pendulum", ["--integrator", name]) for name in integrators]
+    for run in run_all(checks.folder, cases):
+        told = run.code == 2 and run.output == "" and all(name in run.errors for name in ("multipliers", "RadauIIA"))
+        checks.expect(told, f"{run.command}: status {run.code}, {run.output}{run.errors}")
 
 
 def main(folder):
@@ -145,7 +146,8 @@ def main(folder):
     probe, = run_all(folder, [("pendulum", ["--integrator", "ida-index3", "--duration", "1e-3"])])
     with_ida = not (probe.code == 2 and "needs SUNDIALS" in probe.errors)
     integrators = (IDA if with_ida else []) + FIXED
-    check_heights(checks, integrators)
+    check_heights(checks, [*integrators, "leapfrog"])
+    check_explicit(checks, ["leapfrog", *(["explicit"] if with_ida else [])])
     check_link(checks, integrators)
     check_energy(checks)
     check_restart(checks)
@@ -154,7 +156,6 @@ def main(folder):
         check_convergence(checks)
         check_steel(checks)
         motions(checks, [("double_pendulum", [])])
-        check_explicit(checks)
     report(checks.findings, checks.count, "checks")
 
 
