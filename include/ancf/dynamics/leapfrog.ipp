@@ -117,7 +117,7 @@ ANCF_INLINE bool LeapfrogRun::begin() {
 /// A kick takes forces where the rates are not known yet: refuses those that depend on rates.
 ANCF_INLINE void LeapfrogRun::require_no_damping() {
     const State at = problem_.raw_state(now_.time, now_.q, now_.v);
-    const double frequency = std::max(report_.highest_frequency, 1.0);
+    const double frequency = report_.highest_frequency > 0.0 ? report_.highest_frequency : 1.0;
     const VectorX others =
         at.v + frequency * scattered(problem_.scales_of(problem_.length_scale()), 0);
     const int load = problem_.assembly().damping_load(at.q, at.v, others, at.time);
