@@ -3,12 +3,10 @@
 
 /// @file
 /// Eigen's sparse factorisation of symmetric matrices.
-///
-/// It estimates the condition, so that a matrix that is singular but for round-off is found out.
 
 #pragma once
 
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -28,27 +26,15 @@ namespace ancf {
 /// A template so that only a program that makes one compiles Eigen's factorisation.
 /// @tparam Ordering  Eigen's, of the unknowns
 template <class Ordering>
-class BasicEigenLdlt final : public LinearSolver {
+class BasicEigenLdlt final : public detail::DirectSolver {
 public:
-    BasicEigenLdlt() = default;
-
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit BasicEigenLdlt(double singular_rcond) : singular_rcond_(singular_rcond) {
-        detail::require_singular_rcond(singular_rcond);
-    }
+    /// @throws InvalidArgument for one outside of [0, 1).
+    explicit BasicEigenLdlt(double singular_rcond = default_singular_rcond)
+        : DirectSolver(singular_rcond) {}
 
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
-
-    /// @throws InvalidArgument unless square, compressed and lower.
-    void analyze(const SparseMatrix& lower) override;
-
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] FactorReport factorize(const SparseMatrix& lower) override;
-
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "eigen-ldlt"; }
@@ -59,11 +45,11 @@ private:
         void operator()(Factors* factors) const noexcept;
     };
 
-    [[nodiscard]] FactorReport examine(const SparseMatrix& lower) const;
+    void analyze_pattern(const SparseMatrix& lower) override;
+    [[nodiscard]] FactorReport factorize_values(const SparseMatrix& lower) override;
+    void substitute(const VectorX& b, VectorX& x) const override;
 
     std::unique_ptr<Factors, Free> ldlt_;
-    detail::SolverStage stage_;
-    double singular_rcond_ = default_singular_rcond;
 };
 
 /// The factorisation of a symmetric matrix, ordered by minimum degree.

@@ -23,51 +23,28 @@ void BasicEigenLdlt<Ordering>::Free::operator()(Factors* factors) const noexcept
 }
 
 template <class Ordering>
-void BasicEigenLdlt<Ordering>::analyze(const SparseMatrix& lower) {
-    detail::require_storage(name(), lower, storage());
-    stage_.reset();
+void BasicEigenLdlt<Ordering>::analyze_pattern(const SparseMatrix& lower) {
     ldlt_.reset(new Factors);
-    if (lower.cols() > 0) ldlt_->analyzePattern(lower);
-    stage_.analysed(lower);
+    ldlt_->analyzePattern(lower);
 }
 
 template <class Ordering>
-FactorReport BasicEigenLdlt<Ordering>::factorize(const SparseMatrix& lower) {
-    stage_.begin_factorisation(name(), lower);
-    FactorReport report;
-    if (!detail::all_finite(lower)) {
-        report.status = Status::not_finite;
-    } else if (lower.cols() > 0) {
-        ldlt_->factorize(lower);
-        report = examine(lower);
-    } else {
-        report.rcond = 1.0;
-        report.negative_pivots = 0;
-    }
-    return stage_.finished(report);
-}
-
-template <class Ordering>
-FactorReport BasicEigenLdlt<Ordering>::examine(const SparseMatrix& lower) const {
+FactorReport BasicEigenLdlt<Ordering>::factorize_values(const SparseMatrix& lower) {
+    if (!detail::all_finite(lower)) return {Status::not_finite};
+    ldlt_->factorize(lower);
     FactorReport report;
     report.negative_pivots = 0;
     const auto& pivots = ldlt_->vectorD();
     for (Eigen::Index k = 0; k < pivots.size(); ++k) {
-        if (pivots[k] == 0.0) {
-            detail::report_failure(lower, ldlt_->permutationPinv().indices()[k], report);
-            return report;
-        }
+        if (pivots[k] == 0.0) return {Status::singular, ldlt_->permutationPinv().indices()[k]};
         report.negative_pivots += pivots[k] < 0.0 ? 1 : 0;
     }
-    const auto substitute = [&](const VectorX& b, VectorX& x) { x = ldlt_->solve(b); };
-    detail::report_condition(lower, singular_rcond_, substitute, report);
     return report;
 }
 
 template <class Ordering>
-void BasicEigenLdlt<Ordering>::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    x = b.size() > 0 ? VectorX(ldlt_->solve(b)) : b;
+void BasicEigenLdlt<Ordering>::substitute(const VectorX& b, VectorX& x) const {
+    x = ldlt_->solve(b);
 }
 
 #if defined(ANCF_SOURCE)

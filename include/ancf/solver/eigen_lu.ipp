@@ -22,58 +22,25 @@ void BasicEigenLu<Ordering>::Free::operator()(Factors* factors) const noexcept {
 }
 
 template <class Ordering>
-void BasicEigenLu<Ordering>::analyze(const SparseMatrix& matrix) {
-    detail::require_storage(name(), matrix, storage());
-    stage_.reset();
+void BasicEigenLu<Ordering>::analyze_pattern(const SparseMatrix& matrix) {
     lu_.reset(new Factors);
     scaled_ = matrix;
-    if (matrix.cols() > 0) lu_->analyzePattern(scaled_);
-    stage_.analysed(matrix);
+    lu_->analyzePattern(scaled_);
 }
 
 template <class Ordering>
-FactorReport BasicEigenLu<Ordering>::factorize(const SparseMatrix& matrix) {
-    stage_.begin_factorisation(name(), matrix);
-    FactorReport report;
-    if (!detail::all_finite(matrix)) {
-        report.status = Status::not_finite;
-    } else if (matrix.cols() > 0) {
-        scale_rows(matrix);
-        lu_->factorize(scaled_);
-        const auto substitute = [&](const VectorX& right, VectorX& x) {
-            this->substitute(right, x);
-        };
-        if (lu_->info() == Eigen::Success) {
-            detail::report_condition(matrix, singular_rcond_, substitute, report);
-        } else {
-            detail::report_failure(matrix, -1, report);
-        }
-    } else {
-        report.rcond = 1.0;
-    }
-    return stage_.finished(report);
-}
-
-template <class Ordering>
-void BasicEigenLu<Ordering>::scale_rows(const SparseMatrix& matrix) {
+FactorReport BasicEigenLu<Ordering>::factorize_values(const SparseMatrix& matrix) {
+    if (!detail::all_finite(matrix)) return {Status::not_finite};
     row_scale_ = detail::row_scales(matrix, detail::unit_scales(matrix));
     scaled_ = row_scale_.asDiagonal() * matrix;
+    lu_->factorize(scaled_);
+    return {lu_->info() == Eigen::Success ? Status::converged : Status::singular};
 }
 
 template <class Ordering>
 void BasicEigenLu<Ordering>::substitute(const VectorX& b, VectorX& x) const {
     const VectorX scaled = row_scale_.cwiseProduct(b);
     x = lu_->solve(scaled);
-}
-
-template <class Ordering>
-void BasicEigenLu<Ordering>::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    if (b.size() > 0) {
-        substitute(b, x);
-    } else {
-        x = b;
-    }
 }
 
 #if defined(ANCF_SOURCE)

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -47,26 +47,15 @@ struct CholmodOptions {
 ///
 /// A matrix that is not positive definite has the status singular and the column where it failed;
 /// simplicial, it is factorised as long as no pivot vanishes, and the negative pivots are counted.
-class Cholmod final : public LinearSolver {
+/// Solutions are not for two threads at once: it keeps a workspace.
+class Cholmod final : public ancf::detail::DirectSolver {
 public:
     /// @throws InvalidArgument for a singular_rcond outside of [0, 1).
-    explicit Cholmod(const CholmodOptions& options = {}) : options_(options) {
-        ancf::detail::require_singular_rcond(options.singular_rcond);
-    }
+    explicit Cholmod(const CholmodOptions& options = {})
+        : DirectSolver(options.singular_rcond), options_(options) {}
 
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
-
-    /// @throws InvalidArgument unless square, compressed and lower.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
-
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
-
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    /// @note not for two threads at once: it keeps a workspace.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "cholmod"; }
@@ -80,11 +69,13 @@ private:
         void operator()(Session* session) const noexcept;
     };
 
-    void substitute(const VectorX& b, VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& lower) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
+    factorize_values(const SparseMatrix& lower) override;
+    ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     CholmodOptions options_;
     std::unique_ptr<Session, Finish> session_;
-    ancf::detail::SolverStage stage_;
 };
 
 }  // namespace ancf::suitesparse

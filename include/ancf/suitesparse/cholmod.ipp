@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/solver/conditioning.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 
 #include <cholmod.h>
@@ -161,38 +162,27 @@ ANCF_INLINE bool Cholmod::supernodal() const noexcept {
     return session_ && session_->factor() != nullptr && session_->factor()->is_super != 0;
 }
 
-ANCF_INLINE void Cholmod::analyze(const SparseMatrix& lower) {
-    ancf::detail::require_storage(name(), lower, storage());
-    stage_.reset();
+ANCF_INLINE void Cholmod::analyze_pattern(const SparseMatrix& lower) {
     session_.reset(new Session);
     detail::configure(options_, session_->common());
-    if (lower.cols() > 0) {
-        cholmod_sparse matrix = detail::view(lower);
-        session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));
-        session_->check();
-    }
-    stage_.analysed(lower);
+    cholmod_sparse matrix = detail::view(lower);
+    session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));
+    session_->check();
 }
 
-ANCF_INLINE FactorReport Cholmod::factorize(const SparseMatrix& lower) {
-    stage_.begin_factorisation(name(), lower);
-    if (lower.cols() == 0) return stage_.finished({Status::converged, -1, 1.0, 0});
+ANCF_INLINE FactorReport Cholmod::factorize_values(const SparseMatrix& lower) {
     const detail::Unthreaded unthreaded(!options_.threads);
     cholmod_sparse matrix = detail::view(lower);
     cholmod_factorize(&matrix, session_->factor(), &session_->common());
     session_->check();
     const cholmod_factor& factor = *session_->factor();
     FactorReport report;
-    if (factor.minor < factor.n) {
-        const int column = static_cast<const int*>(factor.Perm)[factor.minor];
-        ancf::detail::report_failure(lower, column, report);
-    } else {
+    if (factor.minor < factor.n)
+        ancf::detail::report_failure(lower, static_cast<const int*>(factor.Perm)[factor.minor],
+                                     report);
+    else
         report.negative_pivots = detail::negative_pivots(factor);
-        ancf::detail::report_condition(
-            lower, options_.singular_rcond,
-            [this](const VectorX& b, VectorX& x) { substitute(b, x); }, report);
-    }
-    return stage_.finished(report);
+    return report;
 }
 
 ANCF_INLINE void Cholmod::substitute(const VectorX& b, VectorX& x) const {
@@ -204,15 +194,6 @@ ANCF_INLINE void Cholmod::substitute(const VectorX& b, VectorX& x) const {
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
     x = Eigen::Map<const VectorX>(session_->solve(right), b.size());
-}
-
-ANCF_INLINE void Cholmod::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    if (b.size() > 0) {
-        substitute(b, x);
-    } else {
-        x = b;
-    }
 }
 
 }  // namespace ancf::suitesparse

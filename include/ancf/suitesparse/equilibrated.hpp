@@ -10,11 +10,15 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
+#include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace ancf::suitesparse::detail {
@@ -73,6 +77,31 @@ private:
     SparseMatrix magnitudes_;
     std::vector<Scalar> values_;
     VectorX rows_, columns_;
+};
+
+/// A solver of complex matrices.
+/// @tparam Factors  of a scalar: the matrix and its factors in one of the libraries
+template <template <class> class Factors>
+class ComplexDirect final : public ComplexSolver {
+public:
+    template <class Setting>
+    ComplexDirect(std::string_view name, Setting setting) : name_(name), factors_(setting) {}
+
+    void analyze(const SparseMatrix& pattern) override {
+        ancf::detail::require_storage(name_, pattern, Storage::full);
+        factors_.analyze(pattern);
+    }
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+        ancf::detail::require(values.size() == factors_.entries(), name_, ": expected ",
+                              factors_.entries(), " values, got ", values.size());
+        return factors_.factorize(values.data());
+    }
+    void solve(ComplexVectorX& b) const override { factors_.solve(b); }
+    [[nodiscard]] std::string_view name() const noexcept override { return name_; }
+
+private:
+    std::string_view name_;
+    Factors<std::complex<double>> factors_;
 };
 
 }  // namespace ancf::suitesparse::detail

@@ -10,7 +10,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -30,24 +30,13 @@ struct KluOptions {
 ///
 /// Rows are scaled by their largest entries, measured so that no pivot depends on units. Each
 /// factorisation chooses its pivots anew, so that it depends on the matrix alone.
-class Klu final : public LinearSolver {
+class Klu final : public ancf::detail::DirectSolver {
 public:
     /// @throws InvalidArgument for options outside their ranges.
     explicit Klu(const KluOptions& options = {});
 
     /// All entries are read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
-
-    /// @throws InvalidArgument unless square and compressed; std::bad_alloc.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
-
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs;
-    ///         std::bad_alloc.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
-
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "klu"; }
@@ -62,11 +51,13 @@ private:
         void operator()(Session* session) const noexcept;
     };
 
-    void substitute(const VectorX& b, VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& matrix) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
+    factorize_values(const SparseMatrix& matrix) override;
+    ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     KluOptions options_;
     std::unique_ptr<Session, Finish> session_;
-    ancf::detail::SolverStage stage_;
 };
 
 }  // namespace ancf::suitesparse

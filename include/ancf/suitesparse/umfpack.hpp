@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -26,23 +26,13 @@ struct UmfpackOptions {
 ///
 /// Rows and columns are scaled so that nothing depends on units, pivots chosen for size and
 /// sparsity, each solution refined. Keeps a copy of the matrix for the refinement.
-class Umfpack final : public LinearSolver {
+class Umfpack final : public ancf::detail::DirectSolver {
 public:
     /// @throws InvalidArgument for negative refinement steps or a singular_rcond outside [0, 1).
     explicit Umfpack(const UmfpackOptions& options = {});
 
     /// All entries are read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
-
-    /// @throws InvalidArgument unless square and compressed.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
-
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
-
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "umfpack"; }
@@ -57,12 +47,13 @@ private:
         void operator()(Session* session) const noexcept;
     };
 
-    void factorize_numbers(const SparseMatrix& matrix, FactorReport& report);
-    void substitute(const VectorX& b, VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& matrix) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
+    factorize_values(const SparseMatrix& matrix) override;
+    ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     UmfpackOptions options_;
     std::unique_ptr<Session, Finish> session_;
-    ancf::detail::SolverStage stage_;
 };
 
 }  // namespace ancf::suitesparse
