@@ -9,10 +9,9 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
-#include <ancf/dynamics/recorder.hpp>
+#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -24,29 +23,19 @@ namespace ancf {
 namespace detail {
 
 /// One run.
-class EnergyMomentumRun {
+class EnergyMomentumRun : MotionRun {
 public:
     EnergyMomentumRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-                      const EnergyMomentumOptions& options, const Start& start,
-                      DynamicsReport& report)
-        : problem_(problem),
-          solver_(solver),
-          schedule_(schedule),
+                      const EnergyMomentumOptions& options)
+        : MotionRun(problem, solver, schedule, {options.step}, options.follow_energy),
           options_(options),
-          report_(report),
-          recorder_(problem, schedule, report, options.follow_energy),
-          system_(problem),
-          acceleration_(start.acceleration),
-          origin_(start.time) {
-        static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
-        solver_.analyze(problem.mass());
-    }
+          system_(problem) {}
 
-    void run(const Memory& memory);
+    DynamicsReport run(const Memory& memory);
 
 private:
-    void recall(const Memory& memory);
-    void remember();
+    void recall_run(const Memory& memory);
+    void remember_run();
     [[nodiscard]] bool advance(double target, double whole);
     [[nodiscard]] Status step(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
@@ -62,18 +51,11 @@ private:
     static constexpr double smallest_part = 1e-3;  // of a step that fails
     static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
 
-    DynamicProblem& problem_;
-    LinearSolver& solver_;
-    const Schedule& schedule_;
     const EnergyMomentumOptions& options_;
-    DynamicsReport& report_;
-    Recorder recorder_;
     EnergyMomentumSystem system_;
 
     MotionPoint now_, next_;
-    VectorX acceleration_;         // mean of the last step: the prediction of the next
-    double origin_, count_ = 0.0;  // of the grid of steps
-    double whole_ = 0.0;           // s, from the start to the schedule's end
+    VectorX acceleration_;  // mean of the last step: the prediction of the next
     MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
     double linearised_width_ = 0.0;                // 0: there is no matrix
     State full_now_, full_next_;
@@ -81,25 +63,24 @@ private:
     VectorX rhs_, solution_;
 };
 
-ANCF_INLINE void EnergyMomentumRun::run(const Memory& memory) {
-    if (!memory.empty()) recall(memory);
+ANCF_INLINE DynamicsReport EnergyMomentumRun::run(const Memory& memory) {
+    if (!has_started()) return std::move(report_);
+    solver_.analyze(problem_.mass());
+    now_ = start_point();
+    acceleration_ = start_.acceleration;
+    if (!memory.empty()) recall_run(memory);
     next_ = now_;
     recorder_.start(now_);
     bool going = true;
-    whole_ = schedule_.end - now_.time;
-    while (going && goes_on(now_, schedule_.end, std::min(options_.step, whole_))) {
-        const double grid = origin_ + (count_ + 1.0) * options_.step;
-        if (schedule_.end >= grid - 1e-9 * options_.step) {
-            going = advance(grid, options_.step);
-            if (now_.time >= std::min(grid, schedule_.end)) count_ += 1.0;
-        } else {
-            going = advance(schedule_.end, schedule_.end - now_.time);
-            origin_ = now_.time;
-            count_ = 0.0;
-        }
+    while (going && goes_on(now_)) {
+        const Step step = grid_.next(now_.time, schedule_.end);
+        const bool on_grid = step.ends == Step::Ends::on_grid;
+        going = advance(step.end, on_grid ? grid_.width : step.width);
+        if (now_.time >= std::min(step.end, schedule_.end)) grid_.take(step);
     }
     recorder_.finish(now_);
-    remember();
+    remember_run();
+    return std::move(report_);
 }
 
 /// Moves now_ on to a time, in one step or, where a joint is driven far or Newton's method fails,
@@ -122,24 +103,15 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
             if (turn.fits()) ++report_.convergence_failures;
             width *= 0.5;
             if (width > whole * smallest_part) continue;
-            report_.status = status;
-            report_.message = turn.fits()
-                                  ? joined({"Newton's method failed in the step from ", now_.time,
-                                            " s: ", to_string(status)},
-                                           6)
-                                  : driven_turn_text(constraints, turn, now_.time, next_.time);
-            if (report_.fault)
-                report_.message += "; " + problem_.assembly().describe(*report_.fault);
+            fail(status, turn.fits() ? joined({"Newton's method failed in the step from ",
+                                               now_.time, " s: ", to_string(status)},
+                                              6)
+                                     : driven_turn_text(constraints, turn, now_.time, next_.time));
             return false;
         }
         acceleration_ = (next_.v - now_.v) / h;
         std::swap(now_, next_);
-        if (!goes_on(now_, schedule_.end, std::min(options_.step, whole_)))
-            now_.time = schedule_.end;
-        if (recorder_.step(next_, now_)) continue;
-        report_.status = Status::stopped;
-        report_.message = "the progress callback asked to stop";
-        return false;
+        if (!record(next_, now_)) return false;
     }
     return true;
 }
@@ -253,18 +225,11 @@ ANCF_INLINE bool EnergyMomentumRun::turns_inside_out() const {
     return false;
 }
 
-ANCF_INLINE void EnergyMomentumRun::remember() {
+ANCF_INLINE void EnergyMomentumRun::remember_run() {
+    remember("energy_momentum", now_,
+             {linearised_from_.time, linearised_to_.time, linearised_width_});
     Memory& memory = report_.memory;
-    memory.integrator = "energy_momentum";
-    memory.put("q", now_.q);
-    memory.put("v", now_.v);
-    memory.put("lambda", now_.lambda);
     memory.put("acceleration", acceleration_);
-    VectorX scalars(8);
-    scalars << now_.time, origin_, count_, options_.step, linearised_from_.time,
-        linearised_to_.time, linearised_width_, problem_.length_scale();
-    memory.put("scalars", scalars);
-    memory.put("signature", signature(problem_, now_));
     if (linearised_width_ == 0.0) return;
     memory.put("linearised_from_q", linearised_from_.q);
     memory.put("linearised_from_v", linearised_from_.v);
@@ -272,28 +237,20 @@ ANCF_INLINE void EnergyMomentumRun::remember() {
     memory.put("linearised_to_lambda", linearised_to_.lambda);
 }
 
-ANCF_INLINE void EnergyMomentumRun::recall(const Memory& memory) {
+ANCF_INLINE void EnergyMomentumRun::recall_run(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
-    require(memory.integrator == "energy_momentum", "EnergyMomentum: the memory is that of ",
-            memory.integrator);
-    const VectorX& scalars = memory.get("scalars", 8);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
-            "EnergyMomentum: the memory is of time ", scalars[0], " s, the model of ", now_.time,
-            " s");
-    problem_.set_length_scale(scalars[7]);
-    const MotionPoint end = {scalars[0], memory.get("q", n), memory.get("v", n),
-                             memory.get("lambda", m)};
+    const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 3);
+    problem_.set_length_scale(values[7]);
+    const MotionPoint end = recall(memory, "", values[0]);
     require_continuation("EnergyMomentum", memory, problem_, now_, end);
-    const double width = scalars[6];
+    const double width = values[6];
     if (width > 0.0) {
         // evaluate the matrix again in the step that it comes from
         now_ = {
-            scalars[4], memory.get("linearised_from_q", n), memory.get("linearised_from_v", n), {}};
-        next_ = {scalars[5],
-                 memory.get("linearised_to_q", n),
-                 {},
-                 memory.get("linearised_to_lambda", m)};
+            values[4], memory.get("linearised_from_q", n), memory.get("linearised_from_v", n), {}};
+        next_ = {
+            values[5], memory.get("linearised_to_q", n), {}, memory.get("linearised_to_lambda", m)};
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, width, full_now_.q, full_now_.v);
         increment_ = next_.q - now_.q;
@@ -301,8 +258,6 @@ ANCF_INLINE void EnergyMomentumRun::recall(const Memory& memory) {
     }
     now_ = end;
     acceleration_ = memory.get("acceleration", n);
-    origin_ = scalars[3] == options_.step ? scalars[1] : now_.time;
-    count_ = scalars[3] == options_.step ? scalars[2] : 0.0;
 }
 
 }  // namespace detail
@@ -317,21 +272,7 @@ ANCF_INLINE void EnergyMomentumOptions::check() const {
 ANCF_INLINE DynamicsReport EnergyMomentum::integrate(DynamicProblem& problem, LinearSolver& solver,
                                                      const Schedule& schedule,
                                                      const Memory& memory) const {
-    detail::require_same_storage(solver, problem);
-    detail::require_motion(problem);
-    schedule.check(problem.model().state().time);
-    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
-    DynamicsReport report;
-    const Start start = problem.start();
-    report.time = start.time;
-    ++report.evaluations;
-    if (start.status != Status::converged) {
-        report.status = start.status;
-        report.message = start.message;
-        return report;
-    }
-    detail::EnergyMomentumRun(problem, solver, schedule, options_, start, report).run(memory);
-    return report;
+    return detail::EnergyMomentumRun(problem, solver, schedule, options_).run(memory);
 }
 
 }  // namespace ancf

@@ -8,9 +8,8 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/recorder.hpp>
+#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -24,12 +23,12 @@ namespace ancf {
 namespace detail {
 
 /// One run.
-class GeneralizedAlphaRun {
+class GeneralizedAlphaRun : MotionRun {
 public:
     GeneralizedAlphaRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-                        const GeneralizedAlphaOptions& options, DynamicsReport& report);
+                        const GeneralizedAlphaOptions& options);
 
-    void run(const Memory& memory);
+    DynamicsReport run(const Memory& memory);
 
 private:
     // The end of a step: accelerations v' and algorithmic accelerations a.
@@ -37,48 +36,24 @@ private:
         VectorX acceleration, algorithmic;
     };
 
-    enum class Ends { within, on_grid, off_grid };  // within a step that is taken in parts
-    struct Step {
-        double width, end;
-        Ends ends;
-    };
+    static constexpr double farthest = 1.0;  // of corrections that grow: a slope's length
 
-    static constexpr double smallest_part = 1e-3;  // of a fixed step that fails
-    static constexpr double farthest = 1.0;        // of corrections that grow: a slope's length
-
-    [[nodiscard]] bool begin(const Memory& memory);
+    void begin(const Memory& memory);
     void read(const Memory& memory);
-    void recall(const Memory& memory);
-    void remember();
-    [[nodiscard]] Step propose() const;
+    void recall_run(const Memory& memory);
+    void remember_run();
     [[nodiscard]] bool advance();
     void shift_algorithmic(double width);
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
-    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
     [[nodiscard]] Status factorise(double h);
     void predict(double h);
     void correct(double h);
-    [[nodiscard]] std::string turn_text(const DrivenTurn& turn) const {
-        return driven_turn_text(problem_.model().constraints(), turn, now_.time, next_.time);
-    }
-    [[nodiscard]] double scaled(const VectorX& q) const { return problem_.largest_ratio(q); }
     [[nodiscard]] double change_of_acceleration() const {
         return problem_.largest_distance(next_.acceleration, now_.acceleration);
     }
-    void fail(Status status, std::string message) {
-        report_.status = status;
-        report_.message = std::move(message);
-        if (!failure_.empty()) report_.message += "; " + failure_;
-        if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
-    }
 
-    DynamicProblem& problem_;
-    LinearSolver& solver_;
-    const Schedule& schedule_;
     const GeneralizedAlphaOptions& options_;
-    DynamicsReport& report_;
-    Recorder recorder_;
 
     // the method's parameters
     double am_, af_, beta_, gamma_, offset_;  // a_n belongs to t_n + offset h
@@ -86,10 +61,6 @@ private:
     double error_constant_;                   // local error = it h^2 (v'_1 - v'_0)
 
     Point now_, next_;
-    double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
-    double whole_ = 0.0;                              // s, from the start to the schedule's end
-    double part_ = 0.0;                               // of a step that failed; 0: whole steps
-    int parts_ = 1;                  // into which the turn of a joint divides the step
     double width_ = 0.0;             // step that now_.algorithmic belongs to
     MotionPoint linearised_;         // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;  // its step; 0: there is no matrix
@@ -97,19 +68,15 @@ private:
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
-    std::string failure_;  // of the solver, in words
 };
 
 ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, LinearSolver& solver,
                                                      const Schedule& schedule,
-                                                     const GeneralizedAlphaOptions& options,
-                                                     DynamicsReport& report)
-    : problem_(problem),
-      solver_(solver),
-      schedule_(schedule),
+                                                     const GeneralizedAlphaOptions& options)
+    : MotionRun(problem, solver, schedule,
+                {options.step, options.tolerance, options.min_step, options.max_step},
+                options.follow_energy, true),
       options_(options),
-      report_(report),
-      recorder_(problem, schedule, report, options.follow_energy),
       am_((2.0 * options.rho - 1.0) / (options.rho + 1.0)),
       af_(options.rho / (options.rho + 1.0)),
       gamma_(0.5 + af_ - am_),
@@ -127,118 +94,59 @@ ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, Li
     solver_.analyze(system_);
 }
 
-ANCF_INLINE void GeneralizedAlphaRun::run(const Memory& memory) {
-    if (!begin(memory)) return;
+ANCF_INLINE DynamicsReport GeneralizedAlphaRun::run(const Memory& memory) {
+    if (!has_started()) return std::move(report_);
+    begin(memory);
     recorder_.start(now_);
-    while (goes_on(now_, schedule_.end, std::min(step_, whole_)) && advance()) {
+    while (goes_on(now_) && advance()) {
         std::swap(now_, next_);
-        if (!goes_on(now_, schedule_.end, std::min(step_, whole_))) now_.time = schedule_.end;
-        if (recorder_.step(next_, now_)) continue;
-        fail(Status::stopped, "the progress callback asked to stop");
-        break;
+        if (!record(next_, now_)) break;
     }
     recorder_.finish(now_);
-    remember();
+    remember_run();
+    return std::move(report_);
 }
 
-ANCF_INLINE bool GeneralizedAlphaRun::begin(const Memory& memory) {
-    const Start start = problem_.start();
-    report_.time = start.time;
-    ++report_.evaluations;
-    if (start.status != Status::converged) {
-        fail(start.status, start.message);
-        return false;
-    }
-    static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
-    now_.acceleration = now_.algorithmic = start.acceleration;
-    origin_ = start.time;
-    whole_ = schedule_.end - start.time;
-    step_ = options_.tolerance > 0.0 ? std::min(options_.step, options_.max_step) : options_.step;
-    width_ = whole_ > 0.0 ? std::min(step_, whole_) : step_;
+ANCF_INLINE void GeneralizedAlphaRun::begin(const Memory& memory) {
+    static_cast<MotionPoint&>(now_) = start_point();
+    now_.acceleration = now_.algorithmic = start_.acceleration;
+    width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
     if (!memory.empty()) {
-        recall(memory);
+        recall_run(memory);
     } else if (offset_ != 0.0) {
         // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
         VectorX jerk;
-        if (problem_.jerk(start, 1e-3 * width_, jerk) == Status::converged)
+        if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
             now_.algorithmic += offset_ * width_ * jerk;
         report_.evaluations += 4;
     }
     next_ = now_;
-    return true;
-}
-
-/// Returns the step to the next point of the grid, or to the schedule's end if that comes first;
-/// where steps are divided, the next part of it.
-ANCF_INLINE GeneralizedAlphaRun::Step GeneralizedAlphaRun::propose() const {
-    const double grid = origin_ + (count_ + 1.0) * step_;
-    const bool on_grid = schedule_.end >= grid - 1e-9 * step_;
-    const double end = on_grid ? grid : schedule_.end, rest = end - now_.time;
-    if (part_ > 0.0 && rest > part_ * (1.0 + 1e-6)) return {part_, now_.time + part_, Ends::within};
-    const bool full = on_grid && std::abs(rest - step_) <= 1e-6 * step_;
-    return {full ? step_ : rest, end, on_grid ? Ends::on_grid : Ends::off_grid};
 }
 
 /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
 /// it is not.
 ANCF_INLINE bool GeneralizedAlphaRun::advance() {
-    const bool adaptive = options_.tolerance > 0.0;
     for (;;) {
-        const Step step = propose();
+        const Step step = next_step(now_.time);
         shift_algorithmic(step.width);
+        if (divides(step)) continue;
         next_.time = step.end;
-        const auto& constraints = problem_.model().constraints();
-        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
-        if (!turn.fits() && !adaptive && part_ == 0.0) {
-            parts_ = parts_for_turns(constraints, now_.time, next_.time);
-            part_ = step.width / parts_;
-            if (part_ < step.width) continue;
-        }
-        const Status status = turn.fits() ? newton(step.width) : Status::diverged;
+        const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
         double error = 0.0;
-        if (status == Status::converged && adaptive)
+        if (status == Status::converged && control_.is_adaptive())
             error = error_constant_ * step.width * step.width * change_of_acceleration() /
                     options_.tolerance;
         const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
         if (status == Status::converged && error <= 1.0) {
-            width_ = step.width;
-            if (step.ends == Ends::within) return true;
-            part_ = 0.0;
-            parts_ = 1;
-            count_ += 1.0;
+            grid_.take(step);
             // a step keeps its width, and the matrix, unless a change is worth it
-            const bool change = adaptive && step.width == step_ && (factor < 0.95 || factor > 1.4);
-            if (change) step_ = std::min(step_ * std::min(factor, 2.0), options_.max_step);
-            if (change || step.ends == Ends::off_grid) {
-                origin_ = next_.time;
-                count_ = 0.0;
-            }
+            if (control_.is_adaptive() && step.width == grid_.width &&
+                (factor < 0.95 || factor > 1.4))
+                grid_ = {step.end, std::min(step.width * std::min(factor, 2.0), control_.most)};
             return true;
         }
-        if (turn.fits())
-            status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
-        if (!adaptive) {
-            part_ = 0.5 * step.width;
-            if (parts_ * part_ > smallest_part * step_) continue;
-            fail(status,
-                 turn.fits()
-                     ? joined({"Newton's method failed in the step from ", now_.time,
-                               " s: ", to_string(status), ", also in parts of ", step.width,
-                               " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                              6)
-                     : turn_text(turn));
+        if (!shortens(step, status, status == Status::converged ? std::max(0.2, factor) : 0.25))
             return false;
-        }
-        step_ = step.width * (status == Status::converged ? std::max(0.2, factor) : 0.25);
-        origin_ = now_.time;
-        count_ = 0.0;
-        if (step_ >= options_.min_step) continue;
-        fail(Status::step_too_small,
-             joined({"the step fell below ", options_.min_step, " s at ", now_.time, " s, last of ",
-                     status == Status::converged ? "the local error" : to_string(status)},
-                    6) +
-                 (turn.fits() ? "" : "; " + turn_text(turn)));
-        return false;
     }
 }
 
@@ -284,10 +192,9 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         rhs_.head(n) = product_;
         rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
         solver_.solve(rhs_, solution_);
-        failure_ = solver_.failure();
         ++report_.iterations;
         correct(h);
-        const double change = h * h * beta_hat_ * scaled(solution_.head(n));
+        const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
         if (!std::isfinite(change)) return Status::not_finite;
         // far below the local error of the step, however short it is
         const double local = h * h * beta_hat_ * change_of_acceleration();
@@ -308,12 +215,6 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
     return Status::max_iterations;
 }
 
-ANCF_INLINE Status GeneralizedAlphaRun::evaluate(const MotionPoint& at, Request request) {
-    ++report_.evaluations;
-    report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
-    return report_.fault ? report_.fault->status : Status::converged;
-}
-
 /// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises
 /// it.
 ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
@@ -329,7 +230,6 @@ ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
     ++report_.jacobians;
     ++report_.factorisations;
     const Status status = solver_.factorize(system_).status;
-    failure_ = solver_.failure();
     linearised_ = next_;
     linearised_width_ = status == Status::converged ? h : 0.0;
     return status;
@@ -355,68 +255,36 @@ ANCF_INLINE void GeneralizedAlphaRun::correct(double h) {
     next_.lambda += solution_.tail(problem_.multipliers());
 }
 
-ANCF_INLINE void GeneralizedAlphaRun::remember() {
-    Memory& memory = report_.memory;
-    memory.integrator = "generalized_alpha";
-    memory.put("q", now_.q);
-    memory.put("v", now_.v);
-    memory.put("lambda", now_.lambda);
-    memory.put("acceleration", now_.acceleration);
-    memory.put("algorithmic", now_.algorithmic);
-    VectorX scalars(9);
-    scalars << now_.time, origin_, count_, step_, width_, linearised_.time, linearised_width_,
-        options_.rho, problem_.length_scale();
-    memory.put("scalars", scalars);
-    memory.put("signature", signature(problem_, now_));
-    if (linearised_width_ == 0.0) return;
-    memory.put("linearised_q", linearised_.q);
-    memory.put("linearised_v", linearised_.v);
-    memory.put("linearised_lambda", linearised_.lambda);
+ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
+    remember("generalized_alpha", now_,
+             {width_, linearised_.time, linearised_width_, options_.rho});
+    report_.memory.put("acceleration", now_.acceleration);
+    report_.memory.put("algorithmic", now_.algorithmic);
+    if (linearised_width_ > 0.0) remember("linearised_", linearised_);
 }
 
 /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
 ANCF_INLINE void GeneralizedAlphaRun::read(const Memory& memory) {
-    const int n = problem_.size();
-    const int m = problem_.multipliers();
-    require(memory.integrator == "generalized_alpha", "GeneralizedAlpha: the memory is that of ",
-            memory.integrator);
-    const VectorX& scalars = memory.get("scalars", 9);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
-            "GeneralizedAlpha: the memory is of time ", scalars[0], " s, the model of ", now_.time,
-            " s");
-    require(scalars[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", scalars[7],
+    const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 4);
+    require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
             ", the options have ", options_.rho);
-    problem_.set_length_scale(scalars[8]);
-    static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
-                                       memory.get("lambda", m)};
-    now_.acceleration = memory.get("acceleration", n);
-    now_.algorithmic = memory.get("algorithmic", n);
-    if (scalars[6] == 0.0) return;
-    static_cast<MotionPoint&>(next_) = {scalars[5], memory.get("linearised_q", n),
-                                        memory.get("linearised_v", n),
-                                        memory.get("linearised_lambda", m)};
+    problem_.set_length_scale(values[8]);
+    static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
+    now_.acceleration = memory.get("acceleration", problem_.size());
+    now_.algorithmic = memory.get("algorithmic", problem_.size());
+    width_ = values[4];
+    linearised_width_ = values[6];
+    if (linearised_width_ > 0.0)
+        static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
 }
 
-ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
-    const MotionPoint start = now_;
+ANCF_INLINE void GeneralizedAlphaRun::recall_run(const Memory& memory) {
     together(problem_.model().exchange(), [&] { read(memory); });
-    require_continuation("GeneralizedAlpha", memory, problem_, start, now_);
-    const VectorX& scalars = memory.get("scalars", 9);
-    width_ = scalars[4];
-    origin_ = now_.time;
-    if (options_.tolerance > 0.0 || scalars[3] == options_.step) {
-        origin_ = scalars[1];
-        count_ = scalars[2];
-        step_ = scalars[3];
-    }
-    if (options_.tolerance > 0.0 && step_ > options_.max_step) {
-        step_ = options_.max_step;
-        origin_ = now_.time;
-        count_ = 0.0;
-    }
-    if (scalars[6] == 0.0) return;
-    if (evaluate(next_, Request::tangent_and_damping) == Status::converged)
-        (void)factorise(scalars[6]);  // where it fails the first step builds one of its own
+    require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
+    if (linearised_width_ == 0.0) return;
+    if (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
+        factorise(linearised_width_) != Status::converged)
+        linearised_width_ = 0.0;  // the first step builds a matrix of its own
 }
 
 }  // namespace detail
@@ -424,15 +292,7 @@ ANCF_INLINE void GeneralizedAlphaRun::recall(const Memory& memory) {
 ANCF_INLINE void GeneralizedAlphaOptions::check() const {
     detail::require(rho >= 0.0 && rho <= 1.0,
                     "GeneralizedAlphaOptions: rho must be from 0 to 1, got ", rho);
-    detail::require_positive("GeneralizedAlphaOptions: step", step);
-    detail::require(
-        std::isfinite(tolerance) && tolerance >= 0.0,
-        "GeneralizedAlphaOptions: tolerance must be positive, or 0 for fixed steps, got ",
-        tolerance);
-    detail::require_positive("GeneralizedAlphaOptions: min_step", min_step);
-    detail::require(max_step >= min_step,
-                    "GeneralizedAlphaOptions: max_step must be at least min_step, ", min_step,
-                    ", got ", max_step);
+    detail::StepControl{step, tolerance, min_step, max_step}.check("GeneralizedAlphaOptions");
     detail::require_positive("GeneralizedAlphaOptions: newton_tolerance", newton_tolerance);
     detail::require(max_iterations >= 1,
                     "GeneralizedAlphaOptions: max_iterations must be at least 1, got ",
@@ -443,13 +303,7 @@ ANCF_INLINE DynamicsReport GeneralizedAlpha::integrate(DynamicProblem& problem,
                                                        LinearSolver& solver,
                                                        const Schedule& schedule,
                                                        const Memory& memory) const {
-    detail::require_same_storage(solver, problem);
-    detail::require_motion(problem, true);
-    schedule.check(problem.model().state().time);
-    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
-    DynamicsReport report;
-    detail::GeneralizedAlphaRun(problem, solver, schedule, options_, report).run(memory);
-    return report;
+    return detail::GeneralizedAlphaRun(problem, solver, schedule, options_).run(memory);
 }
 
 }  // namespace ancf

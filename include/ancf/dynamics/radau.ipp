@@ -8,12 +8,11 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/hermite.hpp>
+#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/dynamics/radau_system.hpp>
 #include <ancf/dynamics/radau_tableau.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -29,12 +28,12 @@ namespace ancf {
 namespace detail {
 
 /// One run.
-class RadauRun {
+class RadauRun : MotionRun {
 public:
     ANCF_LAZY RadauRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-                       const RadauOptions& options, DynamicsReport& report);
+                       const RadauOptions& options);
 
-    void run(const Memory& memory);
+    DynamicsReport run(const Memory& memory);
 
 private:
     // The end of a step and its accelerations, of the last stage.
@@ -48,31 +47,20 @@ private:
         double width, end;
     };
 
-    enum class Ends { within, on_grid, off_grid };  // within a step that is taken in parts
-    struct Step {
-        double width, end;
-        Ends ends;
-    };
-
-    static constexpr double smallest_part = 1e-3;     // of a fixed step that fails
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
-    [[nodiscard]] bool adaptive() const { return options_.tolerance > 0.0; }
-    [[nodiscard]] bool begin(const Memory& memory);
-    void recall(const Memory& memory);
-    void remember();
-    [[nodiscard]] Step propose() const;
+    void recall_run(const Memory& memory);
+    void remember_run();
     [[nodiscard]] bool advance();
     void accept(const Step& step, double error);
-    void change_step(double step);
+    [[nodiscard]] double shortening(const Step& step, Status status, double error);
     [[nodiscard]] double growth(double error) const;
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] double correct(double h);
-    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
     [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
     void predict(double offset, double ratio);
     void place_stages(const Span& step);
@@ -85,17 +73,8 @@ private:
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
-    void fail(Status status, std::string message) {
-        report_.status = status;
-        report_.message = std::move(message);
-        if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
-    }
 
-    DynamicProblem& problem_;
-    const Schedule& schedule_;
     const RadauOptions& options_;
-    DynamicsReport& report_;
-    Recorder recorder_;
     const RadauTableau tableau_;
     const std::size_t stages_;
     RadauSystem system_;
@@ -104,11 +83,7 @@ private:
     const std::vector<double> at_start_;  // l_i(0)
 
     Point now_, next_;
-    Point earlier_;                                   // where the last step began
-    double origin_ = 0.0, count_ = 0.0, step_ = 0.0;  // grid of steps: origin + count step
-    double whole_ = 0.0;                              // s, from the start to the schedule's end
-    double part_ = 0.0;                               // of a step that failed; 0: whole steps
-    int parts_ = 1;  // into which the turn of a joint divides the step
+    Point earlier_;  // where the last step began
 
     // of the stages: (2), accelerations, residuals, multipliers, corrections
     Stages Y_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
@@ -132,13 +107,11 @@ private:
 };
 
 ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
-                             const Schedule& schedule, const RadauOptions& options,
-                             DynamicsReport& report)
-    : problem_(problem),
-      schedule_(schedule),
+                             const Schedule& schedule, const RadauOptions& options)
+    : MotionRun(problem, solver, schedule,
+                {options.step, options.tolerance, options.min_step, options.max_step},
+                options.follow_energy),
       options_(options),
-      report_(report),
-      recorder_(problem, schedule, report, options.follow_energy),
       tableau_(radau_tableau(options.stages)),
       stages_(static_cast<std::size_t>(options.stages)),
       system_(problem, solver, tableau_),
@@ -159,107 +132,48 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
       acceleration_before_(Y_),
       lambda_before_(lambda_) {}
 
-ANCF_INLINE void RadauRun::run(const Memory& memory) {
-    if (!begin(memory)) return;
-    recorder_.start(now_);
-    while (goes_on(now_, schedule_.end, std::min(step_, whole_)) && advance()) {
-        if (!goes_on(now_, schedule_.end, std::min(step_, whole_))) now_.time = schedule_.end;
-        if (recorder_.step(earlier_, now_, [this](double time) { return between(time); })) continue;
-        fail(Status::stopped, "the progress callback asked to stop");
-        break;
-    }
-    recorder_.finish(now_);
-    remember();
-}
-
-ANCF_INLINE bool RadauRun::begin(const Memory& memory) {
-    const Start start = problem_.start();
-    report_.time = start.time;
-    ++report_.evaluations;
-    if (start.status != Status::converged) {
-        fail(start.status, start.message);
-        return false;
-    }
-    static_cast<MotionPoint&>(now_) = {start.time, start.q, start.v, start.multipliers};
-    now_.acceleration = start.acceleration;
-    origin_ = start.time;
-    whole_ = schedule_.end - start.time;
-    step_ = adaptive() ? std::min(options_.step, options_.max_step) : options_.step;
-    if (!memory.empty()) recall(memory);
+ANCF_INLINE DynamicsReport RadauRun::run(const Memory& memory) {
+    if (!has_started()) return std::move(report_);
+    static_cast<MotionPoint&>(now_) = start_point();
+    now_.acceleration = start_.acceleration;
+    if (!memory.empty()) recall_run(memory);
     next_ = now_;
-    return true;
-}
-
-/// Returns the step to the next point of the grid, or to the schedule's end if that comes first;
-/// where steps are divided, the next part of it.
-ANCF_INLINE RadauRun::Step RadauRun::propose() const {
-    const double grid = origin_ + (count_ + 1.0) * step_;
-    const bool on_grid = schedule_.end >= grid - 1e-9 * step_;
-    const double end = on_grid ? grid : schedule_.end, rest = end - now_.time;
-    if (part_ > 0.0 && rest > part_ * (1.0 + 1e-6)) return {part_, now_.time + part_, Ends::within};
-    const bool full = on_grid && std::abs(rest - step_) <= 1e-6 * step_;
-    return {full ? step_ : rest, end, on_grid ? Ends::on_grid : Ends::off_grid};
-}
-
-ANCF_INLINE void RadauRun::change_step(double step) {
-    step_ = step;
-    origin_ = now_.time;
-    count_ = 0.0;
+    recorder_.start(now_);
+    while (goes_on(now_) && advance())
+        if (!record(earlier_, now_, [this](double time) { return between(time); })) break;
+    recorder_.finish(now_);
+    remember_run();
+    return std::move(report_);
 }
 
 /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
 /// it is not.
 ANCF_INLINE bool RadauRun::advance() {
     for (;;) {
-        const Step step = propose();
+        const Step step = next_step(now_.time);
+        if (divides(step)) continue;
         next_.time = step.end;
-        const auto& constraints = problem_.model().constraints();
-        const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
-        if (!turn.fits() && !adaptive() && part_ == 0.0) {
-            parts_ = parts_for_turns(constraints, now_.time, next_.time);
-            part_ = step.width / parts_;
-            if (part_ < step.width) continue;
-        }
-        const Status status = turn.fits() ? newton(step.width) : Status::diverged;
-        double error = 0.0;
-        if (status == Status::converged && adaptive()) error = this->error(step.width);
+        const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
+        const bool tests = status == Status::converged && control_.is_adaptive();
+        const double error = tests ? this->error(step.width) : 0.0;
         if (status == Status::converged && error <= 1.0) {
             accept(step, error);
             end_step(step.width);
             return true;
         }
-        if (turn.fits())
-            status == Status::converged ? ++report_.rejected : ++report_.convergence_failures;
-        const auto why = [&] {
-            return turn.fits() ? std::string()
-                               : "; " + driven_turn_text(constraints, turn, now_.time, next_.time);
-        };
-        if (!adaptive()) {
-            part_ = 0.5 * step.width;
-            if (parts_ * part_ > smallest_part * step_) continue;
-            fail(status, joined({"Newton's method failed in the step from ", now_.time,
-                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                 " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                                6) +
-                             why());
-            return false;
-        }
-        if (status == Status::converged) {
-            change_step(step.width * growth(error));
-            rejected_ = true;
-        } else {
-            change_step(step.width * (failed_ || !turn.fits() ? 0.5 : 0.7));
-            most_growth_ = 1.1;
-            failed_ = true;
-        }
-        if (step_ >= options_.min_step) continue;
-        fail(Status::step_too_small,
-             joined({"the step fell below ", options_.min_step, " s at ", now_.time, " s, last of ",
-                     status == Status::converged ? "the local error" : to_string(status)},
-                    6) +
-                 why());
-        return false;
+        if (!shortens(step, status, shortening(step, status, error))) return false;
     }
+}
+
+/// Returns by what an adaptive step that failed is taken again.
+ANCF_INLINE double RadauRun::shortening(const Step& step, Status status, double error) {
+    if (!control_.is_adaptive()) return 0.0;
+    if (status == Status::converged) {
+        rejected_ = true;
+        return growth(error);
+    }
+    most_growth_ = 1.1;
+    return std::exchange(failed_, true) || !step.turn.fits() ? 0.5 : 0.7;
 }
 
 /// Returns by what the next step is longer, after an error relative to the tolerance.
@@ -274,25 +188,16 @@ ANCF_INLINE double RadauRun::growth(double error) const {
 ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
     const bool attempted = rejected_ || failed_;
     rejected_ = failed_ = false;
-    if (step.ends == Ends::within) return;
-    part_ = 0.0;
-    parts_ = 1;
-    count_ += 1.0;
-    bool change = false;
-    if (adaptive() && step.width == step_) {
-        double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
-        // what a fresh tangent hardly solves a longer step would not
-        if (fresh_ > fair_contraction)
-            factor = std::min(factor, std::max(0.9, std::sqrt(fair_contraction / fresh_)));
-        most_growth_ = std::min(largest_growth, most_growth_ * 1.02);
-        // a step keeps its width, and the matrices, unless a change is worth it
-        change = factor < 0.95 || factor > (most_growth_ < 1.6 ? 1.25 : 1.6);
-        if (change) step_ = std::min(step_ * factor, options_.max_step);
-    }
-    if (change || step.ends == Ends::off_grid) {
-        origin_ = next_.time;
-        count_ = 0.0;
-    }
+    grid_.take(step);
+    if (!control_.is_adaptive() || step.width != grid_.width) return;
+    double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
+    // what a fresh tangent hardly solves a longer step would not
+    if (fresh_ > fair_contraction)
+        factor = std::min(factor, std::max(0.9, std::sqrt(fair_contraction / fresh_)));
+    most_growth_ = std::min(largest_growth, most_growth_ * 1.02);
+    // a step keeps its width, and the matrices, unless a change is worth it
+    if (factor < 0.95 || factor > (most_growth_ < 1.6 ? 1.25 : 1.6))
+        grid_ = {step.end, std::min(step.width * factor, control_.most)};
 }
 
 /// Makes the step that was taken the last one.
@@ -310,12 +215,6 @@ ANCF_INLINE Status RadauRun::newton(double h) {
     if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
         return Status::converged;
     return iterate(h, true);
-}
-
-ANCF_INLINE Status RadauRun::evaluate(const MotionPoint& at, Request request) {
-    ++report_.evaluations;
-    report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
-    return report_.fault ? report_.fault->status : Status::converged;
 }
 
 /// Evaluates the residuals of all stages, of the middle one with the tangent where it is renewed.
@@ -436,7 +335,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
             const int rest = options_.max_iterations - iterations_;
             renew =
                 left > newton_tolerance_ && left * std::pow(contraction_, rest) > newton_tolerance_;
-            if (renew && tangents == 2 && adaptive()) return Status::max_iterations;
+            if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
         }
         // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
         if ((iterations_ > 1 || (tangents == 0 && !constrained)) &&
@@ -556,65 +455,40 @@ ANCF_INLINE void part_stages(const VectorX& all, Stages& stages) {
     }
 }
 
-ANCF_INLINE void RadauRun::remember() {
-    Memory& memory = report_.memory;
-    memory.integrator = "radau";
-    memory.put("q", now_.q);
-    memory.put("v", now_.v);
-    memory.put("lambda", now_.lambda);
-    memory.put("acceleration", now_.acceleration);
-    memory.put("stage_accelerations", joined_stages(acceleration_before_));
-    memory.put("stage_multipliers", joined_stages(lambda_before_));
+ANCF_INLINE void RadauRun::remember_run() {
     const double factorised = renew_ ? 0.0 : system_.width();
-    VectorX scalars(15);
-    scalars << now_.time, origin_, count_, step_, width_before_, linearised_.time, factorised,
-        contraction_, fresh_, eta_, most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
-        static_cast<double>(stages_), problem_.length_scale();
-    memory.put("scalars", scalars);
-    memory.put("signature", signature(problem_, now_));
-    if (factorised == 0.0) return;
-    memory.put("linearised_q", linearised_.q);
-    memory.put("linearised_v", linearised_.v);
-    memory.put("linearised_lambda", linearised_.lambda);
+    remember("radau", now_,
+             {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_, most_growth_,
+              rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_)});
+    report_.memory.put("acceleration", now_.acceleration);
+    report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
+    report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
+    if (factorised > 0.0) remember("linearised_", linearised_);
 }
 
-ANCF_INLINE void RadauRun::recall(const Memory& memory) {
+ANCF_INLINE void RadauRun::recall_run(const Memory& memory) {
     const int n = problem_.size();
-    const int m = problem_.multipliers();
     const auto stages = static_cast<Eigen::Index>(stages_);
-    require(memory.integrator == "radau", "RadauIIA: the memory is that of ", memory.integrator);
-    const VectorX& scalars = memory.get("scalars", 15);
-    require(std::abs(scalars[0] - now_.time) <= 1e-12 * std::abs(now_.time) + 1e-9 * scalars[3],
-            "RadauIIA: the memory is of time ", scalars[0], " s, the model of ", now_.time, " s");
-    require(scalars[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ", scalars[13],
+    const VectorX& values = recall("RadauIIA", "radau", memory, 10);
+    require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ", values[13],
             " stages, the options have ", options_.stages);
-    problem_.set_length_scale(scalars[14]);
-    const MotionPoint start = now_;
-    static_cast<MotionPoint&>(now_) = {scalars[0], memory.get("q", n), memory.get("v", n),
-                                       memory.get("lambda", m)};
-    require_continuation("RadauIIA", memory, problem_, start, now_);
+    problem_.set_length_scale(values[14]);
+    static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
+    require_continuation("RadauIIA", memory, problem_, start_point(), now_);
     now_.acceleration = memory.get("acceleration", n);
     part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
-    part_stages(memory.get("stage_multipliers", m * stages), lambda_before_);
-    width_before_ = scalars[4];
-    origin_ = now_.time;
-    if (adaptive() || scalars[3] == options_.step) {
-        origin_ = scalars[1];
-        count_ = scalars[2];
-        step_ = scalars[3];
-    }
-    if (adaptive() && step_ > options_.max_step) change_step(options_.max_step);
-    contraction_ = scalars[7];
-    fresh_ = scalars[8];
-    eta_ = scalars[9];
-    most_growth_ = scalars[10];
-    rejected_ = scalars[11] != 0.0;
-    failed_ = scalars[12] != 0.0;
-    if (scalars[6] == 0.0) return;
-    linearised_ = {scalars[5], memory.get("linearised_q", n), memory.get("linearised_v", n),
-                   memory.get("linearised_lambda", m)};
+    part_stages(memory.get("stage_multipliers", problem_.multipliers() * stages), lambda_before_);
+    width_before_ = values[4];
+    contraction_ = values[7];
+    fresh_ = values[8];
+    eta_ = values[9];
+    most_growth_ = values[10];
+    rejected_ = values[11] != 0.0;
+    failed_ = values[12] != 0.0;
+    if (values[6] == 0.0) return;
+    linearised_ = recall(memory, "linearised_", values[5]);
     if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
-        system_.factorise(scalars[6], report_.factorisations) == Status::converged)
+        system_.factorise(values[6], report_.factorisations) == Status::converged)
         renew_ = false;  // where that fails the first step takes a tangent of its own
 }
 
@@ -623,13 +497,7 @@ ANCF_INLINE void RadauRun::recall(const Memory& memory) {
 ANCF_INLINE void RadauOptions::check() const {
     detail::require(stages == 3 || stages == 5, "RadauOptions: stages must be 3 or 5, got ",
                     stages);
-    detail::require(std::isfinite(tolerance) && tolerance >= 0.0,
-                    "RadauOptions: tolerance must be positive, or 0 for fixed steps, got ",
-                    tolerance);
-    detail::require_positive("RadauOptions: step", step);
-    detail::require_positive("RadauOptions: min_step", min_step);
-    detail::require(max_step >= min_step, "RadauOptions: max_step must be at least min_step, ",
-                    min_step, ", got ", max_step);
+    detail::StepControl{step, tolerance, min_step, max_step}.check("RadauOptions");
     detail::require(std::isfinite(newton_tolerance) && newton_tolerance >= 0.0,
                     "RadauOptions: newton_tolerance must be positive, or 0 for a share of the "
                     "tolerance, got ",
@@ -640,13 +508,7 @@ ANCF_INLINE void RadauOptions::check() const {
 
 ANCF_LAZY DynamicsReport RadauIIA::integrate(DynamicProblem& problem, LinearSolver& solver,
                                              const Schedule& schedule, const Memory& memory) const {
-    detail::require_same_storage(solver, problem);
-    detail::require_motion(problem);
-    schedule.check(problem.model().state().time);
-    detail::require_resolved(options_.step, problem.model().state().time, schedule.end);
-    DynamicsReport report;
-    detail::RadauRun(problem, solver, schedule, options_, report).run(memory);
-    return report;
+    return detail::RadauRun(problem, solver, schedule, options_).run(memory);
 }
 
 }  // namespace ancf

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What a run of any integrator of this folder has besides its formulas: a consistent start, the
+/// grid of its steps, what it reports, and what it carries to the next run.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/recorder.hpp>
+#include <ancf/dynamics/report.hpp>
+#include <ancf/model/constraint.hpp>
+#include <ancf/solver/linear_solver.hpp>
+#include <ancf/types.hpp>
+
+#include <initializer_list>
+#include <string>
+
+namespace ancf::detail {
+
+/// Returns the consistent start of a run and reports it; where there is none the report says why.
+[[nodiscard]] Start start_run(DynamicProblem& problem, DynamicsReport& report);
+
+/// How a run chooses the widths of its steps.
+struct StepControl {
+    double first;                    ///< s; or all
+    double tolerance = 0.0;          ///< 0: fixed steps
+    double least = 0.0, most = 0.0;  ///< s, of adaptive steps
+
+    [[nodiscard]] bool is_adaptive() const noexcept { return tolerance > 0.0; }
+    /// @throws InvalidArgument naming the first option that cannot be meant.
+    void check(const std::string& options) const;
+};
+
+/// A step to try, whole or a part of one.
+struct Step {
+    enum class Ends { within, on_grid, off_grid };  // within: a part, and not the last
+
+    double width, begin, end;  // s
+    Ends ends;
+    DrivenTurn turn = {};  // of the joint that is driven furthest
+};
+
+/// Steps of one width, from one point origin + k width to the next. Another width makes a new grid.
+struct StepGrid {
+    double origin, width;  // s
+    double count = 0.0;    // of steps taken
+    double part = 0.0;     // s, of a step that is taken in parts; 0: whole steps
+    int parts = 1;         // into which the turn of a joint divides a step
+
+    /// Returns the step to the next point, or to the run's end if that comes first.
+    [[nodiscard]] Step next(double now, double end) const;
+    /// Halves a step that failed; false below a thousandth of the parts it was divided into.
+    [[nodiscard]] bool halve(const Step& step);
+    void take(const Step& step);
+};
+
+/// A run, from which those of the integrators derive.
+class MotionRun {
+protected:
+    /// Starts. @throws InvalidArgument as the integrators do.
+    /// @param takes_parts  whether the scene can be a part of one.
+    MotionRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
+              const StepControl& control, bool follow_energy, bool takes_parts = false);
+
+    [[nodiscard]] bool has_started() const { return report_.status == Status::converged; }
+    [[nodiscard]] MotionPoint start_point() const {
+        return {start_.time, start_.q, start_.v, start_.multipliers};
+    }
+    [[nodiscard]] bool goes_on(const MotionPoint& now) const;
+
+    /// Evaluates at a point; the report has the element that failed.
+    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
+
+    [[nodiscard]] Step next_step(double now) const;
+
+    /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
+    [[nodiscard]] bool divides(const Step& step);
+
+    /// Counts a step that failed, or converged with too large an error, and makes the next one
+    /// shorter: by a factor, or in halves where steps are fixed. False where the run ends.
+    [[nodiscard]] bool shortens(const Step& step, Status status, double factor);
+
+    /// Reports a step that was taken; the last one ends where the schedule does. False where the
+    /// progress callback asks to stop.
+    [[nodiscard]] bool record(const MotionPoint& from, MotionPoint& to,
+                              const Between& between = {});
+
+    void fail(Status status, std::string message);
+
+    /// Begins the report's memory: the end of the run, numbers of it, what tells its scene.
+    /// @param own  numbers after time, origin, count and width, before the scene's size.
+    void remember(const char* integrator, const MotionPoint& end,
+                  std::initializer_list<double> own);
+    void remember(const std::string& prefix, const MotionPoint& point);
+
+    /// Returns the numbers of a memory and goes on with its grid.
+    /// @param who  the integrator, for messages.
+    const VectorX& recall(const char* who, const char* integrator, const Memory& memory,
+                          Eigen::Index own);
+    [[nodiscard]] MotionPoint recall(const Memory& memory, const std::string& prefix,
+                                     double time) const;
+
+    DynamicProblem& problem_;
+    LinearSolver& solver_;
+    const Schedule& schedule_;
+    const StepControl control_;
+    DynamicsReport report_;
+    Recorder recorder_;
+    Start start_;
+    StepGrid grid_;
+    double duration_ = 0.0;  // s, from the start to the schedule's end
+};
+
+}  // namespace ancf::detail
+
+#if !defined(ANCF_COMPILED)
+#include <ancf/dynamics/motion_run.ipp>  // IWYU pragma: export
+#endif
