@@ -103,11 +103,11 @@ ANCF_INLINE bool EnergyMomentumRun::advance(double target, double whole) {
             if (turn.fits()) ++report_.convergence_failures;
             width *= 0.5;
             if (width > whole * smallest_part) continue;
-            fail(status, turn.fits() ? joined({"Newton's method failed in the step from ",
-                                               now_.time, " s: ", to_string(status)},
-                                              6)
-                                     : driven_turn_text(constraints, turn, now_.time, next_.time));
-            return false;
+            return turn.fits()
+                       ? fail(status, joined({"Newton's method failed in the step from ", now_.time,
+                                              " s: ", to_string(status)},
+                                             6))
+                       : fail(status, driven_turn_text(constraints, turn, now_.time, next_.time));
         }
         acceleration_ = (next_.v - now_.v) / h;
         std::swap(now_, next_);

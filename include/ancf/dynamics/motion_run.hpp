@@ -88,7 +88,8 @@ protected:
     [[nodiscard]] bool record(const MotionPoint& from, MotionPoint& to,
                               const Between& between = {});
 
-    void fail(Status status, std::string message);
+    /// Ends the run. @return false.
+    bool fail(Status status, std::string message);
 
     /// Begins the report's memory: the end of the run, numbers of it, what tells its scene.
     /// @param own  numbers after time, origin, count and width, before the scene's size.

@@ -106,35 +106,32 @@ ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double fac
                                               : driven_turn_text(problem_.model().constraints(),
                                                                  step.turn, step.begin, step.end);
     if (control_.is_adaptive())
-        fail(Status::step_too_small,
-             joined({"the step fell below ", control_.least, " s at ", step.begin, " s, last of ",
-                     converged ? "the local error" : to_string(status), turn.empty() ? "" : "; ",
-                     turn},
-                    6));
-    else if (turn.empty())
-        fail(status, joined({"Newton's method failed in the step from ", step.begin,
-                             " s: ", to_string(status), ", also in parts of ", step.width,
-                             " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                            6));
-    else
-        fail(status, turn);
-    return false;
+        return fail(Status::step_too_small,
+                    joined({"the step fell below ", control_.least, " s at ", step.begin,
+                            " s, last of ", converged ? "the local error" : to_string(status),
+                            turn.empty() ? "" : "; ", turn},
+                           6));
+    if (!turn.empty()) return fail(status, turn);
+    return fail(status, joined({"Newton's method failed in the step from ", step.begin,
+                                " s: ", to_string(status), ", also in parts of ", step.width,
+                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
+                               6));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
                                    const Between& between) {
     if (!goes_on(to)) to.time = schedule_.end;
-    if (recorder_.step(from, to, between)) return true;
-    fail(Status::stopped, "the progress callback asked to stop");
-    return false;
+    return recorder_.step(from, to, between) ||
+           fail(Status::stopped, "the progress callback asked to stop");
 }
 
-ANCF_INLINE void MotionRun::fail(Status status, std::string message) {
+ANCF_INLINE bool MotionRun::fail(Status status, std::string message) {
     report_.status = status;
     report_.message = std::move(message);
     const std::string reason = solver_.failure();
     if (!reason.empty()) report_.message += "; " + reason;
     if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
+    return false;
 }
 
 ANCF_INLINE void MotionRun::remember(const char* integrator, const MotionPoint& end,

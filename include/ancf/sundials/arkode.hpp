@@ -83,12 +83,7 @@ using ArkodeOwner = std::unique_ptr<void, DestroyArkode>;  ///< owns the memory 
     ArkodeOwner erk(ERKStepCreate(rate, time, start, context.get()));
     if (!erk) throw std::bad_alloc();
 #if SUNDIALS_VERSION_MAJOR < 7
-    ERKStepSetErrHandlerFn(
-        erk.get(),
-        [](int, const char*, const char*, char* message, void* self) {
-            static_cast<Context*>(self)->remember(message);
-        },
-        &context);
+    ERKStepSetErrHandlerFn(erk.get(), &Context::take, &context);
 #endif
     return erk;
 }

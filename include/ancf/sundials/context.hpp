@@ -56,6 +56,12 @@ public:
 
     /// Keeps a message, as one of SUNDIALS.
     void remember(const char* message) noexcept;
+#if SUNDIALS_VERSION_MAJOR < 7
+    /// Keeps a message for the context that it is given to; a handler of SUNDIALS.
+    static void take(int, const char*, const char*, char* message, void* context) noexcept {
+        static_cast<Context*>(context)->remember(message);
+    }
+#endif
 
 private:
     SUNContext handle_ = nullptr;

@@ -123,12 +123,7 @@ ANCF_INLINE Context::Context() {
 }
 
 ANCF_INLINE void Context::silence(void* ida) noexcept {
-    IDASetErrHandlerFn(
-        ida,
-        [](int, const char*, const char*, char* message, void* self) {
-            static_cast<Context*>(self)->remember(message);
-        },
-        this);
+    IDASetErrHandlerFn(ida, &Context::take, this);
 }
 
 #endif

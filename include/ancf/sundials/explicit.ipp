@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Definitions of explicit.hpp: one run of ERKStep.
+/// Definitions of explicit.hpp: the system and one run of ERKStep.
 
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/dynamics/recorder.hpp>
+#include <ancf/dynamics/frequency.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/arkode.hpp>
-#include <ancf/sundials/context.hpp>
 #include <ancf/sundials/explicit.hpp>
-#include <ancf/sundials/explicit_system.hpp>
+#include <ancf/sundials/run.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <new>
 #include <string>
 #include <utility>
 
@@ -41,16 +37,114 @@ namespace detail {
     }
 }
 
-/// One run: ARKODE's objects, the system, and what is reported.
-class ExplicitRun {
+/// A dynamic problem without multipliers as y' = f(t, y), and how long steps may be:
+///
+///     y = (q, v),    f = (v, -M^-1 r(t, q, v)).
+class ExplicitSystem : public SceneCalls {
 public:
-    ExplicitRun(DynamicProblem& problem, const Schedule& schedule, const ExplicitOptions& options,
-                const Start& start, ExplicitReport& report);
+    /// @pre problem.start() has converged; no multipliers.
+    /// @param every  steps between two estimates of the stable one.
+    ExplicitSystem(DynamicProblem& problem, Reach reach, int every);
 
-    void run();
+    [[nodiscard]] Eigen::Index size() const noexcept { return 2 * static_cast<Eigen::Index>(n_); }
+
+    static int rate(sunrealtype t, N_Vector y, N_Vector dy, void* self) noexcept;
+    static int stability(N_Vector y, sunrealtype t, sunrealtype* step, void* self) noexcept;
+
+    /// Estimates the longest stable step from the largest eigenvalues of M^-1 K and M^-1 D.
+    ///
+    /// Every eigenvalue mu of the linearised system has |mu| <= d/2 + sqrt(d^2/4 + w^2), with w^2
+    /// and d those of M^-1 K and M^-1 D. Where an element fails the last estimate stays.
+    void estimate(double t, const VectorX& q, const VectorX& v);
+
+    [[nodiscard]] double stable_step() const noexcept { return stable_step_; }  ///< s
+    [[nodiscard]] double frequency() const noexcept { return frequency_; }      ///< rad/s
+    [[nodiscard]] long evaluations() const noexcept { return evaluations_; }    ///< of the force
+    [[nodiscard]] long estimates() const noexcept { return estimates_; }        ///< of the step
 
 private:
-    void call(int code) const;
+    [[nodiscard]] double largest(const SparseMatrix& matrix) const;
+
+    Reach reach_;
+    int every_;
+    VectorX none_, acceleration_;
+    double stable_step_, frequency_ = 0.0;
+    int since_ = 0;  // steps since the last estimate
+    long evaluations_ = 0, estimates_ = 0;
+};
+
+ANCF_INLINE ExplicitSystem::ExplicitSystem(DynamicProblem& problem, Reach reach, int every)
+    : SceneCalls(problem),
+      reach_(reach),
+      every_(every),
+      stable_step_(std::numeric_limits<double>::infinity()) {}
+
+ANCF_INLINE int ExplicitSystem::rate(sunrealtype t, N_Vector y, N_Vector dy, void* self) noexcept {
+    auto& system = *static_cast<ExplicitSystem*>(self);
+    return system.guarded([&] {
+        const auto at = view(y);
+        auto out = view(dy);
+        system.q_ = system.q(at);
+        system.v_ = system.v(at);
+        ++system.evaluations_;
+        if (!system.evaluate(t, system.none_, Request::force)) return recoverable;
+        system.problem_.solve_mass(system.problem_.force(), system.acceleration_);
+        system.q(out) = system.v_;
+        system.v(out) = -system.acceleration_;
+        return good;
+    });
+}
+
+ANCF_INLINE int ExplicitSystem::stability(N_Vector y, sunrealtype t, sunrealtype* step,
+                                          void* self) noexcept {
+    auto& system = *static_cast<ExplicitSystem*>(self);
+    return system.guarded([&] {
+        if (++system.since_ >= system.every_) {
+            const auto at = view(y);
+            system.q_ = system.q(at);
+            system.v_ = system.v(at);
+            system.estimate(t, system.q_, system.v_);
+        }
+        *step = std::isfinite(system.stable_step_) ? system.stable_step_ : 0.0;  // 0: no limit
+        return good;
+    });
+}
+
+ANCF_INLINE double ExplicitSystem::largest(const SparseMatrix& matrix) const {
+    const Storage storage = problem_.assembly().pattern().storage();
+    VectorX all_modes = ancf::detail::scattered(problem_.scales(), 0);
+    return ancf::detail::largest_eigenvalue(
+        all_modes,
+        [&](const VectorX& x) { return ancf::detail::multiply(matrix, storage, x); },
+        [&](const VectorX& x) {
+            return ancf::detail::multiply(problem_.compact_mass(), Storage::full, x);
+        },
+        [&](const VectorX& b) {
+            VectorX x;
+            problem_.solve_mass(b, x);
+            return x;
+        });
+}
+
+ANCF_INLINE void ExplicitSystem::estimate(double t, const VectorX& q, const VectorX& v) {
+    since_ = 0;
+    ++estimates_;
+    if (problem_.evaluate(t, q, v, none_, request_)) return;
+    frequency_ = std::sqrt(largest(problem_.tangent()));
+    const double damping = request_ == Request::tangent ? 0.0 : 0.5 * largest(problem_.damping());
+    const bool damped = damping > 1e-3 * frequency_;
+    const double fastest = damping + std::sqrt(damping * damping + frequency_ * frequency_);
+    stable_step_ = (damped ? reach_.disc : reach_.axis) / fastest;
+}
+
+/// One run: ARKODE's objects, the system, and what is reported.
+class ExplicitRun : SteppedRun {
+public:
+    ExplicitRun(DynamicProblem& problem, const Schedule& schedule, const ExplicitOptions& options);
+
+    ExplicitReport run();
+
+private:
     [[nodiscard]] bool is_fixed() const noexcept { return options_.step > 0.0; }
     void set_up();
     void set_tolerances();
@@ -60,65 +154,40 @@ private:
     [[nodiscard]] bool step();
     [[nodiscard]] int evolve(double& reached);
     void restart(double step);
-    void observe_until(double time);
-    [[nodiscard]] ancf::detail::MotionPoint between(double time) const;
-    void monitor();
-    void end(Status status, std::string message);
-    void fail(int code);
-    void finish();
+    void take_state(double time);
+    [[nodiscard]] MotionPoint between(double time) const;
+    bool fail(int code);
 
-    DynamicProblem& problem_;
-    const Schedule& schedule_;
     const ExplicitOptions& options_;
-    const Start& start_;
-    ExplicitReport& report_;
+    ExplicitReport report_;
 
     ExplicitSystem system_;
-    Context context_;
     VectorOwner y_, tolerances_, dense_;
     ArkodeOwner erk_;
 
     double fixed_step_ = 0.0;  // s: options_.step, shortened
-    double time_;
-    int code_ = ARK_SUCCESS;  // of the last call that evolves
     bool ran_ = false;
-    std::size_t next_ = 0;                             // of the schedule's times
-    VectorX q_, v_, a_;                                // at time_
-    VectorX from_q_, from_v_, from_a_;                 // where the step that led there began
-    double from_ = 0.0;                                // s
+    VectorX a_;         // at now_
+    MotionPoint from_;  // where the step that led there began
+    VectorX from_a_;
     long earlier_rejected_ = 0, earlier_limited_ = 0;  // before the last restart
-    State observed_;
 };
 
 ANCF_INLINE ExplicitRun::ExplicitRun(DynamicProblem& problem, const Schedule& schedule,
-                                     const ExplicitOptions& options, const Start& start,
-                                     ExplicitReport& report)
-    : problem_(problem),
-      schedule_(schedule),
+                                     const ExplicitOptions& options)
+    : SteppedRun("Explicit", &arkode_code_name, problem, schedule, options.follow_energy, report_),
       options_(options),
-      start_(start),
-      report_(report),
       system_(problem, reach_of(options.table), options.stable_interval),
       y_(make_vector(context_, system_.size())),
       tolerances_(make_vector(context_, system_.size())),
-      dense_(make_vector(context_, system_.size())),
-      time_(start.time) {
-    auto y = view(y_.get());
-    system_.q(y) = start.q;
-    system_.v(y) = start.v;
-    erk_ = make_erk(context_, &ExplicitSystem::rate, start.time, y_.get());
-    system_.estimate(start.time, start.q, start.v);
-    set_up();
-}
-
-// Throws what a failed call to set ARKODE up amounts to.
-ANCF_INLINE void ExplicitRun::call(int code) const {
-    if (code == ARK_SUCCESS) return;
-    if (code == ARK_MEM_FAIL) throw std::bad_alloc();
-    ancf::detail::reject("Explicit: ", arkode_code_name(code), ": ", context_.message());
-}
+      dense_(make_vector(context_, system_.size())) {}
 
 ANCF_INLINE void ExplicitRun::set_up() {
+    auto y = view(y_.get());
+    system_.q(y) = start_.q;
+    system_.v(y) = start_.v;
+    erk_ = make_erk(context_, &ExplicitSystem::rate, start_.time, y_.get());
+    system_.estimate(start_.time, start_.q, start_.v);
     void* erk = erk_.get();
     call(Arkode::set_user_data(erk, &system_));
     call(ERKStepSetTableNum(erk, table_id(options_.table)));
@@ -137,11 +206,7 @@ ANCF_INLINE void ExplicitRun::set_tolerances() {
     double length = options_.length_scale;
     if (length == 0.0) length = problem_.length_scale();
     double velocity = options_.velocity_scale;
-    if (velocity == 0.0) velocity = length * problem_.motion_frequency(start_);
-    if (velocity == 0.0) velocity = length * problem_.lowest_frequency(start_.time, start_.q);
-    // nothing moves: one length in the run
-    if (velocity == 0.0) velocity = length / (schedule_.end - start_.time);
-    if (!std::isfinite(velocity)) velocity = length;  // there is no run
+    if (velocity == 0.0) velocity = velocity_scale(length, slow_frequency());
     VectorX sizes;
     problem_.numbering().gather_free(problem_.scales_of(length), sizes);
     auto absolute = view(tolerances_.get());
@@ -167,79 +232,71 @@ ANCF_INLINE void ExplicitRun::set_steps() {
     first = std::min(first, options_.stable_share * system_.stable_step());
     if (options_.max_step > 0.0) first = std::min(first, options_.max_step);
     if (first > 0.0) call(Arkode::set_first_step(erk, first));
-    // without a least step ARKODE goes on for ever where time no longer advances
-    const double farthest = std::max(std::abs(start_.time), std::abs(schedule_.end));
-    call(Arkode::set_min_step(erk, 100.0 * std::numeric_limits<double>::epsilon() * farthest));
+    call(Arkode::set_min_step(erk, least_step()));
     if (options_.max_step > 0.0) call(Arkode::set_max_step(erk, options_.max_step));
 }
 
-ANCF_INLINE void ExplicitRun::run() {
-    report_.smallest_step = std::numeric_limits<double>::infinity();
+ANCF_INLINE ExplicitReport ExplicitRun::run() {
+    if (!starts()) return std::move(report_);
+    set_up();
     a_ = start_.acceleration;
-    monitor();
-    observe_until(time_);
+    recorder_.start(now_);
     if (is_feasible())
-        while (time_ < schedule_.end && step()) {
+        while (now_.time < schedule_.end && step()) {
         }
-    if (report_.steps == 0) report_.smallest_step = 0.0;
-    finish();
+    Arkode::error_failures(erk_.get(), &report_.rejected);
+    Arkode::limited_steps(erk_.get(), &report_.limited);
+    report_.rejected += earlier_rejected_;
+    report_.limited += earlier_limited_;
+    report_.evaluations += system_.evaluations();
+    report_.jacobians = system_.estimates();
+    report_.highest_frequency = system_.frequency();
+    report_.stable_step = system_.stable_step();
+    if (ran_) report_.code = arkode_code_name(code_);
+    recorder_.finish(now_);
+    return std::move(report_);
 }
 
 // Whether the steps that stability allows reach the end.
 ANCF_INLINE bool ExplicitRun::is_feasible() {
     if (is_fixed()) return is_stable();
     const double most = options_.stable_share * system_.stable_step();
-    const double needed = (schedule_.end - time_) / most;
+    const double needed = (schedule_.end - now_.time) / most;
     if (options_.max_steps == 0 || needed <= static_cast<double>(options_.max_steps)) return true;
-    end(Status::max_iterations,
-        ancf::detail::joined(
-            {"a stable step is ", most, " s long, as the scene vibrates at up to ",
-             system_.frequency(), " rad/s: that makes ", needed, " steps, and max_steps is ",
-             options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"},
-            6));
-    return false;
+    return end(Status::max_iterations,
+               ancf::detail::joined(
+                   {"a stable step is ", most, " s long, as the scene vibrates at up to ",
+                    system_.frequency(), " rad/s: that makes ", needed, " steps, and max_steps is ",
+                    options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"},
+                   6));
 }
 
 // Whether a fixed step is below the stable one; ends the run where it is not.
 ANCF_INLINE bool ExplicitRun::is_stable() {
     if (fixed_step_ <= system_.stable_step()) return true;
-    end(Status::diverged,
+    return end(
+        Status::diverged,
         ancf::detail::joined({"the fixed step of ", fixed_step_, " s is above the stable one of ",
-                              system_.stable_step(), " s at ", time_, " s"},
+                              system_.stable_step(), " s at ", now_.time, " s"},
                              6));
-    return false;
 }
 
 // Takes one step and reports it; false where the run ends.
 ANCF_INLINE bool ExplicitRun::step() {
-    if (options_.max_steps > 0 && report_.steps == options_.max_steps) {
-        fail(ARK_TOO_MUCH_WORK);
-        return false;
-    }
-    double reached = time_;
+    if (options_.max_steps > 0 && report_.steps == options_.max_steps)
+        return fail(ARK_TOO_MUCH_WORK);
+    double reached = now_.time;
     system_.forget_fault();
     context_.forget_message();
     ran_ = true;
-    const int code = evolve(reached);
-    if (code < 0) {
-        fail(code);
-        return false;
-    }
-    code_ = code;
-    ++report_.steps;
-    from_ = std::exchange(time_, reached);
+    code_ = evolve(reached);
+    if (code_ < 0) return fail(code_);
+    take_state(reached);
     double length = 0.0;
     Arkode::last_step(erk_.get(), &length);
-    report_.smallest_step = std::min(report_.smallest_step, length);
-    report_.largest_step = std::max(report_.largest_step, length);
-    monitor();
-    observe_until(time_);
-    if (schedule_.progress && !schedule_.progress(time_, schedule_.end)) {
-        end(Status::stopped, "a callback asked to stop");
-        return false;
-    }
+    if (!record(length, [this](double time) { return between(time); })) return false;
     if (!is_fixed() || report_.steps % options_.stable_interval != 0) return true;
-    system_.estimate(time_, q_, v_);
+    system_.estimate(now_.time, now_.q, now_.v);
     return is_stable();
 }
 
@@ -267,104 +324,60 @@ ANCF_INLINE void ExplicitRun::restart(double step) {
     Arkode::limited_steps(erk, &count);
     earlier_limited_ += count;
     auto y = view(y_.get());
-    system_.q(y) = q_;
-    system_.v(y) = v_;
-    call(ERKStepReInit(erk, &ExplicitSystem::rate, time_, y_.get()));
+    system_.q(y) = now_.q;
+    system_.v(y) = now_.v;
+    call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
     call(Arkode::set_stop_time(erk, schedule_.end));
     call(Arkode::set_first_step(erk, step));
 }
 
-ANCF_INLINE void ExplicitRun::monitor() {
+// Takes the end of a step into now_.
+ANCF_INLINE void ExplicitRun::take_state(double time) {
     if (schedule_.observe) {
-        from_q_.swap(q_);
-        from_v_.swap(v_);
-        if (report_.steps > 0) {
-            from_a_.swap(a_);
-            call(Arkode::derivative(erk_.get(), time_, 1, dense_.get()));
-            a_ = system_.v(view(dense_.get()));
-        }
+        std::swap(from_, now_);
+        from_a_.swap(a_);
+        call(Arkode::derivative(erk_.get(), time, 1, dense_.get()));
+        a_ = system_.v(view(dense_.get()));
     }
     const auto y = view(y_.get());
-    q_ = system_.q(y);
-    v_ = system_.v(y);
-    ancf::detail::note(problem_, {time_, q_, v_, {}}, options_.follow_energy, report_);
-}
-
-ANCF_INLINE void ExplicitRun::observe_until(double time) {
-    for (; next_ < schedule_.times.size() && schedule_.times[next_] <= time; ++next_) {
-        if (!schedule_.observe) continue;
-        const double at = schedule_.times[next_];
-        const auto point = at < time_ ? between(at) : ancf::detail::MotionPoint{time_, q_, v_, {}};
-        schedule_.observe(problem_.snapshot(at, point.q, point.v, {}, observed_));
-    }
+    now_.time = time;
+    now_.q = system_.q(y);
+    now_.v = system_.v(y);
 }
 
 // Quintic of q, v and a at both ends, and its derivative.
-ANCF_INLINE ancf::detail::MotionPoint ExplicitRun::between(double time) const {
-    const double h = time_ - from_;
-    const double s = (time - from_) / h;
+ANCF_INLINE ExplicitRun::MotionPoint ExplicitRun::between(double time) const {
+    const double h = now_.time - from_.time;
+    const double s = (time - from_.time) / h;
     const double r = 1.0 - s;
     const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
     const double slope = 30.0 * s * s * r * r / h;
     return {time,
-            (1.0 - later) * from_q_ + later * q_ +
-                h * s * r * (r * r * (1.0 + 3.0 * s) * from_v_ - s * s * (1.0 + 3.0 * r) * v_) +
+            (1.0 - later) * from_.q + later * now_.q +
+                h * s * r * (r * r * (1.0 + 3.0 * s) * from_.v - s * s * (1.0 + 3.0 * r) * now_.v) +
                 0.5 * h * h * s * s * r * r * (r * from_a_ + s * a_),
-            slope * (q_ - from_q_) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_v_ +
-                s * s * (1.0 + r * (2.0 - 15.0 * r)) * v_ +
+            slope * (now_.q - from_.q) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_.v +
+                s * s * (1.0 + r * (2.0 - 15.0 * r)) * now_.v +
                 0.5 * h * s * r * (r * (2.0 - 5.0 * s) * from_a_ - s * (2.0 - 5.0 * r) * a_),
             {}};
 }
 
-ANCF_INLINE void ExplicitRun::end(Status status, std::string message) {
-    report_.status = status;
-    report_.message = std::move(message);
-}
-
-ANCF_INLINE void ExplicitRun::fail(int code) {
-    code_ = code;
+ANCF_INLINE bool ExplicitRun::fail(int code) {
     // a fault in an attempt that ARKODE got over is not to blame
     if (arkode_status(code) == Status::not_finite || code == ARK_CONV_FAILURE)
         report_.fault = system_.fault();
-    std::string message = ancf::detail::joined({arkode_code_name(code), " at ", time_, " s"}, 6);
-    if (code == ARK_TOO_MUCH_WORK)
-        message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
-    if (!context_.message().empty()) message += ": " + context_.message();
-    if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
-    end(report_.fault ? report_.fault->status : arkode_status(code), std::move(message));
-}
-
-ANCF_INLINE void ExplicitRun::finish() {
-    Arkode::error_failures(erk_.get(), &report_.rejected);
-    Arkode::limited_steps(erk_.get(), &report_.limited);
-    report_.rejected += earlier_rejected_;
-    report_.limited += earlier_limited_;
-    report_.evaluations += system_.evaluations();
-    report_.jacobians = system_.estimates();
-    report_.highest_frequency = system_.frequency();
-    report_.stable_step = system_.stable_step();
-    if (ran_) report_.code = arkode_code_name(code_);
-    report_.time = time_;
-    ancf::detail::store_end(problem_, {time_, q_, v_, {}}, report_);
+    return SteppedRun::fail(code, arkode_status(code), options_.max_steps);
 }
 
 }  // namespace detail
 
 ANCF_INLINE void ExplicitOptions::check() const {
-    const auto scale = [](const char* name, double value) {
-        ancf::detail::require(std::isfinite(value) && value >= 0.0, "ExplicitOptions: ", name,
-                              " must be positive, or 0 for automatic, got ", value);
-    };
-    ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
-                          "ExplicitOptions: tolerance must be from 1e-14 to 1, got ", tolerance);
-    scale("step", step);
-    scale("length_scale", length_scale);
-    scale("velocity_scale", velocity_scale);
-    scale("first_step", first_step);
-    scale("max_step", max_step);
-    ancf::detail::require(max_steps >= 0,
-                          "ExplicitOptions: max_steps must be positive, or 0 for no limit, got ",
-                          max_steps);
+    detail::check_options("ExplicitOptions", tolerance, max_steps,
+                          {{"step", step},
+                           {"length_scale", length_scale},
+                           {"velocity_scale", velocity_scale},
+                           {"first_step", first_step},
+                           {"max_step", max_step}});
     ancf::detail::require(stable_share > 0.0 && stable_share < 1.0,
                           "ExplicitOptions: stable_share must be between 0 and 1, got ",
                           stable_share);
@@ -375,7 +388,6 @@ ANCF_INLINE void ExplicitOptions::check() const {
 
 ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
                                                const Schedule& schedule) const {
-    const auto began = std::chrono::steady_clock::now();
     ancf::detail::require(
         problem.multipliers() == 0, "Explicit: the scene has constraints with ",
         problem.multipliers(),
@@ -386,17 +398,7 @@ ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
     schedule.check(from);
     if (options_.step > 0.0 && schedule.end > from)
         ancf::detail::require_resolved(options_.step, from, schedule.end);
-    ExplicitReport report;
-    const Start start = problem.start();
-    ++report.evaluations;
-    report.time = start.time;
-    report.status = start.status;
-    report.message = start.message;
-    if (start.status == Status::converged)
-        detail::ExplicitRun(problem, schedule, options_, start, report).run();
-    report.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    return report;
+    return detail::ExplicitRun(problem, schedule, options_).run();
 }
 
 }  // namespace ancf::sundials

@@ -7,31 +7,20 @@
 #pragma once
 
 #include <ancf/constants.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
-#include <ancf/sundials/context.hpp>
 #include <ancf/sundials/ida.hpp>
 #include <ancf/sundials/ida_system.hpp>
+#include <ancf/sundials/run.hpp>
 
 #include <sunlinsol/sunlinsol_klu.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <new>
 #include <string>
 
 namespace ancf::sundials {
 namespace detail {
-
-/// Throws what a failed call to set IDA up amounts to.
-ANCF_INLINE void require_success(int code, const Context& context) {
-    if (code == IDA_SUCCESS) return;
-    if (code == IDA_MEM_FAIL) throw std::bad_alloc();
-    ancf::detail::reject("Ida: ", code_name(code), ": ", context.message());
-}
 
 /// Returns the status that a return code of IDASolve amounts to.
 [[nodiscard]] ANCF_INLINE Status status_of(int code) noexcept {
@@ -51,19 +40,17 @@ ANCF_INLINE void require_success(int code, const Context& context) {
 }
 
 /// One run: IDA's objects, the system, and what is reported.
-class IdaRun {
+class IdaRun : SteppedRun {
 public:
-    IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options,
-           const Start& start, IdaReport& report);
+    IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options);
 
-    void run();
+    IdaReport run();
 
 private:
     struct Scales {
         double length, velocity, force;
     };
 
-    void call(int code) const { require_success(code, context_); }
     [[nodiscard]] Scales scales();
     [[nodiscard]] int order_limit();
     void set_up();
@@ -73,43 +60,29 @@ private:
     [[nodiscard]] double first_step() const;
     [[nodiscard]] bool step();
     [[nodiscard]] bool lost_in_round_off() const;
-    void observe_until(double time);
-    void monitor();
-    void finish();
-    void fail(int code);
+    [[nodiscard]] MotionPoint point(double time, N_Vector y) const;
+    bool fail(int code);
     [[nodiscard]] double rate_of_turn(const VectorX& rates) const {
         return rates.size() == 0 ? 0.0
                                  : (rates.array().abs() / problem_.scales().array()).maxCoeff();
     }
 
-    DynamicProblem& problem_;
-    const Schedule& schedule_;
     const IdaOptions& options_;
-    const Start& start_;
-    IdaReport& report_;
+    IdaReport report_;
 
     IdaSystem system_;
-    Context context_;
     VectorOwner y_, dy_, tolerances_, dense_;
     MatrixOwner matrix_;
     LinearSolverOwner klu_;
     IdaOwner ida_;
 
     double slow_frequency_ = 0.0;  // rad/s: of the motion that is followed
-    double time_;
-    int code_ = IDA_SUCCESS;  // of the last call of IDASolve
-    std::size_t next_ = 0;    // of the schedule's times
-    VectorX q_, v_, lambda_;
-    State observed_;
 };
 
 ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
-                           const IdaOptions& options, const Start& start, IdaReport& report)
-    : problem_(problem),
-      schedule_(schedule),
+                           const IdaOptions& options)
+    : SteppedRun("Ida", &code_name, problem, schedule, options.follow_energy, report_),
       options_(options),
-      start_(start),
-      report_(report),
       system_(problem, options.form),
       y_(make_vector(context_, system_.size())),
       dy_(make_vector(context_, system_.size())),
@@ -117,10 +90,7 @@ ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
       dense_(make_vector(context_, system_.size())),
       matrix_(make_matrix(context_, system_.size(), system_.map().values())),
       klu_(make_klu(context_, y_.get(), matrix_.get())),
-      ida_(make_ida(context_)),
-      time_(start.time) {
-    set_up();
-}
+      ida_(make_ida(context_)) {}
 
 // Fills y and dy, in units of the absolute tolerances. Rates are measured by the highest frequency
 // where it is known: c is of that size where accuracy asks for no smaller step.
@@ -143,8 +113,7 @@ ANCF_INLINE void IdaRun::set_start() {
 
 ANCF_INLINE void IdaRun::set_up() {
     void* ida = ida_.get();
-    slow_frequency_ = problem_.motion_frequency(start_);
-    if (slow_frequency_ == 0.0) slow_frequency_ = problem_.lowest_frequency(start_.time, start_.q);
+    slow_frequency_ = slow_frequency();
     report_.order = order_limit();
     set_start();
     call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
@@ -160,19 +129,14 @@ ANCF_INLINE void IdaRun::set_up() {
     call(IDASetNonlinConvCoef(ida, 0.1));
     call(IDASetStopTime(ida, schedule_.end));
     call(IDASetInitStep(ida, first_step()));
-    // without a least step IDA goes on for ever where time no longer advances
-    const double farthest = std::max(std::abs(start_.time), std::abs(schedule_.end));
-    call(IDASetMinStep(ida, 100.0 * std::numeric_limits<double>::epsilon() * farthest));
+    call(IDASetMinStep(ida, least_step()));
     if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
 }
 
 ANCF_INLINE IdaRun::Scales IdaRun::scales() {
     Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
     if (s.length == 0.0) s.length = problem_.length_scale();
-    if (s.velocity == 0.0) s.velocity = s.length * slow_frequency_;
-    // nothing moves: one length in the run
-    if (s.velocity == 0.0) s.velocity = s.length / (schedule_.end - start_.time);
-    if (!std::isfinite(s.velocity)) s.velocity = s.length;  // there is no run
+    if (s.velocity == 0.0) s.velocity = velocity_scale(s.length, slow_frequency_);
     if (s.force == 0.0) s.force = problem_.force_scale(start_);
     if (s.force == 0.0) {
         const VectorX sizes = problem_.scales() / problem_.length_scale();
@@ -242,108 +206,13 @@ ANCF_INLINE double IdaRun::first_step() const {
     return step;
 }
 
-ANCF_INLINE void IdaRun::run() {
-    report_.smallest_step = std::numeric_limits<double>::infinity();
-    monitor();
-    observe_until(time_);
-    while (time_ < schedule_.end && step()) {
+ANCF_INLINE IdaReport IdaRun::run() {
+    if (!starts()) return std::move(report_);
+    set_up();
+    now_ = point(now_.time, y_.get());
+    recorder_.start(now_);
+    while (now_.time < schedule_.end && step()) {
     }
-    if (report_.steps == 0) report_.smallest_step = 0.0;
-    finish();
-}
-
-// Takes one step and reports it; false where the run ends.
-ANCF_INLINE bool IdaRun::step() {
-    if (options_.max_steps > 0 && report_.steps == options_.max_steps) {
-        fail(IDA_TOO_MUCH_WORK);
-        return false;
-    }
-    double reached = time_;
-    system_.forget_fault();
-    system_.begin_step(time_);
-    context_.forget_message();
-    const int code =
-        IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
-    system_.rethrow();
-    if (code < 0) {
-        fail(code);
-        return false;
-    }
-    code_ = code;
-    ++report_.steps;
-    time_ = reached;
-    if (lost_in_round_off()) {
-        context_.remember("Newton's method fails in most steps, the forces hide in round-off");
-        fail(IDA_CONV_FAIL);
-        return false;
-    }
-    double length = 0.0;
-    IDAGetLastStep(ida_.get(), &length);
-    report_.smallest_step = std::min(report_.smallest_step, length);
-    report_.largest_step = std::max(report_.largest_step, length);
-    monitor();
-    observe_until(time_);
-    if (schedule_.progress && !schedule_.progress(time_, schedule_.end)) {
-        report_.status = Status::stopped;
-        report_.message = "a callback asked to stop";
-        return false;
-    }
-    return true;
-}
-
-// IDA halves its step where Newton's method fails and doubles it after the next, for ever.
-ANCF_INLINE bool IdaRun::lost_in_round_off() const {
-    long failures = 0;
-    IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
-    return failures > 1000 && 3 * failures > report_.steps;
-}
-
-// What a step left: energy and constraints, before any projection.
-ANCF_INLINE void IdaRun::monitor() {
-    const VectorX y = view(y_.get()).cwiseProduct(system_.units());
-    q_ = system_.q(y);
-    v_ = system_.v(y);
-    lambda_ = system_.lambda(y);
-    ancf::detail::note(problem_, {time_, q_, v_, lambda_}, options_.follow_energy, report_);
-}
-
-ANCF_INLINE void IdaRun::observe_until(double time) {
-    for (; next_ < schedule_.times.size() && schedule_.times[next_] <= time; ++next_) {
-        if (!schedule_.observe) continue;
-        const double at = schedule_.times[next_];
-        const bool between = at < time_;
-        if (between) call(IDAGetDky(ida_.get(), at, 0, dense_.get()));
-        const VectorX y = view(between ? dense_.get() : y_.get()).cwiseProduct(system_.units());
-        schedule_.observe(
-            problem_.snapshot(at, system_.q(y), system_.v(y), system_.lambda(y), observed_));
-    }
-}
-
-ANCF_INLINE void IdaRun::fail(int code) {
-    code_ = code;
-    // an element that failed in an attempt that IDA got over is not to blame
-    if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
-        code == IDA_CONV_FAIL)
-        report_.fault = system_.fault();
-    const bool turns = code != IDA_TOO_MUCH_WORK && !system_.turn().empty();
-    report_.status = report_.fault ? report_.fault->status
-                     : turns       ? Status::step_too_small
-                                   : status_of(code);
-    std::string& message = report_.message;
-    message = ancf::detail::joined({code_name(code), " at ", time_, " s"}, 6);
-    if (code == IDA_TOO_MUCH_WORK)
-        message += ancf::detail::joined({": ", options_.max_steps, " steps were taken"});
-    if (!context_.message().empty()) message += ": " + context_.message();
-    if (report_.fault) message += "; " + problem_.assembly().describe(*report_.fault);
-    if (turns) message += "; " + system_.turn();
-    if (report_.status == Status::diverged && options_.form == Form::index3 &&
-        problem_.multipliers() > 0)
-        message +=
-            "; in very short steps the multipliers of index 3 are round-off: if that is so here, a "
-            "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
-}
-
-ANCF_INLINE void IdaRun::finish() {
     void* ida = ida_.get();
     IDAGetNumErrTestFails(ida, &report_.rejected);
     IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
@@ -354,46 +223,84 @@ ANCF_INLINE void IdaRun::finish() {
     IDAGetNumJacEvals(ida, &report_.jacobians);
     IDAGetNumLinSolvSetups(ida, &report_.factorisations);
     report_.code = code_name(code_);
-    report_.time = time_;
-    ancf::detail::store_end(problem_, {time_, q_, v_, lambda_}, report_);
+    recorder_.finish(now_);
+    return std::move(report_);
+}
+
+// Takes one step and reports it; false where the run ends.
+ANCF_INLINE bool IdaRun::step() {
+    if (options_.max_steps > 0 && report_.steps == options_.max_steps)
+        return fail(IDA_TOO_MUCH_WORK);
+    double reached = now_.time;
+    system_.forget_fault();
+    system_.begin_step(reached);
+    context_.forget_message();
+    code_ = IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
+    system_.rethrow();
+    if (code_ < 0) return fail(code_);
+    now_.time = reached;
+    if (lost_in_round_off()) {
+        ++report_.steps;
+        report_.time = reached;
+        context_.remember("Newton's method fails in most steps, the forces hide in round-off");
+        return fail(IDA_CONV_FAIL);
+    }
+    double length = 0.0;
+    IDAGetLastStep(ida_.get(), &length);
+    now_ = point(reached, y_.get());
+    return record(length, [this](double time) {
+        call(IDAGetDky(ida_.get(), time, 0, dense_.get()));
+        return point(time, dense_.get());
+    });
+}
+
+// IDA halves its step where Newton's method fails and doubles it after the next, for ever.
+ANCF_INLINE bool IdaRun::lost_in_round_off() const {
+    long failures = 0;
+    IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
+    return failures > 1000 && 3 * failures > report_.steps + 1;  // this one
+}
+
+// The motion in the scene's units.
+ANCF_INLINE IdaRun::MotionPoint IdaRun::point(double time, N_Vector units) const {
+    const VectorX y = view(units).cwiseProduct(system_.units());
+    return {time, system_.q(y), system_.v(y), system_.lambda(y)};
+}
+
+ANCF_INLINE bool IdaRun::fail(int code) {
+    // an element that failed in an attempt that IDA got over is not to blame
+    if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
+        code == IDA_CONV_FAIL)
+        report_.fault = system_.fault();
+    const bool turns = code != IDA_TOO_MUCH_WORK && !system_.turn().empty();
+    SteppedRun::fail(code, turns ? Status::step_too_small : status_of(code), options_.max_steps);
+    std::string& message = report_.message;
+    if (turns) message += "; " + system_.turn();
+    if (report_.status == Status::diverged && options_.form == Form::index3 &&
+        problem_.multipliers() > 0)
+        message +=
+            "; in very short steps the multipliers of index 3 are round-off: if that is so here, a "
+            "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
+    return false;
 }
 
 }  // namespace detail
 
 ANCF_INLINE void IdaOptions::check() const {
-    const auto scale = [](const char* name, double value) {
-        ancf::detail::require(std::isfinite(value) && value >= 0.0, "IdaOptions: ", name,
-                              " must be positive, or 0 for automatic, got ", value);
-    };
-    ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0,
-                          "IdaOptions: tolerance must be from 1e-14 to 1, got ", tolerance);
-    scale("length_scale", length_scale);
-    scale("velocity_scale", velocity_scale);
-    scale("force_scale", force_scale);
-    scale("first_step", first_step);
-    scale("max_step", max_step);
-    ancf::detail::require(max_steps >= 0,
-                          "IdaOptions: max_steps must be positive, or 0 for no limit, ", "got ",
-                          max_steps);
+    detail::check_options("IdaOptions", tolerance, max_steps,
+                          {{"length_scale", length_scale},
+                           {"velocity_scale", velocity_scale},
+                           {"force_scale", force_scale},
+                           {"first_step", first_step},
+                           {"max_step", max_step}});
 }
 
 ANCF_INLINE IdaReport Ida::integrate(DynamicProblem& problem, const Schedule& schedule) const {
-    const auto began = std::chrono::steady_clock::now();
     ancf::detail::require(problem.assembly().pattern().storage() == Storage::full,
                           "Ida: the problem must have full storage");
     ancf::detail::require_motion(problem);
     schedule.check(problem.model().state().time);
-    IdaReport report;
-    const Start start = problem.start();
-    ++report.evaluations;
-    report.time = start.time;
-    report.status = start.status;
-    report.message = start.message;
-    if (start.status == Status::converged)
-        detail::IdaRun(problem, schedule, options_, start, report).run();
-    report.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    return report;
+    return detail::IdaRun(problem, schedule, options_).run();
 }
 
 }  // namespace ancf::sundials

@@ -11,26 +11,21 @@
 ///
 /// IDA holds y in units of powers of two, so that the columns of the Jacobian compare in KLU
 /// whatever the units of the scene; KLU scales the rows itself.
-///
-/// No exception leaves a callback: it is kept and thrown again once IDA has returned.
 
 #pragma once
 
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/sundials/context.hpp>
 #include <ancf/sundials/jacobian_map.hpp>
+#include <ancf/sundials/run.hpp>
 #include <ancf/types.hpp>
 
-#include <exception>
-#include <optional>
 #include <string>
-#include <utility>
 
 namespace ancf::sundials::detail {
 
 /// What IDA integrates.
-class IdaSystem {
+class IdaSystem : public SceneCalls {
 public:
     /// @pre problem.start() has converged.
     IdaSystem(DynamicProblem& problem, Form form);
@@ -43,15 +38,7 @@ public:
     /// Returns them.
     [[nodiscard]] const VectorX& units() const noexcept { return units_; }
 
-    /// The parts of y or of a vector of its size; mu is empty for index 3.
-    template <class Column>
-    [[nodiscard]] auto q(Column&& y) const {
-        return y.head(n_);
-    }
-    template <class Column>
-    [[nodiscard]] auto v(Column&& y) const {
-        return y.segment(n_, n_);
-    }
+    /// The further parts of y or of a vector of its size; mu is empty for index 3.
     template <class Column>
     [[nodiscard]] auto lambda(Column&& y) const {
         return y.segment(2 * n_, m_);
@@ -66,15 +53,6 @@ public:
     static int jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector,
                         SUNMatrix matrix, void* self, N_Vector, N_Vector, N_Vector) noexcept;
 
-    /// Throws what a callback of the scene threw.
-    void rethrow() {
-        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-    }
-
-    /// Returns the element that failed in the last evaluation, if one did.
-    [[nodiscard]] const std::optional<Fault>& fault() const noexcept { return fault_; }
-    void forget_fault() noexcept { fault_.reset(); }
-
     /// Takes the time that steps start from.
     void begin_step(double time) {
         begin_ = time;
@@ -85,12 +63,6 @@ public:
 
 private:
     using View = Eigen::Map<VectorX>;
-    static constexpr int good = 0;
-    static constexpr int recoverable = 1;  // IDA tries a smaller step
-    static constexpr int fatal = -1;
-
-    template <class Work>
-    int guarded(const Work& work) noexcept;
 
     // Evaluates the problem at y, in the units of IDA; false where an element failed.
     [[nodiscard]] bool evaluate(double t, const View& y, Request request);
@@ -101,17 +73,13 @@ private:
     int write_residual(double t, const View& y, const View& dy, View r);
     int write_jacobian(double t, double c, const View& y, SUNMatrix matrix);
 
-    DynamicProblem& problem_;
     Form form_;
-    int n_, m_;
-    Request request_;
+    int m_;
     JacobianMap map_;
-    VectorX units_, y_, dy_, q_, v_, lambda_, mu_, gap_, kinematic_;
+    VectorX units_, y_, dy_, lambda_, mu_, gap_, kinematic_;
     SparseMatrix velocity_level_;
     double begin_ = 0.0;
     std::string turn_;
-    std::exception_ptr failure_;
-    std::optional<Fault> fault_;
 };
 
 }  // namespace ancf::sundials::detail

@@ -13,16 +13,13 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include <cmath>
-#include <exception>
 
 namespace ancf::sundials::detail {
 
 ANCF_INLINE IdaSystem::IdaSystem(DynamicProblem& problem, Form form)
-    : problem_(problem),
+    : SceneCalls(problem),
       form_(form),
-      n_(problem.size()),
       m_(problem.multipliers()),
-      request_(problem.model().loads().empty() ? Request::tangent : Request::tangent_and_damping),
       map_(problem.mass(), n_, form),
       units_(VectorX::Ones(map_.size())) {}
 
@@ -32,27 +29,17 @@ ANCF_INLINE void IdaSystem::set_units(const VectorX& sizes) {
             sizes[i] > 0.0 ? ancf::detail::power_of_two(std::ilogb(sizes[i])) : 1.0;  // exact
 }
 
-template <class Work>
-int IdaSystem::guarded(const Work& work) noexcept {
-    try {
-        return work(*this);
-    } catch (...) {
-        failure_ = std::current_exception();
-        return fatal;
-    }
-}
-
 ANCF_INLINE int IdaSystem::residual(sunrealtype t, N_Vector y, N_Vector dy, N_Vector r,
                                     void* self) noexcept {
-    return static_cast<IdaSystem*>(self)->guarded(
-        [&](IdaSystem& system) { return system.write_residual(t, view(y), view(dy), view(r)); });
+    auto& system = *static_cast<IdaSystem*>(self);
+    return system.guarded([&] { return system.write_residual(t, view(y), view(dy), view(r)); });
 }
 
 ANCF_INLINE int IdaSystem::jacobian(sunrealtype t, sunrealtype c, N_Vector y, N_Vector, N_Vector,
                                     SUNMatrix matrix, void* self, N_Vector, N_Vector,
                                     N_Vector) noexcept {
-    return static_cast<IdaSystem*>(self)->guarded(
-        [&](IdaSystem& system) { return system.write_jacobian(t, c, view(y), matrix); });
+    auto& system = *static_cast<IdaSystem*>(self);
+    return system.guarded([&] { return system.write_jacobian(t, c, view(y), matrix); });
 }
 
 ANCF_INLINE bool IdaSystem::evaluate(double t, const View& y, Request request) {
@@ -61,9 +48,7 @@ ANCF_INLINE bool IdaSystem::evaluate(double t, const View& y, Request request) {
     v_ = v(y_);
     lambda_ = lambda(y_);
     mu_ = mu(y_);
-    const auto fault = problem_.evaluate(t, q_, v_, lambda_, request);
-    if (fault) fault_ = fault;  // kept: the attempts that follow may stay before it
-    return !fault;
+    return SceneCalls::evaluate(t, lambda_, request);
 }
 
 ANCF_INLINE bool IdaSystem::turns_fit(double t) {
