@@ -28,7 +28,8 @@ namespace ancf {
 ///     solver.analyze(tangent);
 ///     std::cout << solver.explanation();
 ///
-/// prints `block-tridiagonal: a chain of 64 blocks of up to 12 unknowns`.
+/// prints `block-tridiagonal: a chain of 64 blocks of up to 12 unknowns`. One that was moved from
+/// has no general solver any more: it serves chains alone.
 class Automatic final : public LinearSolver {
 public:
     /// The general solver is EigenLdlt.
@@ -43,14 +44,6 @@ public:
     template <class Solver, std::enable_if_t<std::is_base_of_v<LinearSolver, Solver>, int> = 0>
     explicit Automatic(Solver general, BlockTridiagonal chain = BlockTridiagonal())
         : Automatic(std::make_unique<Solver>(std::move(general)), std::move(chain)) {}
-
-    /// The one that is moved from keeps no general solver: it serves chains alone.
-    Automatic(Automatic&& other) noexcept;
-    /// The one that is moved from keeps no general solver: it serves chains alone.
-    Automatic& operator=(Automatic&& other) noexcept;
-    Automatic(const Automatic&) = delete;
-    Automatic& operator=(const Automatic&) = delete;
-    ~Automatic() override = default;
 
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
@@ -77,11 +70,11 @@ public:
     [[nodiscard]] const std::string& explanation() const noexcept { return explanation_; }
 
     /// Whether the pattern is a chain.
-    [[nodiscard]] bool is_chain() const noexcept { return is_chain_; }
+    [[nodiscard]] bool is_chain() const noexcept { return is_chain_ || !general_; }
 
 private:
     [[nodiscard]] const LinearSolver& chosen() const noexcept {
-        return is_chain_ ? static_cast<const LinearSolver&>(chain_) : *general_;
+        return is_chain() ? static_cast<const LinearSolver&>(chain_) : *general_;
     }
     void explain(const SparseMatrix& lower);
 

@@ -23,24 +23,10 @@ ANCF_INLINE Automatic::Automatic(std::unique_ptr<LinearSolver> general, BlockTri
                     general_->name());
 }
 
-ANCF_INLINE Automatic::Automatic(Automatic&& other) noexcept
-    : chain_(std::move(other.chain_)),
-      general_(std::move(other.general_)),
-      is_chain_(std::exchange(other.is_chain_, true)),
-      explanation_(std::move(other.explanation_)) {}
-
-ANCF_INLINE Automatic& Automatic::operator=(Automatic&& other) noexcept {
-    chain_ = std::move(other.chain_);
-    general_ = std::move(other.general_);
-    is_chain_ = std::exchange(other.is_chain_, true);
-    explanation_ = std::move(other.explanation_);
-    return *this;
-}
-
 ANCF_INLINE void Automatic::analyze(const SparseMatrix& lower) {
     detail::require_storage("automatic", lower, storage());
-    is_chain_ = BlockTridiagonal::accepts(lower) || !general_;
-    if (is_chain_) {
+    is_chain_ = BlockTridiagonal::accepts(lower);
+    if (is_chain()) {
         chain_.analyze(lower);
     } else {
         general_->analyze(lower);
@@ -49,7 +35,7 @@ ANCF_INLINE void Automatic::analyze(const SparseMatrix& lower) {
 }
 
 ANCF_INLINE FactorReport Automatic::factorize(const SparseMatrix& lower) {
-    return is_chain_ ? chain_.factorize(lower) : general_->factorize(lower);
+    return is_chain() ? chain_.factorize(lower) : general_->factorize(lower);
 }
 
 ANCF_INLINE void Automatic::solve(const VectorX& b, VectorX& x) const { chosen().solve(b, x); }
@@ -57,7 +43,7 @@ ANCF_INLINE void Automatic::solve(const VectorX& b, VectorX& x) const { chosen()
 ANCF_INLINE void Automatic::explain(const SparseMatrix& lower) {
     const int widest = detail::widest_block(detail::chain_starts(lower));
     explanation_ =
-        is_chain_
+        is_chain()
             ? detail::joined({name(), ": a chain of ", chain_.blocks(), " blocks of up to ", widest,
                               " unknowns"})
             : detail::joined({name(), ": no chain, it would take a block of ", widest,
