@@ -12,7 +12,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/block_widths.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
@@ -26,17 +26,15 @@ namespace ancf {
 /// nodes of different size side by side, clamped ends, three-node elements. Positive definite
 /// matrices are the purpose. An indefinite one is factorised as well and its negative eigenvalues
 /// are counted, but without pivoting: where a pivot vanishes it counts as singular.
-class BlockTridiagonal final : public LinearSolver {
+class BlockTridiagonal final : public detail::DirectSolver {
 public:
     /// Unknowns in the widest block that is accepted.
     static constexpr int max_block = detail::widest_compiled_block;
 
-    BlockTridiagonal() = default;
-
     /// @param singular_rcond  see default_singular_rcond; 0 refuses zero pivots only.
-    explicit BlockTridiagonal(double singular_rcond) : singular_rcond_(singular_rcond) {
-        detail::require_singular_rcond(singular_rcond);
-    }
+    /// @throws InvalidArgument for one outside of [0, 1).
+    explicit BlockTridiagonal(double singular_rcond = default_singular_rcond)
+        : DirectSolver(singular_rcond) {}
 
     /// Returns true if analyze accepts the pattern of the lower half.
     [[nodiscard]] static bool accepts(const SparseMatrix& lower) {
@@ -45,16 +43,6 @@ public:
 
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
-
-    /// @throws InvalidArgument unless square, compressed, lower, and of blocks up to max_block.
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
-
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
-    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
-
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
-    ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// "block-tridiagonal".
     [[nodiscard]] std::string_view name() const noexcept override { return "block-tridiagonal"; }
@@ -66,14 +54,15 @@ public:
     [[nodiscard]] int width() const noexcept { return layout_.width; }
 
 private:
-    void solve_in_place(VectorX& x) const;
+    ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& lower) override;
+    [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
+    factorize_values(const SparseMatrix& lower) override;
+    ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     detail::BlockLayout layout_;
-    detail::SolverStage stage_;
     VectorX panels_;
     VectorX roots_;  // of the diagonal, see conditioning.hpp
     VectorX probe_;
-    double singular_rcond_ = default_singular_rcond;
 };
 
 }  // namespace ancf

@@ -10,27 +10,24 @@
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
 #include <ancf/solver/block_widths.hpp>
+#include <ancf/solver/conditioning.hpp>
 
 #include <vector>
 
 namespace ancf {
 
-ANCF_INLINE void BlockTridiagonal::analyze(const SparseMatrix& lower) {
-    detail::require_storage(name(), lower, storage());
+ANCF_INLINE void BlockTridiagonal::analyze_pattern(const SparseMatrix& lower) {
     const std::vector<int> starts = detail::chain_starts(lower);
     const int widest = detail::widest_block(starts);
     detail::require(widest <= max_block, name(), " needs a chain of blocks of at most ", max_block,
                     " unknowns, got a block of ", widest);
-    stage_.reset();
     layout_ =
         detail::block_layout(lower, starts, detail::fitting_width(widest, detail::BlockWidths()));
     const Eigen::Index width = layout_.width;
     panels_.resize(2 * width * width * layout_.blocks());
-    stage_.analysed(lower);
 }
 
-ANCF_INLINE FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) {
-    stage_.begin_factorisation(name(), lower);
+ANCF_INLINE FactorReport BlockTridiagonal::factorize_values(const SparseMatrix& lower) {
     detail::require(detail::stays_within(lower, layout_), name(), " analysed another pattern");
     roots_.resize(lower.cols());
     probe_.resize(lower.cols());
@@ -51,29 +48,24 @@ ANCF_INLINE FactorReport BlockTridiagonal::factorize(const SparseMatrix& lower) 
     FactorReport report;
     if (summary.failed_column >= 0) {
         detail::report_failure(lower, summary.failed_column, report);
-    } else {
-        report.negative_pivots = summary.negative;
-        report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
-        if (!(report.rcond > singular_rcond_)) {
-            detail::probe_load(roots_, probe_);
-            solve_in_place(probe_);
-            detail::report_failure(lower, detail::softest_unknown(roots_, probe_), report);
-        }
+        return report;
     }
-    return stage_.finished(report);
+    report.negative_pivots = summary.negative;
+    report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
+    if (!(report.rcond > singular_rcond())) {
+        detail::probe_load(roots_, probe_);
+        substitute(probe_, probe_);
+        detail::report_failure(lower, detail::softest_unknown(roots_, probe_), report);
+    }
+    return report;
 }
 
-ANCF_INLINE void BlockTridiagonal::solve_in_place(VectorX& x) const {
+ANCF_INLINE void BlockTridiagonal::substitute(const VectorX& b, VectorX& x) const {
+    if (&x != &b) x = b;
     detail::with_block_width(
         layout_.width,
         [&](auto width) { detail::BlockKernel<width()>::solve(layout_, panels_.data(), x.data()); },
         detail::BlockWidths());
-}
-
-ANCF_INLINE void BlockTridiagonal::solve(const VectorX& b, VectorX& x) const {
-    stage_.require_solvable(name(), b);
-    if (&x != &b) x = b;
-    solve_in_place(x);
 }
 
 }  // namespace ancf

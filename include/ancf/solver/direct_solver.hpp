@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// What the solvers with a factorisation of Eigen's or of SuiteSparse's share: the order of calls,
-/// empty systems, and the condition, so that a matrix that is singular but for round-off is found
-/// out.
+/// What the solvers by one sparse factorisation share: the order of calls, empty systems, and the
+/// condition, so that a matrix that is singular but for round-off is found out.
 
 #pragma once
 
@@ -33,11 +32,13 @@ protected:
     /// @throws InvalidArgument for one outside of [0, 1).
     explicit DirectSolver(double singular_rcond);
 
+    [[nodiscard]] double singular_rcond() const noexcept { return singular_rcond_; }
+
 private:
     /// The symbolic phase: takes the pattern of a matrix.
     virtual void analyze_pattern(const SparseMatrix& matrix) = 0;
 
-    /// The numerical phase. Its report leaves the condition open.
+    /// The numerical phase. A report without the condition is completed by one solution.
     [[nodiscard]] virtual FactorReport factorize_values(const SparseMatrix& matrix) = 0;
 
     /// The solution by the factors. b and x may be the same vector.

@@ -27,7 +27,7 @@ ANCF_INLINE FactorReport DirectSolver::factorize(const SparseMatrix& matrix) {
     if (matrix.cols() == 0)
         return stage_.finished({Status::converged, -1, 1.0, storage() == Storage::lower ? 0 : -1});
     FactorReport report = factorize_values(matrix);
-    if (report.status == Status::converged)
+    if (report.status == Status::converged && report.rcond == 0.0)
         report_condition(
             matrix, singular_rcond_, [this](const VectorX& b, VectorX& x) { substitute(b, x); },
             report);
