@@ -311,50 +311,30 @@ TEST_CASE("generalized-alpha: a memory of something else is refused", "[dynamics
 }
 
 TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dynamics]") {
-    VectorX ends[2];
-    for (const bool lower : {false, true}) {
-        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
-        scene.model.pin(scene.first());
-        scene.model.set_gravity({0.0, -9.81, 0.0});
-        ancf::ProblemOptions storage;
-        storage.storage = lower ? ancf::Storage::lower : ancf::Storage::full;
-        ancf::DynamicProblem problem(scene.model, storage);
-        ancf::EigenLu lu;
-        ancf::EigenLdlt ldlt;
-        const GeneralizedAlpha method(fixed(1e-3));
-        const DynamicsReport report = lower ? method.integrate(problem, ldlt, until(0.3))
-                                            : method.integrate(problem, lu, until(0.3));
-        REQUIRE(report.status == Status::converged);
-        ends[lower ? 1 : 0] = scene.model.state().q;
-        if (lower)
-            CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)),
-                              ContainsSubstring("storage"));
-    }
-    CHECK(distance(ends[0], ends[1]) <= 1e-10);
+    Chain scene = falling(), other = falling();
+    ancf::EigenLu lu;
+    ancf::EigenLdlt ldlt;
+    const GeneralizedAlpha method(fixed(1e-3));
+    REQUIRE(fall(scene, method, lu).status == Status::converged);
+    REQUIRE(fall(other, method, ldlt).status == Status::converged);
+    CHECK(distance(scene.model.state().q, other.model.state().q) <= 1e-10);
+    ancf::ProblemOptions storage;
+    storage.storage = ancf::Storage::lower;
+    ancf::DynamicProblem problem(other.model, storage);
+    CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)), ContainsSubstring("storage"));
 }
 
 TEST_CASE("generalized-alpha: solvers that choose or scale another one move a scene too",
           "[dynamics]") {
-    const auto hanging = [] {
-        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
-        scene.model.pin(scene.first());
-        scene.model.set_gravity({0.0, -9.81, 0.0});
-        return scene;
-    };
-    Chain expected = hanging();
+    Chain expected = falling();
     REQUIRE(run(expected.model, fixed(1e-3), until(0.3)).status == Status::converged);
     ancf::Automatic automatic;
     ancf::Scaled scaled{ancf::EigenLu()};
     for (ancf::LinearSolver* solver : {static_cast<ancf::LinearSolver*>(&automatic),
                                        static_cast<ancf::LinearSolver*>(&scaled)}) {
         INFO(solver->name());
-        Chain scene = hanging();
-        ancf::ProblemOptions options;
-        options.storage = solver->storage();
-        ancf::DynamicProblem problem(scene.model, options);
-        const DynamicsReport report =
-            GeneralizedAlpha(fixed(1e-3)).integrate(problem, *solver, until(0.3));
-        REQUIRE(report.status == Status::converged);
+        Chain scene = falling();
+        REQUIRE(fall(scene, GeneralizedAlpha(fixed(1e-3)), *solver).status == Status::converged);
         CHECK(distance(scene.model.state().q, expected.model.state().q) <= 1e-10);
     }
 }

@@ -10,6 +10,7 @@
 #include <ancf/dynamics/report.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <support/bar.hpp>
@@ -75,6 +76,23 @@ inline void spin(Scene& model, const Vector3& turn, const Vector3& translation) 
     scene.model.set_gravity({0.0, -9.81, 0.0});
     for (const NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 0.7});
     return scene;
+}
+
+/// Three bars that fall from beside their pin.
+[[nodiscard]] inline Chain falling() {
+    Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    return scene;
+}
+
+/// Lets them fall for 0.3 s, with a solver of either storage.
+template <class Method>
+[[nodiscard]] DynamicsReport fall(Chain& scene, const Method& method, LinearSolver& solver) {
+    ProblemOptions options;
+    options.storage = solver.storage();
+    DynamicProblem problem(scene.model, options);
+    return method.integrate(problem, solver, until(0.3));
 }
 
 /// Returns states at equal times by the Runge-Kutta method of fourth order, every step projected on

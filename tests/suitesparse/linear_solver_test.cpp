@@ -62,6 +62,23 @@ TEST_CASE("linear solver: one of SuiteSparse that is moved keeps its factorisati
     keeps_its_factorisation_when_moved(Scaled(Cholmod()), Scaled(Cholmod()));
 }
 
+TEMPLATE_TEST_CASE("linear solver: SuiteSparse's LU takes any matrix and any order of calls",
+                   "[suitesparse]", Klu, Umfpack) {
+    SECTION("saddle points are solved") { solves_saddle_points(made<TestType>); }
+    SECTION("an unsymmetric matrix is not mistaken for its transpose") {
+        solves_unsymmetric_systems(made<TestType>);
+    }
+    SECTION("constraints given twice are singular") {
+        calls_redundant_constraints_singular(made<TestType>);
+    }
+    SECTION("a pattern analysed with zeros in it serves any values") {
+        serves_any_values_of_a_pattern(made<TestType>);
+    }
+    SECTION("the matrix may change after the factorisation") {
+        outlives_its_matrix(made<TestType>);
+    }
+}
+
 TEST_CASE("Cholmod: simplicial, it has as many negative pivots as the matrix has eigenvalues",
           "[suitesparse]") {
     counts_negative_eigenvalues(simplicial);
