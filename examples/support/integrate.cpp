@@ -106,6 +106,7 @@ Motion integrate(ancf::Scene& model, const MotionOptions& options, ancf::Schedul
     const double start = model.state().time;
     schedule.end += start;
     for (double& time : schedule.times) time += start;
+    schedule.pass_degenerate = options.pass_degenerate;
     ProgressBar bar(start);
     schedule.progress = [&](double time, double end) {
         bar.show(time, end);

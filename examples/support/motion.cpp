@@ -28,6 +28,7 @@ void MotionOptions::add_to(CommandLine& line) {
     line.add_number("--rho", rho, Range::finite,
                     "of generalized-alpha: spectral radius at infinity, from 0 to 1");
     line.add_number("--duration", duration, Range::positive, "s");
+    line.add_flag("--pass-degenerate", pass_degenerate, "go on where an element is no beam");
     line.set_group("Output");
     line.add_number("--output-interval", interval, Range::positive, "s");
     line.add_file("--save", save, "state file to write at the end");
@@ -67,7 +68,7 @@ void summarise(std::ostream& out, const MotionOptions& options, const Motion& mo
         << scientific(report.violation_rate) << " m/s; energy drift "
         << scientific(report.energy_drift) << " J, largest kinetic energy "
         << fixed(report.kinetic_largest, 3) << " J\n";
-    if (!motion.good()) out << report.message << '\n';
+    if (!report.message.empty()) out << report.message << '\n';
 }
 
 }  // namespace examples

@@ -24,8 +24,9 @@ struct MotionOptions {
     double rho = 0.8;         ///< of generalized-alpha
     double duration;          ///< s
     double interval;          ///< s, of output
-    std::string save;         ///< file of the last state
-    std::string restart;      ///< file of the first state
+    bool pass_degenerate = false;
+    std::string save;     ///< file of the last state
+    std::string restart;  ///< file of the first state
 
     MotionOptions(double for_seconds, double output_interval);
     void add_to(CommandLine& line);

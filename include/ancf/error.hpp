@@ -33,8 +33,8 @@ enum class Status {
     max_iterations,  ///< the iteration limit came first
     diverged,        ///< the residual grew beyond recovery, or the step became too small
     singular,        ///< the matrix could not be factorised
-    degenerate,  ///< an element lost its directors: slope parallel to the tangent, or of no length
-    not_finite,  ///< a NaN or an infinity appeared
+    degenerate,      ///< an element is no beam: without directors, twisted too far or folded
+    not_finite,      ///< a NaN or an infinity appeared
     inconsistent,    ///< the start of a motion violates a constraint
     redundant,       ///< constraints say the same thing twice
     step_too_small,  ///< the step fell below its limit

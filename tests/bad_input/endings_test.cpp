@@ -6,6 +6,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/eigen_lu.hpp>
@@ -170,6 +171,11 @@ TEST_CASE("endings: integrators say why they stopped", "[dynamics][endings]") {
     EnergyMomentumOptions middle;
     middle.step = 1e-4;
     check_integrator(EnergyMomentum(middle));
+    const auto explicitly = [](PlanarModel& model, const Schedule& schedule) {
+        DynamicProblem problem(model);
+        return Leapfrog().integrate(problem, schedule);
+    };
+    check_motions(explicitly, false);
 }
 
 /// A motion that an integrator cannot finish.

@@ -133,22 +133,31 @@ TEMPLATE_TEST_CASE("energy-momentum cuts a step by the turn of its joints, and n
     CHECK(turn<TestType>(pi, 1).smallest_step <= 1.0 / 32.0);
 }
 
-TEST_CASE("a motion that twists an element by too much says which one and when",
+TEST_CASE("a motion that twists an element by too much ends, or says which one and when",
           "[constraint][dynamics]") {
-    const auto twisted = [](double angle, auto integrator) {
+    const auto twisted = [](double angle, auto integrator, double end = 1.0, bool pass = false) {
         Model model = test::twisted_beam(angle);
         DynamicProblem problem(model);
         EigenLu solver;
-        return integrator.integrate(problem, solver, equal_intervals(0.0, 1.0, 1.0));
+        Schedule schedule = equal_intervals(0.0, end, end);
+        schedule.pass_degenerate = pass;
+        const DynamicsReport report = integrator.integrate(problem, solver, schedule);
+        CHECK(model.state().time == report.time);
+        return report;
     };
     const auto check = [&](auto integrator) {
         const DynamicsReport within = twisted(2.5, integrator);
+        CHECK(within.status == Status::converged);
         CHECK(within.left_range.empty());
         CHECK(within.message.empty());
-        test::check_left_range(twisted(5.0, integrator), 0.64);  // 12 steps later at the most
+        for (const bool pass : {false, true})  // 12 steps later at the most
+            test::check_left_range(twisted(5.0, integrator, 1.0, pass), !pass, 0.64);
+        test::check_left_range(twisted(5.0, integrator, 0.52), true, 0.521);  // seen at its end
     };
     GeneralizedAlphaOptions alpha;
     alpha.step = 1e-2;
+    check(GeneralizedAlpha(alpha));
+    alpha.tolerance = 1e-4;
     check(GeneralizedAlpha(alpha));
     RadauOptions radau;
     radau.step = 1e-2;
@@ -160,24 +169,27 @@ TEST_CASE("a motion that twists an element by too much says which one and when",
 
 TEST_CASE("a beam that its motion crushes ends the run with the reason", "[constraint][dynamics]") {
     // The driven beam pulls by 500 N at 0.5 m, the clamped one's E I/L is 100 N m.
-    for (const bool energy_momentum : {false, true}) {
-        CAPTURE(energy_momentum);
-        test::DrivenElbow arm(test::smooth_turn(20.0), 1e8);
-        DynamicProblem problem(arm.model);
-        EigenLu solver;
-        const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
-        EnergyMomentumOptions energy;
-        energy.step = 1.0 / 16.0;
-        GeneralizedAlphaOptions alpha;
-        alpha.step = 1.0 / 16.0;
-        const DynamicsReport report =
-            energy_momentum ? EnergyMomentum(energy).integrate(problem, solver, schedule)
-                            : GeneralizedAlpha(alpha).integrate(problem, solver, schedule);
-        CHECK(report.status != Status::converged);
-        CHECK_THAT(report.message, ContainsSubstring("Newton's method failed in the step from"));
-        CHECK(report.time > 0.5);
-        CHECK(report.time < 1.0);
-    }
+    const bool energy_momentum = GENERATE(false, true), pass = GENERATE(false, true);
+    CAPTURE(energy_momentum, pass);
+    test::DrivenElbow arm(test::smooth_turn(20.0), 1e8);
+    DynamicProblem problem(arm.model);
+    EigenLu solver;
+    Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
+    schedule.pass_degenerate = pass;
+    EnergyMomentumOptions energy;
+    energy.step = 1.0 / 16.0;
+    GeneralizedAlphaOptions alpha;
+    alpha.step = 1.0 / 16.0;
+    const DynamicsReport report =
+        energy_momentum ? EnergyMomentum(energy).integrate(problem, solver, schedule)
+                        : GeneralizedAlpha(alpha).integrate(problem, solver, schedule);
+    CHECK(report.status != Status::converged);
+    CHECK((report.status == Status::degenerate) == !pass);
+    CHECK_THAT(report.message,
+               ContainsSubstring(pass ? "Newton's method failed in the step from"
+                                      : "element 0 of the type CrossSectionBeam<2> is degenerate"));
+    CHECK(report.time > 0.5);
+    CHECK(report.time < 1.0);
 }
 
 TEST_CASE("a driven angle that jumps ends the motion and names the joint",

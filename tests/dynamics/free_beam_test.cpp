@@ -114,7 +114,7 @@ TEST_CASE("beam: planar motion stays planar", "[dynamics]") {
     const double rho = GENERATE(energy_scheme, 0.8);
     INFO("rho " << rho);
     BeamModel model;
-    const auto beam = add_rubber(model, 2, {1.0, 0.0, 0.0});
+    const auto beam = add_rubber(model, 4, {1.0, 0.0, 0.0});
     model.add(ancf::Distance<3>(beam.first(), Vector3(0.0, 0.4, 0.0), 0.4));
     model.set_gravity({0.0, -9.81, 0.0});
     Problem problem(model);

@@ -5,6 +5,7 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/loads/damping.hpp>
 #include <ancf/petsc/distributed_scene.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
@@ -271,6 +272,45 @@ TEST_CASE(
     same_everywhere(motion, static_cast<double>(report.evaluations));
     motion.gather();
     CHECK(model.state().time == report.time);
+}
+
+/// Soft ropes in a row; the slope at the end of the last turns round within 2e-4 s, which folds it.
+Model folding() {
+    std::vector<Point> points = {Point::Zero()};
+    std::vector<Member> members;
+    for (int k = 0; k < 4; ++k) {
+        points.emplace_back(k + 1.0, 0.0, 0.0);
+        members.push_back({k, k + 1, 0, 2});
+    }
+    Model model;
+    const auto row =
+        net<Rope>(model, {{Material::isotropic(1.0, 0.3, 1000.0), bar()}}, points, members);
+    model.set_rate(row.members.back().last(), Field::r_x, {-1e4, 1e3, 0.0});
+    return model;
+}
+
+TEST_CASE(
+    "DistributedScene::integrate: an element that one process sees fold ends all, or all tell",
+    "[petsc]") {
+    const bool pass = GENERATE(false, true);
+    Model model = folding(), serial = folding();
+    const int last = model.group<Rope>().size() - 1;
+    Schedule schedule;
+    schedule.end = 3e-4;
+    schedule.pass_degenerate = pass;
+    const DynamicsReport alone = in_series(serial, schedule, of_step(1e-5));
+    petsc::DistributedScene motion(model);
+    const DynamicsReport report = motion.integrate(schedule, of_step(1e-5));
+    INFO(report.message);
+    CHECK(report.status == (pass ? Status::converged : Status::degenerate));
+    CHECK(report.status == alone.status);
+    CHECK(report.time == alone.time);
+    CHECK((report.time < 2.5e-4) == !pass);
+    CHECK(report.fault.has_value() == !pass);
+    CHECK(report.message == alone.message);
+    CHECK(report.left_range == alone.left_range);
+    CHECK_THAT(report.left_range, ContainsSubstring("element " + std::to_string(last) + " "));
+    same_everywhere(motion, static_cast<double>(report.evaluations));
 }
 
 TEST_CASE("DistributedScene::integrate: a start that is refused in one process is refused in all",

@@ -8,6 +8,7 @@
 
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/error.hpp>
 
 #include <support/scales.hpp>
@@ -64,6 +65,34 @@ inline std::vector<Ending> broken_scenes() {
     };
 }
 
+/// Adds a soft cable that folds: the slope of its end turns round within 2e-4 s.
+inline void add_folding(PlanarModel& model) {
+    const auto cable = straight_beam<Cable<2>>(model, Material::isotropic(1.0, 0.3, 1000.0),
+                                               rectangle(0.01, 0.01), {0.0, 1.0}, {1.0, 1.0}, 1);
+    model.set_rate(cable.last(), Field::r_x, {-1e4, 1e3});
+}
+
+/// Checks that a motion ends where it folds an element, and not where it may pass.
+template <class Run>
+void check_folding(const Run& run) {
+    for (const bool pass : {false, true}) {
+        PlanarModel model = cantilever(Scale{});
+        add_folding(model);
+        Schedule schedule;
+        schedule.end = 2e-4;
+        schedule.pass_degenerate = pass;
+        const auto report = run(model, schedule);
+        INFO(to_string(report.status) << ": " << report.message);
+        CHECK(report.status == (pass ? Status::converged : Status::degenerate));
+        CHECK(report.message == report.left_range);
+        CHECK_THAT(report.left_range,
+                   ContainsSubstring("element 0 of the type Cable<2> is degenerate at "));
+        CHECK(report.fault.has_value() == !pass);
+        CHECK(model.state().time == report.time);
+        CHECK(report.time > 1e-4);  // where the slope is zero
+    }
+}
+
 /// Checks an integrator by a table of motions that cannot end well.
 /// @param run         called as run(model, schedule)
 /// @param constraints  whether it takes scenes with multipliers
@@ -96,6 +125,7 @@ void check_motions(const Run& run, bool constraints = true) {
     const auto unchanged = [](PlanarModel&) {};
     check({"progress", unchanged, {Status::stopped}}, [](double, double) { return false; });
     check({"none", unchanged, {Status::converged}}, nullptr);
+    check_folding(run);
 }
 
 /// Likewise with constraints.

@@ -31,14 +31,17 @@ namespace ancf::test {
 
 /// Checks that a motion by 5 rad, which reads as -1.28 rad at its end, told of the element between
 /// 0.51 s, where it passes 2.6 rad, and a time.
-inline void check_left_range(const DynamicsReport& report, double latest) {
-    CHECK(report.status == Status::converged);
-    CHECK_THAT(report.message, ContainsSubstring(report.left_range));
+/// @param ended  whether the motion ended there
+inline void check_left_range(const DynamicsReport& report, bool ended, double latest) {
+    CHECK(report.status == (ended ? Status::degenerate : Status::converged));
+    CHECK(report.fault.has_value() == ended);
+    CHECK(report.message == report.left_range);
     REQUIRE_THAT(report.left_range,
                  ContainsSubstring("element 0 of the type TorsionBeam is degenerate at "));
     const double seen = std::stod(report.left_range.substr(report.left_range.rfind(" at ") + 4));
     CHECK(seen > 0.5);
     CHECK(seen < latest);
+    CHECK(report.time == (ended ? Approx(seen).epsilon(1e-5) : Approx(1.0)));
 }
 
 }  // namespace ancf::test

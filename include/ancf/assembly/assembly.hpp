@@ -148,6 +148,9 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
+    /// Returns the same of all parts of a scene, collectively: an element of another part is -1.
+    [[nodiscard]] std::optional<Fault> inspect_parts(const VectorX& q) const;
+
     /// Returns what failed in the last evaluation, in words: the element, or the load or constraint
     /// whose values are no numbers.
     [[nodiscard]] std::string describe(const Fault& fault) const;

@@ -666,6 +666,15 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
     return Fault{status, found->group, found->element};
 }
 
+ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const {
+    const auto own = inspect(q);
+    if (model_.exchange() == nullptr) return own;
+    const auto worst = static_cast<Status>(
+        static_cast<int>(model_.exchange()->largest(own ? static_cast<double>(own->status) : 0.0)));
+    if (worst == (own ? own->status : Status::converged)) return own;
+    return Fault{worst, -1, -1};
+}
+
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
     if (fault.element >= 0)
         return detail::joined(

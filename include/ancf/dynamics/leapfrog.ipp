@@ -9,6 +9,7 @@
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/hermite.hpp>
 #include <ancf/dynamics/leapfrog.hpp>
+#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
@@ -87,10 +88,7 @@ ANCF_INLINE void LeapfrogRun::run() {
     bool good = fill(is_fixed() ? options_.step : options_.stable_share * report_.stable_step) &&
                 is_stable();
     while (good && goes_on() && advance()) {
-        if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) {
-            fail(Status::stopped, "the progress callback asked to stop");
-            break;
-        }
+        if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) break;
         if (++since_ < interval_ && goes_on()) continue;
         estimate();
         good = is_stable();
@@ -99,13 +97,8 @@ ANCF_INLINE void LeapfrogRun::run() {
 }
 
 ANCF_INLINE bool LeapfrogRun::begin() {
-    Start start = problem_.start();
-    report_.time = start.time;
-    ++report_.evaluations;
-    if (start.status != Status::converged) {
-        fail(start.status, start.message);
-        return false;
-    }
+    Start start = start_run(problem_, report_);
+    if (start.status != Status::converged) return false;
     now_ = {start.time, std::move(start.q), std::move(start.v), {}};
     at_.kick = -start.acceleration;
     fastest_ = scattered(problem_.scales(), 0);

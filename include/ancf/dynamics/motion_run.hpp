@@ -83,8 +83,8 @@ protected:
     /// shorter: by a factor, or in halves where steps are fixed. False where the run ends.
     [[nodiscard]] bool shortens(const Step& step, Status status, double factor);
 
-    /// Reports a step that was taken; the last one ends where the schedule does. False where the
-    /// progress callback asks to stop.
+    /// Reports a step that was taken; the last one ends where the schedule does. False where it
+    /// ends the run.
     [[nodiscard]] bool record(const MotionPoint& from, MotionPoint& to,
                               const Between& between = {});
 

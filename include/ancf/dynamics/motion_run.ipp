@@ -121,8 +121,7 @@ ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double fac
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
                                    const Between& between) {
     if (!goes_on(to)) to.time = schedule_.end;
-    return recorder_.step(from, to, between) ||
-           fail(Status::stopped, "the progress callback asked to stop");
+    return recorder_.step(from, to, between);
 }
 
 ANCF_INLINE bool MotionRun::fail(Status status, std::string message) {

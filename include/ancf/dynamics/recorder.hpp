@@ -44,14 +44,6 @@ struct MotionPoint {
     return end - now.time > 1e-9 * step;
 }
 
-/// Takes what a step left into the report, before any projection: constraints and, where it is
-/// followed, energy by an evaluation of its own. Of the start the report has counted no step.
-///
-/// Now and then it looks whether every element still is a beam: DynamicsReport::left_range. It does
-/// so about every 24 evaluations of the forces, or every 12 steps where those are not counted yet.
-void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
-          DynamicsReport& report);
-
 /// Energies and power of a point, sizes of M and K there: what tells one scene from another.
 [[nodiscard]] VectorX signature(DynamicProblem& problem, const MotionPoint& point);
 
@@ -62,14 +54,10 @@ void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
 void require_continuation(const char* who, const Memory& memory, DynamicProblem& problem,
                           const MotionPoint& start, const MotionPoint& point);
 
-/// Stores the end of a run in the model, projected on the constraints; where that fails the end is
-/// stored as it is, and the report says so.
-void store_end(DynamicProblem& problem, const MotionPoint& end, DynamicsReport& report);
-
 /// Returns the point of a motion at a time between two steps.
 using Between = std::function<MotionPoint(double time)>;
 
-/// Reports one run.
+/// Reports one run, and ends it where the user or an element does.
 class Recorder {
 public:
     /// @param energies  whether to follow the energy of every step (one evaluation each).
@@ -81,14 +69,24 @@ public:
 
     /// Takes an accepted step.
     /// @param between  gives the points inside, where they are not those of the cubic.
-    /// @return false where the progress callback asks to stop.
+    /// @return false where the run ends; the report says why.
     [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to,
                             const Between& between = {});
 
-    /// Observes what lies within the round-off of the end, and stores the last point.
+    /// Observes what lies within the round-off of the end. Stores the last point in the model,
+    /// projected on the constraints; where that fails it is stored as it is, and the report says so.
     void finish(const MotionPoint& point);
 
 private:
+    // Takes what a step left into the report, before any projection: constraints and, where it is
+    // followed, energy by an evaluation of its own. It inspects at about every 24 evaluations of
+    // the forces, or every 12 steps where those are not counted yet.
+    void note(const MotionPoint& point);
+    // Notes an element that is no beam any more, unless one is noted. It ends a run that may not
+    // pass.
+    void inspect(const MotionPoint& point);
+    [[nodiscard]] bool goes_on(double time);
+    void store(const MotionPoint& end);
     void observe(const MotionPoint& from, const MotionPoint& to, double slack,
                  const Between& between);
     [[nodiscard]] static MotionPoint cubic(const MotionPoint& from, const MotionPoint& to,

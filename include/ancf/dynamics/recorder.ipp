@@ -41,33 +41,6 @@ ANCF_INLINE void require_same_storage(const LinearSolver& solver, const DynamicP
 /// Returns the larger number; not a number where one of them is not.
 [[nodiscard]] ANCF_INLINE double larger(double a, double b) noexcept { return b <= a ? a : b; }
 
-/// Notes an element that is no beam any more, unless one is noted.
-ANCF_INLINE void inspect(DynamicProblem& problem, const MotionPoint& point,
-                         DynamicsReport& report) {
-    if (!report.left_range.empty()) return;
-    const Assembly& assembly = problem.assembly();
-    if (const auto fault = assembly.inspect(problem.raw_state(point.time, point.q, point.v).q))
-        report.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
-}
-
-ANCF_INLINE void note(DynamicProblem& problem, const MotionPoint& point, bool follow_energy,
-                      DynamicsReport& report) {
-    const long in_a_step = std::max(2L, report.evaluations / std::max(1L, report.steps));
-    if (report.steps % std::max(1L, 24 / in_a_step) == 0) inspect(problem, point, report);
-    if (problem.multipliers() > 0) {
-        problem.evaluate_constraints(point.time, point.q, point.v);
-        report.violation = larger(report.violation, problem.constraint_violation());
-        report.violation_rate = larger(report.violation_rate, problem.violation_rate());
-    }
-    if (!follow_energy) return;
-    const Energies energies = problem.energies(point.time, point.q, point.v, point.lambda);
-    ++report.evaluations;
-    if (report.steps == 0) report.energy_start = energies.total();
-    report.energy_drift =
-        larger(report.energy_drift, std::abs(energies.total() - report.energy_start));
-    report.kinetic_largest = larger(report.kinetic_largest, energies.kinetic);
-}
-
 /// Returns the sum of |a_ii| over the first `count` rows.
 [[nodiscard]] ANCF_INLINE double trace_of_magnitudes(const SparseMatrix& matrix, int count) {
     double sum = 0.0;
@@ -120,21 +93,6 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
             "such a change starts without a memory");
 }
 
-ANCF_INLINE void store_end(DynamicProblem& problem, const MotionPoint& end,
-                           DynamicsReport& report) {
-    inspect(problem, end, report);
-    const auto add = [&](const std::string& text) {
-        if (!report.message.empty() && !text.empty()) report.message += "; ";
-        report.message += text;
-    };
-    add(report.left_range);
-    VectorX q = end.q;
-    VectorX v = end.v;
-    if (!problem.project(end.time, q, v))
-        add("the last state could not be brought onto the constraints");
-    problem.store(end.time, q, v, end.lambda);
-}
-
 ANCF_INLINE Recorder::Recorder(DynamicProblem& problem, const Schedule& schedule,
                                DynamicsReport& report, bool energies)
     : problem_(problem),
@@ -145,7 +103,7 @@ ANCF_INLINE Recorder::Recorder(DynamicProblem& problem, const Schedule& schedule
 
 ANCF_INLINE void Recorder::start(const MotionPoint& point) {
     report_.time = point.time;
-    note(problem_, point, energies_, report_);
+    note(point);
     observe(point, point, 0.0, {});
 }
 
@@ -156,17 +114,68 @@ ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
     ++report_.steps;
     report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
     report_.largest_step = std::max(report_.largest_step, width);
-    note(problem_, to, energies_, report_);
+    note(to);
     observe(from, to, 1e-9 * width, between);
-    return !schedule_.progress || schedule_.progress(to.time, schedule_.end);
+    return goes_on(to.time);
 }
 
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {
     if (report_.status == Status::converged)
         observe(point, point, std::max(0.0, schedule_.end - point.time), {});
-    store_end(problem_, point, report_);
+    store(point);
     report_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
+    if (!report_.left_range.empty()) return;
+    const Assembly& assembly = problem_.assembly();
+    const VectorX q = problem_.raw_state(point.time, point.q, point.v).q;
+    const auto fault = schedule_.pass_degenerate ? assembly.inspect(q) : assembly.inspect_parts(q);
+    if (!fault) return;
+    report_.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
+    if (schedule_.pass_degenerate || report_.status != Status::converged) return;
+    report_.status = fault->status;
+    report_.fault = fault;
+}
+
+ANCF_INLINE void Recorder::note(const MotionPoint& point) {
+    const long in_a_step = std::max(2L, report_.evaluations / std::max(1L, report_.steps));
+    if (report_.steps % std::max(1L, 24 / in_a_step) == 0) inspect(point);
+    if (problem_.multipliers() > 0) {
+        problem_.evaluate_constraints(point.time, point.q, point.v);
+        report_.violation = larger(report_.violation, problem_.constraint_violation());
+        report_.violation_rate = larger(report_.violation_rate, problem_.violation_rate());
+    }
+    if (!energies_) return;
+    const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);
+    ++report_.evaluations;
+    if (report_.steps == 0) report_.energy_start = energies.total();
+    report_.energy_drift =
+        larger(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
+    report_.kinetic_largest = larger(report_.kinetic_largest, energies.kinetic);
+}
+
+ANCF_INLINE bool Recorder::goes_on(double time) {
+    if (report_.status != Status::converged) return false;
+    if (!schedule_.progress || schedule_.progress(time, schedule_.end)) return true;
+    report_.status = Status::stopped;
+    report_.message = "the progress callback asked to stop";
+    return false;
+}
+
+ANCF_INLINE void Recorder::store(const MotionPoint& end) {
+    inspect(end);
+    const auto add = [&](const std::string& text) {
+        if (!report_.message.empty() && !text.empty()) report_.message += "; ";
+        report_.message += text;
+    };
+    add(report_.left_range);
+    VectorX q = end.q;
+    VectorX v = end.v;
+    if (!problem_.project(end.time, q, v))
+        add("the last state could not be brought onto the constraints");
+    problem_.store(end.time, q, v, end.lambda);
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,

@@ -55,6 +55,11 @@ struct Schedule {
     /// Called after every step with its time and the end; returning false stops there.
     std::function<bool(double time, double end)> progress;
 
+    /// Whether a run goes on where an element is no beam any more (docs/limits.md, "Directors"),
+    /// such as a slack rope that folds for a moment. If not, it ends with Status::degenerate.
+    /// DynamicsReport::left_range tells of it in both cases.
+    bool pass_degenerate = false;
+
     /// @throws InvalidArgument for an end before the start or times that are not ascending between.
     void check(double start) const;
 };
@@ -85,8 +90,8 @@ struct DynamicsReport {
     std::string message;                ///< what failed where; left_range; that the end is off its
                                         ///< constraints
     std::optional<Fault> fault;         ///< the element that failed, for degenerate and not_finite
-    std::string left_range;  ///< an element that was seen to be no beam on the way, and when
-    double time = 0.0;       ///< s, reached
+    std::string left_range;             ///< the first element that was seen to be no beam, and when
+    double time = 0.0;                  ///< s, reached
 
     long steps = 0;                 ///< accepted
     long rejected = 0;              ///< by the error test

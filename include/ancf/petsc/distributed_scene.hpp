@@ -27,6 +27,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -130,7 +131,7 @@ public:
 
 private:
     [[nodiscard]] bool all_go_on(const std::function<bool()>& call) const;
-    void settle(std::optional<Fault>& fault, std::string& message) const;
+    void settle(std::optional<Fault>& fault, std::initializer_list<std::string*> texts) const;
 
     Scene& model_;
     std::string prefix_;

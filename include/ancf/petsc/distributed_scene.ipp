@@ -34,7 +34,7 @@ ANCF_INLINE StaticsReport DistributedScene::solve(const StaticsOptions& options)
     StaticsReport report = solve_statics(*part_, solver_, own);
     if (auto& softened = report.softened)
         softened->element = partition_->element(softened->group, softened->element);
-    settle(report.fault, report.message);
+    settle(report.fault, {&report.message});
     return report;
 }
 
@@ -60,7 +60,7 @@ ANCF_INLINE DynamicsReport DistributedScene::integrate(const Schedule& schedule,
             return all_go_on([&] { return schedule.progress(time, end); });
         };
     DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver_, own, memory);
-    settle(report.fault, report.message);
+    settle(report.fault, {&report.message, &report.left_range});
     return report;
 }
 
@@ -103,19 +103,22 @@ ANCF_INLINE bool DistributedScene::all_go_on(const std::function<bool()>& call) 
     return partition_->largest(goes_on ? 0.0 : 1.0) == 0.0;
 }
 
-// Gives a fault its element's number in the whole scene, and every process the message of the first
-// that knows the element, else of the first that has a message.
-ANCF_INLINE void DistributedScene::settle(std::optional<Fault>& fault, std::string& message) const {
+// Gives a fault its element's number in the whole scene, and every process the texts of the first
+// that knows the element, else of the first that has one.
+ANCF_INLINE void DistributedScene::settle(std::optional<Fault>& fault,
+                                          std::initializer_list<std::string*> texts) const {
     const bool knows = fault && fault->element >= 0;
     if (knows) fault->element = partition_->element(fault->group, fault->element);
     const MPI_Comm comm = partition_->comm();
     const int ranks = Session::ranks(comm);
-    int speaker = Session::rank(comm) + ranks * (message.empty() ? 2 : knows ? 0 : 1);
-    MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
-    int size = static_cast<int>(message.size());
-    MPI_Bcast(&size, 1, MPI_INT, speaker % ranks, comm);
-    message.resize(size);
-    MPI_Bcast(message.data(), size, MPI_CHAR, speaker % ranks, comm);
+    for (std::string* const text : texts) {
+        int speaker = Session::rank(comm) + ranks * (text->empty() ? 2 : knows ? 0 : 1);
+        MPI_Allreduce(MPI_IN_PLACE, &speaker, 1, MPI_INT, MPI_MIN, comm);
+        int size = static_cast<int>(text->size());
+        MPI_Bcast(&size, 1, MPI_INT, speaker % ranks, comm);
+        text->resize(size);
+        MPI_Bcast(text->data(), size, MPI_CHAR, speaker % ranks, comm);
+    }
 }
 
 }  // namespace ancf::petsc

@@ -483,13 +483,7 @@ private:
 
     /// A root of the equations counts only where every element is in order.
     Status accept(const State& state) {
-        report_.fault = assembly_.inspect(state.q);
-        if (exchange_ != nullptr) {
-            const auto worst = static_cast<Status>(static_cast<int>(exchange_->largest(
-                report_.fault ? static_cast<double>(report_.fault->status) : 0.0)));
-            if (worst != Status::converged && (!report_.fault || report_.fault->status != worst))
-                report_.fault = Fault{worst, -1, -1};
-        }
+        report_.fault = assembly_.inspect_parts(state.q);
         return report_.fault ? report_.fault->status : Status::converged;
     }
 

@@ -109,7 +109,7 @@ protected:
     /// Returns a least step, s: without one SUNDIALS goes on for ever where time does not advance.
     [[nodiscard]] double least_step() const;
 
-    /// Reports a step of a length, s, to now_; false where the progress callback asks to stop.
+    /// Reports a step of a length, s, to now_; false where it ends the run.
     [[nodiscard]] bool record(double length, const ancf::detail::Between& between);
 
     /// Ends the run. @return false.

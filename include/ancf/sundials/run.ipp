@@ -64,7 +64,7 @@ ANCF_INLINE bool SteppedRun::record(double length, const ancf::detail::Between& 
     const bool goes_on = recorder_.step(now_, now_, between);
     outcome_.smallest_step = smallest;
     outcome_.largest_step = largest;
-    return goes_on || end(Status::stopped, "a callback asked to stop");
+    return goes_on;
 }
 
 ANCF_INLINE bool SteppedRun::end(Status status, std::string message) {
