@@ -74,7 +74,7 @@ public:
                             const Between& between = {});
 
     /// Observes what lies within the round-off of the end. Stores the last point in the model,
-    /// projected on the constraints; where that fails it is stored as it is, and the report says so.
+    /// projected on the constraints; where that fails as it is, and the report says so.
     void finish(const MotionPoint& point);
 
 private:
