@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
+#include <ancf/assembly/resultant.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/types.hpp>
@@ -21,10 +21,10 @@ struct Momentum {
 
 /// Returns the momenta of a state: the resultant of M v.
 /// @throws InvalidArgument for a state of another size than the problem's model.
-[[nodiscard]] Momentum momentum(const DynamicProblem& problem, const State& state);
+[[nodiscard]] inline Momentum momentum(const DynamicProblem& problem, const State& state) {
+    const Resultant sum =
+        resultant(problem.model(), state.q, problem.assembly().mass_product(state.v));
+    return {sum.force, sum.moment};
+}
 
 }  // namespace ancf
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/dynamics/momentum.ipp>  // IWYU pragma: export
-#endif
