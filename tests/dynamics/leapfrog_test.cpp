@@ -205,6 +205,25 @@ TEST_CASE("Leapfrog: a scene that stiffens takes shorter steps",
     CHECK(same.model.state().time == late.time);
 }
 
+TEST_CASE("Leapfrog: a part that becomes the stiffest of a scene shortens the steps",
+          "[dynamics][leapfrog][stability]") {
+    LeapfrogOptions options;
+    options.stable_share = 0.1;
+    Chain alone = stretched();
+    const double expected = run(alone.model, options, until(1.0)).stable_step;
+    // another bar, twice as stiff at first and by itself
+    Chain scene = stretched();
+    const int prototype = scene.model.add_prototype(Bar<3>(1000.0, 1.0, 0.5));
+    const NodeId foot = scene.model.add_node({0.0, 5.0, 0.0});
+    const NodeId end = scene.model.add_node({0.5, 5.0, 0.0});
+    scene.model.connect<Bar<3>>(prototype, foot, end);
+    scene.model.pin(foot);
+    const LeapfrogReport report = run(scene.model, options, until(1.0));
+    CHECK(report.status == Status::converged);
+    CHECK(report.stable_step == Approx(expected).epsilon(0.01));
+    CHECK(report.smallest_step < 0.6 * report.largest_step);
+}
+
 TEST_CASE("Leapfrog: a fixed step above the stable one is refused", "[dynamics][leapfrog]") {
     Chain scene = soft_chain();
     Schedule schedule = until(1.0);

@@ -101,7 +101,6 @@ ANCF_INLINE bool LeapfrogRun::begin() {
     if (start.status != Status::converged) return false;
     now_ = {start.time, std::move(start.q), std::move(start.v), {}};
     at_.kick = -start.acceleration;
-    fastest_ = scattered(problem_.scales(), 0);
     estimate();
     require_no_damping();
     return true;
@@ -124,7 +123,7 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     since_ = 0;
     ++report_.jacobians;
     const double before = report_.highest_frequency;
-    const double now = problem_.highest_frequency(now_.time, now_.q, &fastest_);
+    const double now = problem_.highest_frequency(now_.time, now_.q, fastest_);
     if (now > 0.0) report_.highest_frequency = now;
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
@@ -165,7 +164,7 @@ ANCF_INLINE bool LeapfrogRun::is_stable() {
                     6));
         return false;
     }
-    const bool suits = step_ <= 0.5 * (most + stable) && step_ >= 0.5 * most;
+    const bool suits = step_ <= std::min(1.1 * most, 0.5 * (most + stable)) && step_ >= 0.5 * most;
     return is_fixed() || suits || !goes_on() || fill(most);
 }
 

@@ -284,12 +284,17 @@ public:
     /// the largest acceleration, over length_scale(); 0 where all of it is round-off.
     [[nodiscard]] double motion_frequency(const Start& start);
 
-    /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, within some per cent
-    /// (power iteration; constraints left aside, so an upper bound with them); 0 where an element
-    /// fails.
-    /// @param mode  where the iteration begins, not zero, n entries; becomes the mode. Null: it
-    ///              begins with all modes.
-    [[nodiscard]] double highest_frequency(double t, const VectorX& q, VectorX* mode = nullptr);
+    /// Returns the largest |eigenvalue| of M^-1 A within some per cent, by power iteration.
+    /// @param matrix  A, in the pattern of tangent().
+    /// @param mode    of an earlier estimate, n entries, from which the iteration begins, or empty;
+    ///                becomes the mode.
+    [[nodiscard]] double largest_eigenvalue(const SparseMatrix& matrix, VectorX& mode) const;
+
+    /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, likewise; constraints left
+    /// aside, so an upper bound with them. 0 where an element fails.
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q, VectorX& mode);
+    /// Returns the same, begun with all modes.
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q);
 
     /// Returns the lowest angular frequency of K on M and G at (t, q) that is not of a rigid motion
     /// or mechanism, rad/s, by subspace iteration; 0 where every motion is free.

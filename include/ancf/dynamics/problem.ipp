@@ -735,22 +735,35 @@ ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {
     return acceleration > round_off ? std::sqrt(acceleration) : turn;
 }
 
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q, VectorX* mode) {
-    const VectorX rest = VectorX::Zero(size());
-    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
-    VectorX all_modes;
-    if (mode == nullptr) mode = &(all_modes = detail::scattered(scales_, 0));
-    return std::sqrt(detail::largest_eigenvalue(
-        *mode,
-        [&](const VectorX& x) {
-            return detail::multiply(assembly_.tangent(), options_.storage, x);
-        },
-        [&](const VectorX& x) { return detail::multiply(compact_mass_, Storage::full, x); },
+ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix,
+                                                      VectorX& mode) const {
+    const auto mass = [&](const VectorX& x) {
+        return detail::multiply(compact_mass_, Storage::full, x);
+    };
+    const auto size = [&](const VectorX& x) { return std::sqrt(x.dot(mass(x))); };
+    const VectorX all_modes = detail::scattered(scales_, 0);
+    if (mode.size() == 0)
+        mode = all_modes;
+    else  // of another part of the scene the last mode may have nothing
+        mode = mode / size(mode) + 0.1 / size(all_modes) * all_modes;
+    return detail::largest_eigenvalue(
+        mode, [&](const VectorX& x) { return detail::multiply(matrix, options_.storage, x); }, mass,
         [&](const VectorX& b) {
             VectorX x;
             solve_mass(b, x);
             return x;
-        }));
+        });
+}
+
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q, VectorX& mode) {
+    const VectorX rest = VectorX::Zero(size());
+    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
+}
+
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
+    VectorX mode;
+    return highest_frequency(t, q, mode);
 }
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {

@@ -63,11 +63,10 @@ public:
     [[nodiscard]] long estimates() const noexcept { return estimates_; }        ///< of the step
 
 private:
-    [[nodiscard]] double largest(const SparseMatrix& matrix) const;
-
     Reach reach_;
     int every_;
     VectorX none_, acceleration_;
+    VectorX stiffest_, most_damped_;  // modes of the last estimate
     double stable_step_, frequency_ = 0.0;
     int since_ = 0;  // steps since the last estimate
     long evaluations_ = 0, estimates_ = 0;
@@ -110,28 +109,15 @@ ANCF_INLINE int ExplicitSystem::stability(N_Vector y, sunrealtype t, sunrealtype
     });
 }
 
-ANCF_INLINE double ExplicitSystem::largest(const SparseMatrix& matrix) const {
-    const Storage storage = problem_.assembly().pattern().storage();
-    VectorX all_modes = ancf::detail::scattered(problem_.scales(), 0);
-    return ancf::detail::largest_eigenvalue(
-        all_modes,
-        [&](const VectorX& x) { return ancf::detail::multiply(matrix, storage, x); },
-        [&](const VectorX& x) {
-            return ancf::detail::multiply(problem_.compact_mass(), Storage::full, x);
-        },
-        [&](const VectorX& b) {
-            VectorX x;
-            problem_.solve_mass(b, x);
-            return x;
-        });
-}
-
 ANCF_INLINE void ExplicitSystem::estimate(double t, const VectorX& q, const VectorX& v) {
     since_ = 0;
     ++estimates_;
     if (problem_.evaluate(t, q, v, none_, request_)) return;
-    frequency_ = std::sqrt(largest(problem_.tangent()));
-    const double damping = request_ == Request::tangent ? 0.0 : 0.5 * largest(problem_.damping());
+    frequency_ = std::sqrt(problem_.largest_eigenvalue(problem_.tangent(), stiffest_));
+    const double damping =
+        request_ == Request::tangent
+            ? 0.0
+            : 0.5 * problem_.largest_eigenvalue(problem_.damping(), most_damped_);
     const bool damped = damping > 1e-3 * frequency_;
     const double fastest = damping + std::sqrt(damping * damping + frequency_ * frequency_);
     stable_step_ = (damped ? reach_.disc : reach_.axis) / fastest;
