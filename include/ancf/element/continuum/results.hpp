@@ -110,12 +110,6 @@ typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_j
 }
 
 template <int Dimension>
-typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::velocity(
-    const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
-}
-
-template <int Dimension>
 Matrix<double, Dimension, ContinuumBeam<Dimension>::slopes> ContinuumBeam<Dimension>::directors(
     const Coordinates& e, double xi) const noexcept {
     return vectors_at(e, xi).columns.template rightCols<slopes>();

@@ -312,10 +312,4 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position_jaco
     return jacobian;
 }
 
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-Vector<double, 3> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::velocity(
-    const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
-}
-
 }  // namespace ancf

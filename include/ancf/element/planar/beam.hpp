@@ -17,6 +17,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/line_element.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar/kernel.hpp>
 #include <ancf/element/planar/nodal.hpp>
@@ -49,7 +50,18 @@ struct CubicShear {};
 /// @tparam Shear  LinearShear, or CubicShear that goes with QuinticLine: PlanarQuinticBeam
 /// @tparam Line   CubicLine or QuinticLine
 template <class Directors, class Shear, class Measure, class Line>
-class CrossSectionBeam<2, Directors, Shear, Measure, Line> {
+class CrossSectionBeam<2, Directors, Shear, Measure, Line>
+    : public LineElement<
+          CrossSectionBeam<2, Directors, Shear, Measure, Line>,
+          detail::PlanarKernel<
+              double, typename detail::PlanarMeasureOf<Measure>::type,
+              detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
+          std::conditional_t<std::is_same_v<Shear, CubicShear>, PlanarQuinticOptions,
+                             std::conditional_t<std::is_same_v<Line, QuinticLine>, QuinticOptions,
+                                                CrossSectionOptions>>,
+          Line, std::is_same_v<Shear, CubicShear>> {
+    using Base = typename CrossSectionBeam::LineElement;
+    using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(std::is_same_v<Shear, LinearShear> || std::is_same_v<Shear, CubicShear>,
                   "in the plane shear is LinearShear or CubicShear");
     static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;
@@ -68,12 +80,8 @@ public:
                                      (cubic_shear ? Fields(Field::r_xy) : Fields()) |
                                      (quintic ? Fields(Field::r_xx) : Fields());
 
-    /// Nodal coordinates e, those of the first node first.
-    using Coordinates = Vector<double, dofs>;
-    /// Choices that are values.
-    using Options =
-        std::conditional_t<cubic_shear, PlanarQuinticOptions,
-                           std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>>;
+    using typename Base::Coordinates;
+    using typename Base::Options;
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -91,54 +99,6 @@ public:
     CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
                      double length, const Options& options = {});
 
-    /// Returns the strain energy U, J.
-    template <class S>
-    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.energy(e);
-    }
-
-    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
-    template <class S>
-    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.force(e);
-    }
-
-    /// Returns energy, elastic force and tangent in one pass; noexcept, no heap allocation.
-    /// @param e  nodal coordinates, 12 x 1, [r r_x r_y] per node; m and 1. A quintic line: r_xx
-    ///           last, cubic shear: r_xy before it, 1/m
-    template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.evaluate(e);
-    }
-
-    /// Returns the same with the tangent of mixed integration points: its geometric part has the
-    /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
-    /// unknowns".
-    /// @param before  where the last tangent was taken, dofs x 1
-    /// @param change  the correction that it gave, dofs x 1
-    template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept {
-        return kernel_.evaluate(e, before, change);
-    }
-
-    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
-    /// r_xx and r_xy.
-    [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<2>(mass_weights_); }
-
-    /// Returns the nodal force of gravity.
-    /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, 2>& g) const {
-        return gravity_force<2>(mass_weights_, g);
-    }
-
-    /// Returns the nodal force of a dead force per length of the stress-free centre line.
-    /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 2>& force) const {
-        return line_.template line_load<3, cubic_shear>(force);
-    }
-
     /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6
     /// and the shear's sine less than 1 at every station, and all along r_y to its left by more
     /// than an angle of 1e-6, turning by less than 120 degrees from node to node.
@@ -150,13 +110,6 @@ public:
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
         return !PlanarMeasure::engineering && line_.least_stretch(e) < softening_stretch;
     }
-
-    /// Returns the length of the stress-free element, m.
-    [[nodiscard]] double length() const noexcept { return line_.length(); }
-    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
-    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with.
-    [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect. ---
 
@@ -190,14 +143,6 @@ public:
                                                             double y = 0.0,
                                                             double z = 0.0) const noexcept;
 
-    /// Returns the velocity of a point of the body, m/s.
-    /// @param rate  time derivative of e
-    [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate,
-                                             double xi, double y = 0.0,
-                                             double z = 0.0) const noexcept {
-        return position_jacobian(e, xi, y, z) * rate;
-    }
-
 private:
     using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
 
@@ -219,14 +164,8 @@ private:
     [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
 
-    ReferenceLine<2, Line> line_;
-    Coordinates
-        reference_;  // nodal coordinates of the stress-free state; used where the line is curved
-    Options options_;
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
-    detail::PlanarKernel<double, PlanarMeasure, Layout> kernel_;
-    Matrix<double, dofs / 2> mass_weights_;
 };
 
 namespace detail {
@@ -252,7 +191,7 @@ CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Mat
                                                                        const Section& section,
                                                                        double length,
                                                                        const Options& options)
-    : line_((detail::require_positive("length", length), length)), options_(options) {
+    : Base(length, options) {
     set_up(material, section);
 }
 
@@ -262,17 +201,11 @@ CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Mat
                                                                        const Coordinates& reference,
                                                                        double length,
                                                                        const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
+    : Base(reference, length, options) {
     set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y to "
-                    "the left of r_x, turning by less than 120 degrees from node to node, got ",
-                    detail::components(reference));
+    this->require_admissible(
+        "slopes of some length, r_y to the left of r_x, turning by less than 120 degrees from node "
+        "to node");
     kernel_.set_reference(reference);
 }
 

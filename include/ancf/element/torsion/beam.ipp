@@ -22,35 +22,18 @@
 
 namespace ancf {
 
-ANCF_LAZY TorsionBeam::Coordinates TorsionBeam::straight(double length) {
-    Coordinates e = Coordinates::Zero();
-    e[3] = e[7] = e[12] = e[16] = 1.0;
-    e[9] = length;
-    return e;
-}
-
 ANCF_LAZY TorsionBeam::TorsionBeam(const Material& material, const Section& section, double length,
                                    const Options& options)
-    : line_((detail::require_positive("length", length), length)),
-      reference_(straight(length)),
-      options_(options) {
+    : LineElement(length, options) {
     set_up(material, section);
 }
 
 ANCF_LAZY TorsionBeam::TorsionBeam(const Material& material, const Section& section,
                                    const Coordinates& reference, double length,
                                    const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
+    : LineElement(reference, length, options) {
     set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y not "
-                    "along the tangent, got ",
-                    detail::components(reference));
+    require_admissible("slopes of some length, r_y not along the tangent");
     kernel_.set_reference(reference);
 }
 
@@ -192,24 +175,6 @@ ANCF_LAZY Vector<double, 1> TorsionBeam::stress(const Coordinates& e, double xi,
                                                 double z) const noexcept {
     const Vector<double, 4> s = strains(e, xi);
     return Vector<double, 1>(young_ * (s[0] + y * s[1] + z * s[2]));
-}
-
-ANCF_LAZY Vector<double, 3> TorsionBeam::velocity(const Coordinates& e, const Coordinates& rate,
-                                                  double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
-}
-
-ANCF_LAZY Matrix<double, TorsionBeam::dofs> TorsionBeam::mass() const {
-    return mass_matrix<3>(mass_weights_);
-}
-
-ANCF_LAZY Vector<double, TorsionBeam::dofs> TorsionBeam::gravity(const Vector<double, 3>& g) const {
-    return gravity_force<3>(mass_weights_, g);
-}
-
-ANCF_LAZY Vector<double, TorsionBeam::dofs> TorsionBeam::line_load(
-    const Vector<double, 3>& force) const {
-    return line_.template line_load<3>(force);
 }
 
 }  // namespace ancf
