@@ -61,36 +61,31 @@ struct ConstraintResult : ConstraintTerms<double> {
     }
 };
 
-template <class T, class = void>
-struct is_constraint : std::false_type {};
+namespace detail {
 
 template <class T>
-struct is_constraint<
-    T, std::void_t<decltype(Coupling(std::declval<const T&>().coupling())),
-                   decltype(int(std::declval<const T&>().equations())),
-                   decltype(std::string(std::declval<const T&>().name())),
-                   decltype(std::declval<const T&>().evaluate(
-                       std::declval<const ConstraintState&>(), std::declval<ConstraintResult&>()))>>
-    : std::true_type {};
+using ConstraintMembers =
+    std::void_t<decltype(Coupling(some<T>().coupling())), decltype(int(some<T>().equations())),
+                decltype(std::string(some<T>().name())),
+                decltype(some<T>().evaluate(some<ConstraintState>(),
+                                            std::declval<ConstraintResult&>()))>;
+
+/// Of a constraint that tells the angle that it is driven to.
+template <class T>
+using DrivenAngle = decltype(double(some<T>().driven_angle(0.0)));
+
+}  // namespace detail
 
 /// True if `T` offers what a constraint must.
 template <class T>
-inline constexpr bool is_constraint_v = is_constraint<T>::value;
+inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
 
 namespace detail {
-
-/// Whether a constraint tells the angle that it is driven to.
-template <class T, class = void>
-struct TellsDrivenAngle : std::false_type {};
-template <class T>
-struct TellsDrivenAngle<T,
-                        std::void_t<decltype(double(std::declval<const T&>().driven_angle(0.0)))>>
-    : std::true_type {};
 
 /// Returns the angle that a constraint is driven to at a time, rad; 0 where it tells none.
 template <class T>
 [[nodiscard]] double driven_angle(const T& constraint, double time) {
-    if constexpr (TellsDrivenAngle<T>::value)
+    if constexpr (offers<DrivenAngle, T>)
         return constraint.driven_angle(time);
     else
         return 0.0 * time;
