@@ -99,19 +99,6 @@ inline constexpr bool is_rate<Rate<S>> = true;
 
 /// @cond
 template <class S>
-struct Eigen::NumTraits<ancf::detail::Rate<S>> : Eigen::GenericNumTraits<ancf::detail::Rate<S>> {
-    using Real = ancf::detail::Rate<S>;
-    using NonInteger = ancf::detail::Rate<S>;
-    using Nested = ancf::detail::Rate<S>;
-    using Literal = double;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 2,
-        AddCost = 2,
-        MulCost = 4
-    };
-};
+struct Eigen::NumTraits<ancf::detail::Rate<S>>
+    : ancf::detail::ScalarTraits<ancf::detail::Rate<S>, 2> {};
 /// @endcond
