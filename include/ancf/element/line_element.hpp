@@ -132,11 +132,20 @@ protected:
                         detail::components(reference_));
     }
 
-    ReferenceLine<dimension, Line> line_;
-    Coordinates reference_;  ///< of the stress-free state; set where the line is curved
-    Options options_;
-    Kernel kernel_;
-    Matrix<double, dofs / dimension> mass_weights_;
+    /// Returns a function of the coordinates, less that of a stress-free state that is curved.
+    template <class S, class Function>
+    [[nodiscard]] auto beyond_reference(const Vector<S, dofs>& e,
+                                        const Function& function) const noexcept {
+        auto result = function(e);
+        if (line_.curved()) result -= function(reference_).template cast<S>();
+        return result;
+    }
+
+    ReferenceLine<dimension, Line> line_;            ///< of the stress-free state
+    Coordinates reference_;                          ///< of that state; set where it is curved
+    Options options_;                                ///< the rule among them
+    Kernel kernel_;                                  ///< energy, force and tangent
+    Matrix<double, dofs / dimension> mass_weights_;  ///< of pairs of nodal vectors
 
 private:
     [[nodiscard]] const Element& self() const noexcept {

@@ -169,6 +169,7 @@ private:
     template <class Scalar>
     [[nodiscard]] static Matrix<Scalar, Dimension> section_frame(
         const Vector<Scalar, Dimension>& t) noexcept;
+
     double young_;              ///< E, Pa
     double axial_stiffness_;    ///< EA, N
     double bending_stiffness_;  ///< EI, N m^2

@@ -100,11 +100,8 @@ Vector<Scalar, Dimension> Cable<Dimension, Measure>::position(const Vector<Scala
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position_jacobian(
     const Coordinates& e, double xi, double y, double z) const noexcept {
-    const auto shape = hermite(xi, line_.parameter_length());
-    Jacobian jacobian;
-    for (int a = 0; a < 4; ++a)
-        jacobian.template middleCols<Dimension>(Dimension * a) =
-            shape[static_cast<std::size_t>(a)] * Matrix<double, Dimension>::Identity();
+    Jacobian jacobian = Jacobian::Zero();
+    line_.add_point_jacobian(xi, jacobian);
     if (y == 0.0 && z == 0.0) return jacobian;
     const Point t = tangent(e, xi);
     Matrix<double, Dimension> turning;  // of y n + z c by t

@@ -56,6 +56,10 @@ struct FormulationOf<Transported, LinearShear, Measure, Line> {
     using type = CarriedFormulation<Measure, ChordAngle, Line::vectors>;
 };
 
+template <class T, class Directors, class Shear, class Measure, class Line>
+using CrossSectionKernelOf =
+    CrossSectionKernel<T, typename FormulationOf<Directors, Shear, Measure, Line>::type>;
+
 /// Whether directors are carried from the nodes.
 template <class Directors>
 inline constexpr bool carries_directors =
@@ -75,13 +79,9 @@ inline constexpr bool carries_directors =
 ///                    nodes have r_xx besides, as QuinticBeam
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 class CrossSectionBeam
-    : public LineElement<
-          CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>,
-          detail::CrossSectionKernel<
-              double, typename detail::FormulationOf<Directors, Shear, Measure, Line>::type>,
-          std::conditional_t<std::is_same_v<Line, QuinticLine>, QuinticOptions,
-                             CrossSectionOptions>,
-          Line> {
+    : public LineElement<CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>,
+                         detail::CrossSectionKernelOf<double, Directors, Shear, Measure, Line>,
+                         detail::CrossSectionOptionsOf<Shear, Line>, Line> {
     using Base = typename CrossSectionBeam::LineElement;
     using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 3, "for two dimensions include <ancf/element/planar/beam.hpp>");
@@ -132,8 +132,7 @@ public:
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
     /// Vector<Pack<Lanes>, dofs>.
     template <int Lanes>
-    using Together = detail::CrossSectionKernel<
-        Pack<Lanes>, typename detail::FormulationOf<Directors, Shear, Measure, Line>::type>;
+    using Together = detail::CrossSectionKernelOf<Pack<Lanes>, Directors, Shear, Measure, Line>;
 
     /// Puts elements side by side; each keeps its own length, section and material. Equal elements
     /// need not be put together: evaluate() of any of them takes packs as well.
@@ -236,12 +235,6 @@ private:
     [[nodiscard]] Row shear_row(const Place<double>& at, int director) const noexcept;
 
     void set_up(const Material& material, const Section& section);
-    /// Returns the generalised strains of a state, those of the stress-free state not subtracted.
-    template <class S>
-    [[nodiscard]] Vector<S, 12> raw_strains(const Vector<S, dofs>& e, double xi) const noexcept;
-    template <class S>
-    [[nodiscard]] Vector<S, 3> raw_transverse_strains(const Vector<S, dofs>& e,
-                                                      double xi) const noexcept;
 
     SectionStiffness section_;
     Vector<double, 6> moduli_;  ///< of green_strain(), Pa

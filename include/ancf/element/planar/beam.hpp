@@ -56,10 +56,7 @@ class CrossSectionBeam<2, Directors, Shear, Measure, Line>
           detail::PlanarKernel<
               double, typename detail::PlanarMeasureOf<Measure>::type,
               detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
-          std::conditional_t<std::is_same_v<Shear, CubicShear>, PlanarQuinticOptions,
-                             std::conditional_t<std::is_same_v<Line, QuinticLine>, QuinticOptions,
-                                                CrossSectionOptions>>,
-          Line, std::is_same_v<Shear, CubicShear>> {
+          detail::CrossSectionOptionsOf<Shear, Line>, Line, std::is_same_v<Shear, CubicShear>> {
     using Base = typename CrossSectionBeam::LineElement;
     using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(std::is_same_v<Shear, LinearShear> || std::is_same_v<Shear, CubicShear>,
@@ -161,8 +158,6 @@ private:
         return PlanarMeasure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
     }
     void set_up(const Material& material, const Section& section);
-    [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
-    [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
 
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
@@ -254,37 +249,26 @@ bool CrossSectionBeam<2, Directors, Shear, Measure, Line>::admissible(
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::strains(
     const Coordinates& e, double xi) const noexcept {
-    Vector<double, 5> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi);
-    return result;
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_strains(
-    const Coordinates& e, double xi) const noexcept {
-    double strains[detail::planar_strain_count];
-    PlanarMeasure::strains(frame(e, xi).w, strains);
-    return Eigen::Map<const Vector<double, 5>>(strains);
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-double CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_transverse_strain(
-    const Coordinates& e, double xi) const noexcept {
-    double nodal[Layout::shears];
-    kernel_.transverse(e, nodal);
-    const Shape at = shape(xi);
-    double strain = 0.0;
-    for (int m = 0; m < Layout::shears; ++m) strain += at.weight(m) * nodal[m];
-    return strain;
+    return this->beyond_reference(e, [&](const Coordinates& state) {
+        double strains[detail::planar_strain_count];
+        PlanarMeasure::strains(frame(state, xi).w, strains);
+        return Vector<double, 5>(Eigen::Map<const Vector<double, 5>>(strains));
+    });
 }
 
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_strain(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
-    double transverse = raw_transverse_strain(e, xi);
-    if (line_.curved()) transverse -= raw_transverse_strain(reference_, xi);
-    return {s[0] + y * s[1] + y * y * s[2], transverse, s[3] + y * s[4]};
+    const Shape at = shape(xi);
+    const auto transverse = this->beyond_reference(e, [&](const Coordinates& state) {
+        double nodal[Layout::shears];
+        kernel_.transverse(state, nodal);
+        Vector<double, 1> strain(0.0);
+        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.weight(m) * nodal[m];
+        return strain;
+    });
+    return {s[0] + y * s[1] + y * y * s[2], transverse[0], s[3] + y * s[4]};
 }
 
 template <class Directors, class Shear, class Measure, class Line>
@@ -342,12 +326,7 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept
     -> Matrix<double, 2, dofs> {
     Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
-    const auto weights = Line::value(xi, line_.parameter_length());
-    for (int k = 0; k < 2; ++k) {
-        jacobian(k, k) = 1.0 - weights[0];
-        for (int x = 0; x < Layout::line; ++x)
-            jacobian(k, Layout::start[x] + k) = weights[static_cast<unsigned>(x)];
-    }
+    line_.add_point_jacobian(xi, jacobian);
     if (y == 0.0) return jacobian;
     const Shape at = shape(xi);
     const detail::PlanarNodes<double, Layout> nodes(e);

@@ -112,8 +112,6 @@ private:
     template <class S>
     [[nodiscard]] detail::CarriedFrame<S> frame(const Vector<S, dofs>& e, double xi,
                                                 detail::Invariants<S>& w) const noexcept;
-    ANCF_LAZY [[nodiscard]] Vector<double, 4> raw_strains(const Coordinates& e,
-                                                          double xi) const noexcept;
 
     double young_, axial_;       ///< E, Pa; EA, N
     Matrix<double, 2> bending_;  ///< E int (y, z)^T (y, z) dA, N m^2
@@ -135,10 +133,7 @@ Matrix<S, 3, 2> TorsionBeam::directors(const Vector<S, dofs>& e, double xi) cons
     detail::Invariants<S> w;
     const detail::CarriedFrame<S> f = frame(e, xi, w);
     Matrix<S, 3, 2> result;
-    for (int k = 0; k < 3; ++k) {
-        result(k, 0) = f.n[k];
-        result(k, 1) = f.c[k];
-    }
+    result << detail::to_vector(f.n), detail::to_vector(f.c);
     return result;
 }
 

@@ -105,17 +105,12 @@ ANCF_LAZY bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
     return true;
 }
 
-ANCF_LAZY Vector<double, 4> TorsionBeam::raw_strains(const Coordinates& e,
-                                                     double xi) const noexcept {
-    detail::Invariants<double> w;
-    (void)frame(e, xi, w);
-    return {0.5 * (w.lam * w.lam - 1.0), -w.kap, -w.chi, w.om};
-}
-
 ANCF_LAZY Vector<double, 4> TorsionBeam::strains(const Coordinates& e, double xi) const noexcept {
-    Vector<double, 4> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi);
-    return result;
+    return beyond_reference(e, [&](const Coordinates& state) {
+        detail::Invariants<double> w;
+        (void)frame(state, xi, w);
+        return Vector<double, 4>(0.5 * (w.lam * w.lam - 1.0), -w.kap, -w.chi, w.om);
+    });
 }
 
 ANCF_LAZY SectionForces TorsionBeam::section_forces(const Coordinates& e,
@@ -142,8 +137,7 @@ ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     torsion_state(shape, nodes, at);
     const CarriedFrame<double>& f = at.frame;
     // d n = th c - (n.dt) t and d c = -th n - (c.dt) t, with dt = (I - t t^T) dp/lam
-    Vector<double, 3> t, n, c;
-    for (int k = 0; k < 3; ++k) t[k] = f.t[k], n[k] = f.n[k], c[k] = f.c[k];
+    const Vector<double, 3> t = to_vector(f.t), n = to_vector(f.n), c = to_vector(f.c);
     Eigen::Matrix<double, 3, torsion_local> local = Eigen::Matrix<double, 3, torsion_local>::Zero();
     const Vector<double, 3> turned = y * c - z * n;
     const Matrix<double, 3> tilt = -f.inv_lam * t * (y * n + z * c).transpose();
@@ -160,14 +154,7 @@ ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     Matrix<double, 3, dofs> result = Matrix<double, 3, dofs>::Zero();
     for (int i = 0; i < torsion_local; ++i) result.col(torsion_place[i]) = local.col(i);
     result.leftCols<3>() = -local.leftCols<3>();
-    const auto line = hermite(xi, line_.parameter_length());
-    for (int node = 0; node < 2; ++node) {
-        const auto place = static_cast<unsigned>(2 * node);
-        for (int k = 0; k < 3; ++k) {
-            result(k, 9 * node + k) += line[place];
-            result(k, 9 * node + 3 + k) += line[place + 1];
-        }
-    }
+    line_.add_point_jacobian(xi, result);
     return result;
 }
 
