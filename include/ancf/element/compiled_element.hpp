@@ -45,7 +45,7 @@ struct EvaluatorOf<Element, std::void_t<typename Element::Evaluator>> {
     using type = typename Element::Evaluator;
 };
 
-/// The class that has an element's energy, force and tangent: LineElement, or its own.
+/// The class that has an element's energy, force and tangent: its kernel, or the element itself.
 template <class Element>
 using Evaluator = typename EvaluatorOf<Element>::type;
 

@@ -43,23 +43,29 @@ public:
     using Coordinates = Vector<double, dofs>;
     using Options = Choices;                  ///< choices that are values
     using Point = Vector<double, dimension>;  ///< a vector of space
-    using Evaluator = LineElement;  ///< whose energy, force and tangent the compiled library holds
+    using Evaluator = Kernel;  ///< whose functions of doubles the compiled library holds
 
     /// Returns the strain energy U, J.
     /// @param e  nodal coordinates; m for positions, 1 for slopes, 1/m for r_xx and r_xy
     /// @note     noexcept, no heap allocation; so are all functions of e.
     template <class S>
-    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.energy(e);
+    }
 
     /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
     template <class S>
-    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.force(e);
+    }
 
     /// Returns energy, elastic force and tangent K = dQ/de in one pass.
     ///
     /// K = sum_g w_g (B^T C B + sum_i sigma_i d2 s_i/de2) in the generalised strains s.
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.evaluate(e);
+    }
 
     /// Returns the same with the tangent of mixed integration points: its geometric part has the
     /// stresses C (s + B change) of an earlier state.
@@ -71,7 +77,9 @@ public:
     /// @return MixedEvaluation, or Evaluation of a kernel that does not predict forces
     template <class S>
     [[nodiscard]] Mixed<S> evaluate(const Vector<S, dofs>& e, const Vector<S, dofs>& before,
-                                    const Vector<S, dofs>& change) const noexcept;
+                                    const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
 
     /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
     /// r_xx and r_xy.
@@ -152,34 +160,5 @@ private:
         return static_cast<const Element&>(*this);
     }
 };
-
-template <class Element, class Kernel, class Choices, class Line, bool Rates>
-template <class S>
-S LineElement<Element, Kernel, Choices, Line, Rates>::energy(
-    const Vector<S, dofs>& e) const noexcept {
-    return kernel_.energy(e);
-}
-
-template <class Element, class Kernel, class Choices, class Line, bool Rates>
-template <class S>
-auto LineElement<Element, Kernel, Choices, Line, Rates>::force(
-    const Vector<S, dofs>& e) const noexcept -> Vector<S, dofs> {
-    return kernel_.force(e);
-}
-
-template <class Element, class Kernel, class Choices, class Line, bool Rates>
-template <class S>
-auto LineElement<Element, Kernel, Choices, Line, Rates>::evaluate(
-    const Vector<S, dofs>& e) const noexcept -> Evaluation<S, dofs> {
-    return kernel_.evaluate(e);
-}
-
-template <class Element, class Kernel, class Choices, class Line, bool Rates>
-template <class S>
-auto LineElement<Element, Kernel, Choices, Line, Rates>::evaluate(
-    const Vector<S, dofs>& e, const Vector<S, dofs>& before,
-    const Vector<S, dofs>& change) const noexcept -> Mixed<S> {
-    return kernel_.evaluate(e, before, change);
-}
 
 }  // namespace ancf

@@ -45,18 +45,14 @@ struct CrossSectionKernel {
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        return pass<S, false>(e, nullptr, nullptr);
-    }
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
 
     /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
     /// state before.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept {
-        return pass<S, true>(e, &before, &change);
-    }
+                                                    const Vector<S, dofs>& change) const noexcept;
 
     /// Returns B^T C dB/dt of the coordinates e + t v.
     [[nodiscard]] Matrix<double, dofs> rate_coupling(const Vector<double, dofs>& e,
@@ -280,6 +276,22 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
     half.finish(blocks);
     expand(gradient, result.force);
     return result;
+}
+
+template <class T, class Formulation>
+template <class S>
+auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e) const noexcept
+    -> Evaluation<S, dofs> {
+    return pass<S, false>(e, nullptr, nullptr);
+}
+
+template <class T, class Formulation>
+template <class S>
+auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e,
+                                                  const Vector<S, dofs>& before,
+                                                  const Vector<S, dofs>& change) const noexcept
+    -> MixedEvaluation<S, dofs> {
+    return pass<S, true>(e, &before, &change);
 }
 
 template <class T, class Formulation>
