@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/mass.hpp>
@@ -116,6 +117,13 @@ public:
     }
 
 protected:
+    /// Moves member by member; one function, for a vector of elements moves them in many places.
+    ANCF_NOINLINE LineElement(LineElement&&) = default;
+    LineElement(const LineElement&) = default;             ///< member by member
+    LineElement& operator=(LineElement&&) = default;       ///< member by member
+    LineElement& operator=(const LineElement&) = default;  ///< member by member
+    ~LineElement() = default;                              ///< of the derived class alone
+
     /// A straight element.
     /// @throws InvalidArgument unless the length is positive.
     LineElement(double length, const Options& options)
