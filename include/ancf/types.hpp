@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <type_traits>
 
 namespace ancf {
 
@@ -43,6 +44,16 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 enum class Storage { lower, full };
 
 namespace detail {
+
+/// An object of a type, to name what its members return; it is never made.
+template <class T>
+[[nodiscard]] const T& some() noexcept;
+
+/// Whether the type `Members<T>` exists: whether T has the members that it is made of.
+template <template <class> class Members, class T, class = void>
+inline constexpr bool offers = false;
+template <template <class> class Members, class T>
+inline constexpr bool offers<Members, T, std::void_t<Members<T>>> = true;
 
 /// Returns the length of a vector whose components may be as small or large as numbers are.
 template <int Dimension>

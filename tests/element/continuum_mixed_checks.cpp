@@ -5,7 +5,7 @@
 
 namespace ancf {
 
-template MixedEvaluation<double, 24> ContinuumBeam<3>::evaluate(
+template MixedEvaluation<double, 24> detail::Evaluator<ContinuumBeam<3>>::evaluate(
     const Vector<double, 24>&, const Vector<double, 24>&, const Vector<double, 24>&) const noexcept;
 
 }  // namespace ancf

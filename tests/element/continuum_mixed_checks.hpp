@@ -13,7 +13,7 @@
 namespace ancf {
 
 // compiled apart from the complex one: each unit within 700 MB
-extern template MixedEvaluation<double, 24> ContinuumBeam<3>::evaluate(
+extern template MixedEvaluation<double, 24> detail::Evaluator<ContinuumBeam<3>>::evaluate(
     const Vector<double, 24>&, const Vector<double, 24>&, const Vector<double, 24>&) const noexcept;
 
 }  // namespace ancf

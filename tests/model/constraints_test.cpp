@@ -87,6 +87,15 @@ ancf::ConstraintResult sized(int equations, Eigen::Index size) {
     return out;
 }
 
+/// Returns g, G and g_t at any scalar.
+template <class Constraint, class Scalar>
+auto terms(const Constraint& constraint, const ancf::DynamicVector<Scalar>& q, const Scalar& time) {
+    ancf::ConstraintTerms<Scalar> out;
+    out.reset(constraint.equations(), q.size());
+    constraint.terms(q, time, out);
+    return out;
+}
+
 /// |value - expected| against the larger of the two and 1: derivatives may be zero.
 template <class A, class B>
 double gap(const A& value, const B& expected) {
@@ -109,15 +118,16 @@ void check_derivatives(const ancf::Scene& model, const Constraint& constraint, R
     auto out = sized(equations, size);
     constraint.evaluate({q, v, lambda, time}, out);
     REQUIRE(out.violation.size() == equations);
-    CHECK(gap(out.violation, constraint.violation(q, time)) == 0.0);
+    CHECK(gap(out.violation, terms(constraint, q, time).violation) == 0.0);
 
     const Complex at(time, 0.0);
     MatrixX jacobian(equations, size), stiffness(size, size);
     ComplexX z = q.cast<Complex>();
     for (Eigen::Index j = 0; j < size; ++j) {
         z[j] = {q[j], h};
-        jacobian.col(j) = constraint.violation(z, at).imag() / h;
-        const ComplexX force = constraint.jacobian(z, at).transpose() * lambda.cast<Complex>();
+        const auto here = terms(constraint, z, at);
+        jacobian.col(j) = here.violation.imag() / h;
+        const ComplexX force = here.jacobian.transpose() * lambda.cast<Complex>();
         stiffness.col(j) = force.imag() / h;
         z[j] = q[j];
     }
@@ -127,13 +137,13 @@ void check_derivatives(const ancf::Scene& model, const Constraint& constraint, R
     CHECK(gap(out.stiffness, out.stiffness.transpose()) <= tolerance);
 
     const Complex later(time, h);
-    const VectorX rate = constraint.violation(z, later).imag() / h;
+    const VectorX rate = terms(constraint, z, later).violation.imag() / h;
     CHECK(gap(out.rate, rate) <= tolerance);
 
     // d/ds of dg/dt = G v + g_t along q + s v, t + s
     const ComplexX moved = z + Complex(0.0, h) * v.cast<Complex>();
-    const ComplexX speed =
-        constraint.jacobian(moved, later) * v.cast<Complex>() + constraint.rate(moved, later);
+    const auto there = terms(constraint, moved, later);
+    const ComplexX speed = there.jacobian * v.cast<Complex>() + there.rate;
     CHECK(gap(out.convection, VectorX(speed.imag() / h)) <= tolerance);
 }
 
@@ -255,8 +265,8 @@ TEST_CASE("joints see directions only: stretching the slopes changes no angle", 
         for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
             model.set_value(node, slope, 1.7 * model.value(node, slope));
     const VectorX q = local_values(model, weld.coupling());
-    CHECK(weld.violation(q, 0.0).tail<3>().norm() <= 1e-14);
-    CHECK(hinge.violation(q, 0.0).tail<2>().norm() <= 1e-14);
+    CHECK(terms(weld, q, 0.0).violation.tail<3>().norm() <= 1e-14);
+    CHECK(terms(hinge, q, 0.0).violation.tail<2>().norm() <= 1e-14);
 }
 
 /// Returns the scene with node 1 turned.
@@ -294,10 +304,12 @@ TEST_CASE("joints far off: derivatives equal complex steps and g has no second r
         turn << x.transpose(), y.transpose();
         const auto spun = turned(plane, turn);
         // beyond pi/3 the equations grow up to the angle
-        const double g = weld.violation(local_values(off, weld.coupling()), 0.0).tail<3>().norm();
+        const double g =
+            terms(weld, local_values(off, weld.coupling()), 0.0).violation.tail<3>().norm();
         const double h =
-            hinge.violation(local_values(leaning, hinge.coupling()), 0.0).tail<2>().norm();
-        const double p = std::abs(flat.violation(local_values(spun, flat.coupling()), 0.0)[2]);
+            terms(hinge, local_values(leaning, hinge.coupling()), 0.0).violation.tail<2>().norm();
+        const double p =
+            std::abs(terms(flat, local_values(spun, flat.coupling()), 0.0).violation[2]);
         CHECK(g > before);
         CHECK(h == Approx(g).epsilon(1e-9));
         CHECK(p == Approx(g).epsilon(1e-9));
@@ -322,7 +334,7 @@ TEST_CASE("a weld measures the sine of the relative turn about its axis", "[cons
     const ancf::Matrix<double, 3> turn = ancf::test::rotation(Vector3(angle * axis));
     for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
         model.set_value(b, slope, turn * model.value(b, slope));
-    const VectorX g = weld.violation(local_values(model, weld.coupling()), 0.0).tail<3>();
+    const VectorX g = terms(weld, local_values(model, weld.coupling()), 0.0).violation.tail<3>();
     CHECK(g.norm() == Approx(std::sin(angle)).epsilon(1e-13));
 
     // turning it back by a driven hinge about the same axis finds the joint closed
@@ -331,7 +343,8 @@ TEST_CASE("a weld measures the sine of the relative turn about its axis", "[cons
                                       [=](double) { return angle; }, [](double) { return 0.0; }});
     for (const Field slope : {Field::r_x, Field::r_y, Field::r_z})
         model.set_value(b, slope, turn * model.value(b, slope));
-    const VectorX closed = motor.violation(local_values(model, motor.coupling()), 1.0).tail<3>();
+    const VectorX closed =
+        terms(motor, local_values(model, motor.coupling()), 1.0).violation.tail<3>();
     CHECK(closed.norm() <= 1e-14);
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <ancf/element/cable/cable.hpp>
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
@@ -17,11 +18,12 @@
 #include <complex>
 
 /// Declares (`extern`) or defines (nothing) energy and force of complex coordinates.
-#define ANCF_COMPLEX_INSTANCE(linkage, ...)                                              \
-    linkage template std::complex<double> __VA_ARGS__::energy(                           \
-        const Vector<std::complex<double>, __VA_ARGS__::dofs>&) const noexcept;          \
-    linkage template Vector<std::complex<double>, __VA_ARGS__::dofs> __VA_ARGS__::force( \
-        const Vector<std::complex<double>, __VA_ARGS__::dofs>&) const noexcept
+#define ANCF_COMPLEX_INSTANCE(linkage, ...)                                                       \
+    linkage template std::complex<double> detail::Evaluator<__VA_ARGS__>::energy(                 \
+        const Vector<std::complex<double>, __VA_ARGS__::dofs>&) const noexcept;                   \
+    linkage template Vector<std::complex<double>, __VA_ARGS__::dofs>                              \
+    detail::Evaluator<__VA_ARGS__>::force(const Vector<std::complex<double>, __VA_ARGS__::dofs>&) \
+        const noexcept
 
 namespace ancf {
 

@@ -57,7 +57,7 @@ inline void add_course_curvature(const CarriedFrame<S, ChordAngle>& f,
 /// the second variation that are products of forms with the spin.
 template <class S, class Angle>
 inline void form_hessian(const CarriedFrame<S, Angle>& f, const S (&U)[invariant_count],
-                         const S (&D)[invariant_count][invariant_count],
+                         const InvariantHessian<S>& D,
                          S (&M)[form_count<Angle>][form_count<Angle>]) noexcept {
     constexpr int count = form_count<Angle>;
     S half[count][invariant_count];  // T^T D
@@ -106,8 +106,7 @@ inline void add_line_curvature(const CarriedFrame<S, Angle>& f, const S (&U)[inv
 /// Writes the second derivatives.
 template <class S, class Angle>
 ANCF_NOINLINE void carried_hessian(const CarriedFrame<S, Angle>& f, const S (&U)[invariant_count],
-                                   const S (&D)[invariant_count][invariant_count],
-                                   CarriedHessian<S>& h) noexcept {
+                                   const InvariantHessian<S>& D, CarriedHessian<S>& h) noexcept {
     constexpr int count = form_count<Angle>;
     S M[count][count];
     form_hessian(f, U, D, M);

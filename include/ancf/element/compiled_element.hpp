@@ -11,18 +11,20 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 /// Declares that the library holds an element.
 #define ANCF_COMPILED_ELEMENT(...) ANCF_ELEMENT_INSTANCE(extern, __VA_ARGS__)
 /// Declares (`extern`) or defines (nothing) what of an element is not in its class's own instance.
-#define ANCF_ELEMENT_INSTANCE(linkage, ...)                                               \
-    linkage template std::unique_ptr<ElementGroup> detail::make_group<__VA_ARGS__>();     \
-    linkage template double __VA_ARGS__::energy(const Vector<double, __VA_ARGS__::dofs>&) \
-        const noexcept;                                                                   \
-    linkage template Vector<double, __VA_ARGS__::dofs> __VA_ARGS__::force(                \
-        const Vector<double, __VA_ARGS__::dofs>&) const noexcept;                         \
-    linkage template Evaluation<double, __VA_ARGS__::dofs> __VA_ARGS__::evaluate(         \
-        const Vector<double, __VA_ARGS__::dofs>&) const noexcept
+#define ANCF_ELEMENT_INSTANCE(linkage, ...)                                                   \
+    linkage template std::unique_ptr<ElementGroup> detail::make_group<__VA_ARGS__>();         \
+    linkage template double detail::Evaluator<__VA_ARGS__>::energy(                           \
+        const Vector<double, __VA_ARGS__::dofs>&) const noexcept;                             \
+    linkage template Vector<double, __VA_ARGS__::dofs> detail::Evaluator<__VA_ARGS__>::force( \
+        const Vector<double, __VA_ARGS__::dofs>&) const noexcept;                             \
+    linkage template Evaluation<double, __VA_ARGS__::dofs>                                    \
+    detail::Evaluator<__VA_ARGS__>::evaluate(const Vector<double, __VA_ARGS__::dofs>&)        \
+        const noexcept
 
 namespace ancf {
 
@@ -33,6 +35,19 @@ namespace detail {
 /// Returns an empty group for elements of a type; defined where models are.
 template <class Element>
 [[nodiscard]] std::unique_ptr<ElementGroup> make_group();
+
+template <class Element, class = void>
+struct EvaluatorOf {
+    using type = Element;
+};
+template <class Element>
+struct EvaluatorOf<Element, std::void_t<typename Element::Evaluator>> {
+    using type = typename Element::Evaluator;
+};
+
+/// The class that has an element's energy, force and tangent: its kernel, or the element itself.
+template <class Element>
+using Evaluator = typename EvaluatorOf<Element>::type;
 
 }  // namespace detail
 

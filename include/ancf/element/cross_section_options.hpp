@@ -11,6 +11,7 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/section/section.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace ancf {
@@ -94,5 +95,15 @@ struct PlanarQuinticOptions : QuinticOptions {
     /// What is most accurate for its cost: the default.
     [[nodiscard]] static PlanarQuinticOptions best() { return PlanarQuinticOptions(); }
 };
+
+namespace detail {
+
+/// The options that go with a shear and a centre line.
+template <class Shear, class Line>
+using CrossSectionOptionsOf = std::conditional_t<
+    std::is_same_v<Shear, CubicShear>, PlanarQuinticOptions,
+    std::conditional_t<std::is_same_v<Line, QuinticLine>, QuinticOptions, CrossSectionOptions>>;
+
+}  // namespace detail
 
 }  // namespace ancf

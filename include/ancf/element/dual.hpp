@@ -87,4 +87,13 @@ struct Dual {
     }
 };
 
+namespace detail {
+
+/// Returns what a linearised quantity reaches at the end of its change.
+template <class S>
+[[nodiscard]] inline S arrived(const Dual<S>& course) noexcept {
+    return course.value + course.rate;
+}
+
+}  // namespace detail
 }  // namespace ancf

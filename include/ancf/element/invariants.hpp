@@ -29,6 +29,10 @@ enum InvariantIndex : int {
 /// Where the shears start: the invariants before are geometric.
 inline constexpr int geometric_count = w_s;
 
+/// Second derivatives by the invariants.
+template <class S>
+using InvariantHessian = S[invariant_count][invariant_count];
+
 /// The invariants at a station. The frame is that of the y director; a trailing 2 marks the z
 /// director.
 template <class S>

@@ -215,6 +215,9 @@ private:
 
 namespace detail {
 
+template <class S, int Cost>
+struct ScalarTraits;
+
 template <int Lanes, class Function>
 [[nodiscard]] inline Pack<Lanes> lane_by_lane(const Pack<Lanes>& a, Function function) noexcept {
     Pack<Lanes> result;
@@ -266,20 +269,23 @@ template <class S, class P>
 }  // namespace ancf
 
 /// @cond
-template <int Lanes>
-struct Eigen::NumTraits<ancf::Pack<Lanes>> : Eigen::GenericNumTraits<ancf::Pack<Lanes>> {
-    using Real = ancf::Pack<Lanes>;
-    using NonInteger = ancf::Pack<Lanes>;
-    using Nested = ancf::Pack<Lanes>;
+/// What Eigen asks of a scalar of the library's own, so many times as dear as a double to add.
+template <class S, int Cost>
+struct ancf::detail::ScalarTraits : Eigen::GenericNumTraits<S> {
+    using Real = S;
+    using NonInteger = S;
+    using Nested = S;
     using Literal = double;
     enum {
         IsComplex = 0,
         IsInteger = 0,
         IsSigned = 1,
-        RequireInitialization = 0,
-        ReadCost = 1,
-        AddCost = 1,
-        MulCost = 1
+        RequireInitialization = Cost > 1,
+        ReadCost = Cost,
+        AddCost = Cost,
+        MulCost = Cost * Cost
     };
 };
+template <int Lanes>
+struct Eigen::NumTraits<ancf::Pack<Lanes>> : ancf::detail::ScalarTraits<ancf::Pack<Lanes>, 1> {};
 /// @endcond

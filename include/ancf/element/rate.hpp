@@ -43,6 +43,15 @@ template <class S, class E, class V>
     return result;
 }
 
+/// Returns coordinates with their change: what stresses of an earlier state are linearised along.
+template <class S, int Size>
+[[nodiscard]] Vector<Dual<S>, Size> course(const Vector<S, Size>& before,
+                                           const Vector<S, Size>& change) noexcept {
+    Vector<Dual<S>, Size> result;
+    for (int k = 0; k < Size; ++k) result[k] = {before[k], change[k]};
+    return result;
+}
+
 /// Returns the rates of a matrix times a factor.
 template <class S, int Rows, int Columns>
 [[nodiscard]] auto rates(double factor, const Matrix<Rate<S>, Rows, Columns>& x) noexcept {
@@ -90,19 +99,6 @@ inline constexpr bool is_rate<Rate<S>> = true;
 
 /// @cond
 template <class S>
-struct Eigen::NumTraits<ancf::detail::Rate<S>> : Eigen::GenericNumTraits<ancf::detail::Rate<S>> {
-    using Real = ancf::detail::Rate<S>;
-    using NonInteger = ancf::detail::Rate<S>;
-    using Nested = ancf::detail::Rate<S>;
-    using Literal = double;
-    enum {
-        IsComplex = 0,
-        IsInteger = 0,
-        IsSigned = 1,
-        RequireInitialization = 1,
-        ReadCost = 2,
-        AddCost = 2,
-        MulCost = 4
-    };
-};
+struct Eigen::NumTraits<ancf::detail::Rate<S>>
+    : ancf::detail::ScalarTraits<ancf::detail::Rate<S>, 2> {};
 /// @endcond

@@ -102,6 +102,17 @@ public:
         return shape;
     }
 
+    /// Adds the derivative of the line's point at xi by the coordinates of both nodes.
+    template <int Dofs>
+    void add_point_jacobian(double xi, Matrix<double, Dimension, Dofs>& jacobian) const noexcept {
+        const auto weights = Line::value(xi, parameter_length_);
+        for (int k = 0; k < Dimension; ++k) {
+            jacobian(k, k) += 1.0 - weights[0];
+            for (std::size_t x = 0; x < weights.size(); ++x)
+                jacobian(k, start<Dofs>[x] + k) += weights[x];
+        }
+    }
+
     /// Returns the stations of a rule along the line; reference strains are zero.
     ///
     /// A rule that gives the axial term points of its own takes eps^2 there. Where eps couples with
@@ -164,19 +175,18 @@ private:
     /// (D, g_i, g_j), of a quintic then (k_i, k_j).
     using Vectors = std::array<Components, Line::vectors>;
 
+    /// Where their coordinates start; those of D are those of r_j less those of r_i.
+    template <int Dofs>
+    static constexpr int start[] = {Dofs / 2, Dimension, Dofs / 2 + Dimension, Dofs / 2 - Dimension,
+                                    Dofs - Dimension};
+
     template <int Dofs>
     [[nodiscard]] static Vectors line_vectors(const Vector<double, Dofs>& e) noexcept {
-        constexpr int node = Dofs / 2;
         Vectors vectors;
-        for (std::size_t i = 0; i < vectors[0].size(); ++i) {
-            const double* const at = e.data() + i;
-            vectors[0][i] = at[node] - at[0];
-            vectors[1][i] = at[Dimension];
-            vectors[2][i] = at[node + Dimension];
-            if constexpr (Line::vectors == 5) {
-                vectors[3][i] = at[node - Dimension];
-                vectors[4][i] = at[Dofs - Dimension];
-            }
+        for (int i = 0; i < Dimension; ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            for (std::size_t x = 0; x < vectors.size(); ++x) vectors[x][k] = e[start<Dofs>[x] + i];
+            vectors[0][k] -= e[i];
         }
         return vectors;
     }

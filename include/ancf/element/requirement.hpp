@@ -14,62 +14,40 @@
 #include <ancf/types.hpp>
 
 #include <type_traits>
-#include <utility>
 
 namespace ancf {
 namespace detail {
 
-template <class Element, class = void>
-struct HasElementSizes : std::false_type {};
 template <class Element>
-struct HasElementSizes<
-    Element, std::void_t<std::integral_constant<int, Element::dimension>,
-                         std::integral_constant<int, Element::dofs>, typename Element::Coordinates,
-                         decltype(Fields(Element::fields))>>
-    : std::bool_constant<
-          Element::dofs == 2 * Element::dimension * Fields(Element::fields).count() &&
-          std::is_same_v<typename Element::Coordinates, Vector<double, Element::dofs>>> {};
+using ElementSizes =
+    std::enable_if_t<Element::dofs == 2 * Element::dimension * Fields(Element::fields).count() &&
+                     std::is_same_v<typename Element::Coordinates, Vector<double, Element::dofs>>>;
 
 template <class Element>
-using ElementArgument = const typename Element::Coordinates&;
+using ElementEvaluation = std::enable_if_t<
+    std::is_same_v<decltype(some<Element>().evaluate(some<typename Element::Coordinates>())),
+                   Evaluation<double, Element::dofs>>>;
 
-template <class Element, class = void>
-struct HasEvaluate : std::false_type {};
 template <class Element>
-struct HasEvaluate<Element, std::void_t<decltype(std::declval<const Element&>().evaluate(
-                                std::declval<ElementArgument<Element>>()))>>
-    : std::is_same<decltype(std::declval<const Element&>().evaluate(
-                       std::declval<ElementArgument<Element>>())),
-                   Evaluation<double, Element::dofs>> {};
+using ElementForce =
+    std::void_t<decltype(typename Element::Coordinates(
+                    some<Element>().force(some<typename Element::Coordinates>()))),
+                decltype(double(some<Element>().energy(some<typename Element::Coordinates>())))>;
 
-template <class Element, class = void>
-struct HasForce : std::false_type {};
 template <class Element>
-struct HasForce<Element, std::void_t<decltype(typename Element::Coordinates(
-                                         std::declval<const Element&>().force(
-                                             std::declval<ElementArgument<Element>>()))),
-                                     decltype(double(std::declval<const Element&>().energy(
-                                         std::declval<ElementArgument<Element>>())))>>
-    : std::true_type {};
+using ElementInertia = std::void_t<decltype(Matrix<double, Element::dofs>(some<Element>().mass())),
+                                   decltype(typename Element::Coordinates(some<Element>().gravity(
+                                       some<Vector<double, Element::dimension>>())))>;
 
-template <class Element, class = void>
-struct HasInertia : std::false_type {};
 template <class Element>
-struct HasInertia<
-    Element,
-    std::void_t<decltype(Matrix<double, Element::dofs>(std::declval<const Element&>().mass())),
-                decltype(typename Element::Coordinates(std::declval<const Element&>().gravity(
-                    std::declval<const Vector<double, Element::dimension>&>())))>>
-    : std::true_type {};
+using ElementLimits =
+    std::void_t<decltype(bool(some<Element>().admissible(some<typename Element::Coordinates>()))),
+                decltype(double(some<Element>().length()))>;
 
-template <class Element, class = void>
-struct HasAdmissible : std::false_type {};
 template <class Element>
-struct HasAdmissible<Element,
-                     std::void_t<decltype(bool(std::declval<const Element&>().admissible(
-                                     std::declval<ElementArgument<Element>>()))),
-                                 decltype(double(std::declval<const Element&>().length()))>>
-    : std::true_type {};
+using ElementMembers =
+    std::void_t<ElementSizes<Element>, ElementEvaluation<Element>, ElementForce<Element>,
+                ElementInertia<Element>, ElementLimits<Element>>;
 
 }  // namespace detail
 
@@ -86,28 +64,25 @@ struct HasAdmissible<Element,
 ///
 /// An element may offer more; docs/requirements.md lists what the library looks for.
 template <class Element>
-inline constexpr bool is_element_v =
-    std::conjunction_v<detail::HasElementSizes<Element>, detail::HasEvaluate<Element>,
-                       detail::HasForce<Element>, detail::HasInertia<Element>,
-                       detail::HasAdmissible<Element>>;
+inline constexpr bool is_element_v = detail::offers<detail::ElementMembers, Element>;
 
 /// Stops the compilation, naming each missing member, unless is_element_v holds; returns true.
 template <class Element>
 constexpr bool require_element() noexcept {
-    static_assert(detail::HasElementSizes<Element>::value,
+    static_assert(detail::offers<detail::ElementSizes, Element>,
                   "an element needs: static constexpr int dimension, dofs; static constexpr "
                   "ancf::Fields fields; using Coordinates = ancf::Vector<double, dofs>; with "
                   "dofs = 2 * dimension * fields.count()");
-    static_assert(detail::HasEvaluate<Element>::value,
+    static_assert(detail::offers<detail::ElementEvaluation, Element>,
                   "an element needs: ancf::Evaluation<double, dofs> evaluate(const Coordinates&) "
                   "const;");
-    static_assert(detail::HasForce<Element>::value,
+    static_assert(detail::offers<detail::ElementForce, Element>,
                   "an element needs: Coordinates force(const Coordinates&) const; and double "
                   "energy(const Coordinates&) const;");
-    static_assert(detail::HasInertia<Element>::value,
+    static_assert(detail::offers<detail::ElementInertia, Element>,
                   "an element needs: ancf::Matrix<double, dofs> mass() const; and Coordinates "
                   "gravity(const ancf::Vector<double, dimension>&) const;");
-    static_assert(detail::HasAdmissible<Element>::value,
+    static_assert(detail::offers<detail::ElementLimits, Element>,
                   "an element needs: bool admissible(const Coordinates&) const; and double "
                   "length() const;");
     return true;
@@ -115,17 +90,13 @@ constexpr bool require_element() noexcept {
 
 namespace detail {
 
-template <class Element, class = void>
-struct has_parameter_length : std::false_type {};
 template <class Element>
-struct has_parameter_length<
-    Element, std::void_t<decltype(std::declval<const Element&>().parameter_length())>>
-    : std::true_type {};
+using ParameterLength = decltype(some<Element>().parameter_length());
 
 /// Returns the range of an element's parameter; elements without a say in it are straight.
 template <class Element>
 [[nodiscard]] double parameter_length(const Element& element) {
-    if constexpr (has_parameter_length<Element>::value)
+    if constexpr (offers<ParameterLength, Element>)
         return element.parameter_length();
     else
         return element.length();

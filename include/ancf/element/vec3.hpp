@@ -31,6 +31,12 @@ inline Vec3<S> vec3(const V& v, int first = 0) {
     return {{S(v[first]), S(v[first + 1]), S(v[first + 2])}};
 }
 
+/// Returns it as a vector of Eigen's.
+template <class S>
+[[nodiscard]] inline Vector<S, 3> to_vector(const Vec3<S>& a) noexcept {
+    return {a[0], a[1], a[2]};
+}
+
 template <class S>
 inline Vec3<S> operator+(const Vec3<S>& a, const Vec3<S>& b) noexcept {
     return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};

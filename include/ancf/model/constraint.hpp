@@ -33,54 +33,59 @@ struct ConstraintState {
     double time = 0.0;    ///< s; the load factor in statics
 };
 
-/// What a constraint gives; every array arrives sized and zero.
-struct ConstraintResult {
-    VectorX violation;   ///< g
-    MatrixX jacobian;    ///< G, equations x local coordinates
-    MatrixX stiffness;   ///< d(G^T lambda)/dq
-    VectorX rate;        ///< g_t, zero unless the constraint moves in time
-    VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
+/// What a constraint tells of its equations by itself; every array arrives sized and zero.
+template <class Scalar>
+struct ConstraintTerms {
+    DynamicVector<Scalar> violation;  ///< g
+    DynamicMatrix<Scalar> jacobian;   ///< G, equations x local coordinates
+    DynamicVector<Scalar> rate;       ///< g_t, zero unless the constraint moves in time
 
     /// Makes everything zero, for so many equations in so many local coordinates.
     void reset(Eigen::Index equations, Eigen::Index coordinates) {
         violation.setZero(equations);
         jacobian.setZero(equations, coordinates);
-        stiffness.setZero(coordinates, coordinates);
         rate.setZero(equations);
+    }
+};
+
+/// What a constraint gives; every array arrives sized and zero.
+struct ConstraintResult : ConstraintTerms<double> {
+    MatrixX stiffness;   ///< d(G^T lambda)/dq
+    VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
+
+    /// Makes everything zero, for so many equations in so many local coordinates.
+    void reset(Eigen::Index equations, Eigen::Index coordinates) {
+        ConstraintTerms::reset(equations, coordinates);
+        stiffness.setZero(coordinates, coordinates);
         convection.setZero(equations);
     }
 };
 
-template <class T, class = void>
-struct is_constraint : std::false_type {};
+namespace detail {
 
 template <class T>
-struct is_constraint<
-    T, std::void_t<decltype(Coupling(std::declval<const T&>().coupling())),
-                   decltype(int(std::declval<const T&>().equations())),
-                   decltype(std::string(std::declval<const T&>().name())),
-                   decltype(std::declval<const T&>().evaluate(
-                       std::declval<const ConstraintState&>(), std::declval<ConstraintResult&>()))>>
-    : std::true_type {};
+using ConstraintMembers =
+    std::void_t<decltype(Coupling(some<T>().coupling())), decltype(int(some<T>().equations())),
+                decltype(std::string(some<T>().name())),
+                decltype(some<T>().evaluate(some<ConstraintState>(),
+                                            std::declval<ConstraintResult&>()))>;
+
+/// Of a constraint that tells the angle that it is driven to.
+template <class T>
+using DrivenAngle = decltype(double(some<T>().driven_angle(0.0)));
+
+}  // namespace detail
 
 /// True if `T` offers what a constraint must.
 template <class T>
-inline constexpr bool is_constraint_v = is_constraint<T>::value;
+inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
 
 namespace detail {
-
-/// Whether a constraint tells the angle that it is driven to.
-template <class T, class = void>
-struct TellsDrivenAngle : std::false_type {};
-template <class T>
-struct TellsDrivenAngle<T,
-                        std::void_t<decltype(double(std::declval<const T&>().driven_angle(0.0)))>>
-    : std::true_type {};
 
 /// Returns the angle that a constraint is driven to at a time, rad; 0 where it tells none.
 template <class T>
 [[nodiscard]] double driven_angle(const T& constraint, double time) {
-    if constexpr (TellsDrivenAngle<T>::value)
+    if constexpr (offers<DrivenAngle, T>)
         return constraint.driven_angle(time);
     else
         return 0.0 * time;
@@ -183,18 +188,13 @@ struct DrivenTurn {
 }  // namespace ancf
 
 #if defined(ANCF_SOURCE)
-/// In the compiled library: the functions of a constraint that are templates on the scalar, for the
-/// scalars that motions are given in.
-#define ANCF_CONSTRAINT_INSTANCES(...)                \
-    ANCF_CONSTRAINT_INSTANCES_OF(double, __VA_ARGS__) \
-    ANCF_CONSTRAINT_INSTANCES_OF(std::complex<double>, __VA_ARGS__)
-#define ANCF_CONSTRAINT_INSTANCES_OF(Scalar, ...)                                                 \
-    template DynamicVector<Scalar> __VA_ARGS__::violation(const DynamicVector<Scalar>&,           \
-                                                          const Scalar&) const;                   \
-    template DynamicMatrix<Scalar> __VA_ARGS__::jacobian(const DynamicVector<Scalar>&,            \
-                                                         const Scalar&) const;                    \
-    template DynamicVector<Scalar> __VA_ARGS__::rate(const DynamicVector<Scalar>&, const Scalar&) \
-        const;
+/// In the compiled library: the terms of a constraint for the scalars that motions are given in.
+#define ANCF_CONSTRAINT_INSTANCES(...)                                            \
+    template void __VA_ARGS__::terms(const DynamicVector<double>&, const double&, \
+                                     ConstraintTerms<double>&) const;             \
+    template void __VA_ARGS__::terms(const DynamicVector<std::complex<double>>&,  \
+                                     const std::complex<double>&,                 \
+                                     ConstraintTerms<std::complex<double>>&) const;
 #endif
 
 #if !defined(ANCF_COMPILED)

@@ -46,44 +46,21 @@ template <class T>
     return text;
 }
 
-/// Whether an element tells where its law softens.
-template <class Element, class = void>
-struct TellsSoftened : std::false_type {};
+// What an element may offer: docs/requirements.md.
 template <class Element>
-struct TellsSoftened<Element, std::void_t<decltype(std::declval<const Element&>().softened(
-                                  std::declval<const typename Element::Coordinates&>()))>>
-    : std::true_type {};
-
-/// Whether an evaluation has the force of the stresses in its tangent.
-template <class Result, class = void>
-struct PredictsForce : std::false_type {};
+using Softening = decltype(some<Element>().softened(some<typename Element::Coordinates>()));
+template <class Element>
+using MixedEvaluationOf = decltype(some<Element>().evaluate(some<typename Element::Coordinates>(),
+                                                            some<typename Element::Coordinates>(),
+                                                            some<typename Element::Coordinates>()));
 template <class Result>
-struct PredictsForce<Result, std::void_t<decltype(std::declval<Result>().predicted)>>
-    : std::true_type {};
-
-/// Whether an element has the tangent of mixed integration points.
-template <class Element, class = void>
-struct EvaluatesMixed : std::false_type {};
+using PredictedForce = decltype(some<Result>().predicted);
 template <class Element>
-struct EvaluatesMixed<Element, std::void_t<decltype(std::declval<const Element&>().evaluate(
-                                   std::declval<const typename Element::Coordinates&>(),
-                                   std::declval<const typename Element::Coordinates&>(),
-                                   std::declval<const typename Element::Coordinates&>()))>>
-    : std::true_type {};
-
-/// Whether an element has one node.
-template <class Element, class = void>
-struct HasOneNode : std::false_type {};
+using OneNode = std::enable_if_t<Element::one_node>;
 template <class Element>
-struct HasOneNode<Element, std::enable_if_t<Element::one_node>> : std::true_type {};
-
-/// Whether an element tells how its torsion divides between the slopes of a section.
-template <class Element, class = void>
-struct HasTorsionStiffness : std::false_type {};
+using Packs = std::enable_if_t<Element::evaluates_packs>;
 template <class Element>
-struct HasTorsionStiffness<Element, std::void_t<decltype(Vector<double, 2>(
-                                        std::declval<const Element&>().torsion_stiffness()))>>
-    : std::true_type {};
+using TorsionStiffness = decltype(Vector<double, 2>(some<Element>().torsion_stiffness()));
 
 }  // namespace detail
 
@@ -97,8 +74,8 @@ public:
 
     GroupOf()
         : ElementGroup({type_id<Element>(), detail::type_name<Element>(), Element::fields,
-                        Element::dofs, detail::EvaluatesMixed<Element>::value,
-                        detail::HasOneNode<Element>::value}) {}
+                        Element::dofs, detail::offers<detail::MixedEvaluationOf, Element>,
+                        detail::offers<detail::OneNode, Element>}) {}
 
     std::vector<Element> prototypes;  ///< constant data, shared by equal elements
 
@@ -131,7 +108,7 @@ public:
         return prototype(k).admissible(copied(e));
     }
     [[nodiscard]] bool softened(int k, const double* e) const override {
-        if constexpr (detail::TellsSoftened<Element>::value) {
+        if constexpr (detail::offers<detail::Softening, Element>) {
             return prototype(k).softened(copied(e));
         } else {
             static_cast<void>(k);
@@ -147,7 +124,7 @@ public:
     }
     void torsion_stiffness(int k, double (&out)[2]) const override {
         out[0] = out[1] = 0.0;
-        if constexpr (detail::HasTorsionStiffness<Element>::value) {
+        if constexpr (detail::offers<detail::TorsionStiffness, Element>) {
             const Vector<double, 2> own = prototype(k).torsion_stiffness();
             out[0] = own[0];
             out[1] = own[1];
@@ -182,15 +159,10 @@ private:
 
 namespace detail {
 
-template <class Element, class = void>
-struct EvaluatesPacks : std::false_type {};
-template <class Element>
-struct EvaluatesPacks<Element, std::enable_if_t<Element::evaluates_packs>> : std::true_type {};
-
 /// How many equal elements are evaluated at once: as many as a wide register has lanes where the
 /// element takes packs, else one.
 template <class Element>
-inline constexpr int pack_lanes = EvaluatesPacks<Element>::value ? wide_lanes : 1;
+inline constexpr int pack_lanes = offers<Packs, Element> ? wide_lanes : 1;
 
 /// Adds the part (a, b) of an element's block to the values of a tangent.
 template <class Element, class Block>
@@ -278,11 +250,11 @@ double GroupOf<Element>::add_element(int index, const GroupTarget& target) const
             target.predicted_force[coordinate[i]] += force[i];
     };
     auto result = [&]() -> Evaluation<double, Element::dofs> {
-        if constexpr (detail::EvaluatesMixed<Element>::value)
+        if constexpr (detail::offers<detail::MixedEvaluationOf, Element>)
             if (target.before != nullptr) {
                 const auto mixed =
                     element.evaluate(e, gathered(target.before), gathered(target.change));
-                if constexpr (detail::PredictsForce<decltype(mixed)>::value)
+                if constexpr (detail::offers<detail::PredictedForce, decltype(mixed)>)
                     predict(mixed.predicted);
                 else
                     predict(mixed.force);

@@ -45,41 +45,26 @@ struct LoadResult {
     double period = 0.0;     ///< of a V that is known but for multiples of this, an angle's, J
 };
 
-template <class T, class = void>
-struct is_load : std::false_type {};
+namespace detail {
 
 template <class T>
-struct is_load<T, std::void_t<decltype(Coupling(std::declval<const T&>().coupling())),
-                              decltype(std::declval<const T&>().evaluate(
-                                  std::declval<const LoadState&>(), std::declval<LoadResult&>()))>>
-    : std::true_type {};
+using LoadMembers =
+    std::void_t<decltype(Coupling(some<T>().coupling())),
+                decltype(some<T>().evaluate(some<LoadState>(), std::declval<LoadResult&>()))>;
+
+// What a load may declare besides.
+template <class T>
+using SymmetricStiffness = std::enable_if_t<T::symmetric_stiffness>;
+template <class T>
+using ConstantForce = std::enable_if_t<T::constant_force>;
+template <class T>
+using Settles = decltype(std::declval<T&>().settle(some<Layout>()));
+
+}  // namespace detail
 
 /// True if `T` offers what a load must.
 template <class T>
-inline constexpr bool is_load_v = is_load<T>::value;
-
-namespace detail {
-
-template <class T, class = void>
-struct has_symmetric_stiffness : std::false_type {};
-
-template <class T>
-struct has_symmetric_stiffness<T, std::enable_if_t<T::symmetric_stiffness>> : std::true_type {};
-
-template <class T, class = void>
-struct has_constant_force : std::false_type {};
-
-template <class T>
-struct has_constant_force<T, std::enable_if_t<T::constant_force>> : std::true_type {};
-
-template <class T, class = void>
-struct settles : std::false_type {};
-
-template <class T>
-struct settles<T, std::void_t<decltype(std::declval<T&>().settle(std::declval<const Layout&>()))>>
-    : std::true_type {};
-
-}  // namespace detail
+inline constexpr bool is_load_v = detail::offers<detail::LoadMembers, T>;
 
 /// A load of any type.
 ///
@@ -127,18 +112,18 @@ private:
         explicit Holder(Load held) : load(std::move(held)) {}
         [[nodiscard]] Coupling coupling() const override { return load.coupling(); }
         [[nodiscard]] bool symmetric() const noexcept override {
-            return detail::has_symmetric_stiffness<Load>::value || constant();
+            return detail::offers<detail::SymmetricStiffness, Load> || constant();
         }
         [[nodiscard]] bool constant() const noexcept override {
-            return detail::has_constant_force<Load>::value;
+            return detail::offers<detail::ConstantForce, Load>;
         }
         [[nodiscard]] bool settles() const noexcept override {
-            return detail::settles<Load>::value;
+            return detail::offers<detail::Settles, Load>;
         }
         [[nodiscard]] std::shared_ptr<const Interface> settled(
             const Layout& layout) const override {
             auto copy = std::make_shared<Holder>(load);
-            if constexpr (detail::settles<Load>::value) copy->load.settle(layout);
+            if constexpr (detail::offers<detail::Settles, Load>) copy->load.settle(layout);
             return copy;
         }
         void evaluate(const LoadState& state, LoadResult& out) const override {

@@ -25,24 +25,12 @@ namespace ancf {
 
 namespace detail {
 
-template <class Element, class = void>
-struct HasVelocity : std::false_type {};
-
 template <class Element>
-struct HasVelocity<Element,
-                   std::void_t<decltype(std::declval<const Element&>().velocity(
-                       std::declval<const typename Element::Coordinates&>(),
-                       std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
-    : std::true_type {};
-
-template <class Element, class = void>
-struct HasStress : std::false_type {};
-
+using Velocity = decltype(some<Element>().velocity(
+    some<typename Element::Coordinates>(), some<typename Element::Coordinates>(), 0.0, 0.0, 0.0));
 template <class Element>
-struct HasStress<Element,
-                 std::void_t<decltype(std::declval<const Element&>().stress(
-                     std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0))>>
-    : std::true_type {};
+using Stress =
+    decltype(some<Element>().stress(some<typename Element::Coordinates>(), 0.0, 0.0, 0.0));
 
 }  // namespace detail
 
@@ -68,14 +56,14 @@ struct BeamStation {
     /// Returns the velocity of a point of the body, m/s; zero where the element does not tell.
     [[nodiscard]] Vector<double, 3> velocity(double y = 0.0, double z = 0.0) const {
         Vector<double, 3> speed = Vector<double, 3>::Zero();
-        if constexpr (detail::HasVelocity<Element>::value)
+        if constexpr (detail::offers<detail::Velocity, Element>)
             speed.template head<Element::dimension>() = element.velocity(e, rate, xi, y, z);
         return speed;
     }
 
     /// Returns the stress S_xx at a point of the body, Pa; zero where the element does not tell.
     [[nodiscard]] double axial_stress(double y = 0.0, double z = 0.0) const {
-        if constexpr (detail::HasStress<Element>::value)
+        if constexpr (detail::offers<detail::Stress, Element>)
             return element.stress(e, xi, y, z)[0];
         else
             return 0.0 * (y + z);

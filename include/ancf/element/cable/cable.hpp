@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/element/cable/axial.hpp>
+#include <ancf/element/cable/evaluation.hpp>
 #include <ancf/element/cable/kernel.hpp>
 #include <ancf/element/cable/natural.hpp>
 #include <ancf/element/cable/nodes.hpp>
@@ -17,7 +18,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
-#include <ancf/element/mass.hpp>
+#include <ancf/element/line_element.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/error.hpp>
@@ -25,9 +26,9 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace ancf {
 
@@ -65,7 +66,10 @@ struct CableOptions {
 ///     const ancf::Cable<3> rope(steel, ancf::circle(0.01), length, {ancf::cable_rule(), 0.0});
 ///     const auto [energy, force, tangent] = rope.evaluate(e);
 template <int Dimension = 3, class Measure = GreenAxial>
-class Cable {
+class Cable : public LineElement<Cable<Dimension, Measure>, detail::CableKernel<Dimension, Measure>,
+                                 CableOptions> {
+    using Base = typename Cable::LineElement;
+    using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 2 || Dimension == 3, "a cable lives in the plane or in space");
 
 public:
@@ -75,12 +79,11 @@ public:
     /// 1 in the plane, 3 in space.
     static constexpr int curvature_components = Dimension == 3 ? 3 : 1;
     static constexpr Fields fields = Field::r | Field::r_x;  ///< vectors that each node carries
-    /// Nodal coordinates e, those of the first node first.
-    using Coordinates = Vector<double, dofs>;
-    using Point = Vector<double, Dimension>;           ///< a vector of space
+    using typename Base::Coordinates;
+    using typename Base::Options;
+    using typename Base::Point;
     using Jacobian = Matrix<double, Dimension, dofs>;  ///< derivative of a vector of space by e
     using Curvature = Vector<double, curvature_components>;  ///< curvature components
-    using Options = CableOptions;                            ///< choices that are values
 
     /// Makes the element of a straight cable.
     /// @param section  in the plane bending meets int y^2 dA; in space it must equal int z^2 dA
@@ -103,57 +106,9 @@ public:
     Cable(const Material& material, const Section& section, const Coordinates& reference,
           double length, const CableOptions& options = {});
 
-    /// Returns the strain energy U, J.
-    /// @param e  nodal coordinates, [r r_x] per node; m and 1
-    /// @note     noexcept, no heap allocation; so are all functions of e.
-    template <class Scalar>
-    [[nodiscard]] Scalar energy(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns energy, force and tangent K = dQ/de in one pass.
-    template <class Scalar>
-    [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns energy, force, a tangent whose stresses are those of `before`, linearised along
-    /// `change`, and the force of these stresses: docs/theory-statics.md, "Stresses as unknowns".
-    /// @param before  where the last tangent was taken
-    /// @param change  the correction that it gave
-    template <class Scalar>
-    [[nodiscard]] MixedEvaluation<Scalar, dofs> evaluate(
-        const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
-        const Vector<Scalar, dofs>& change) const noexcept;
-
-    /// Returns the constant mass matrix int rho A s^T s ds, kg, kg m and kg m^2 by block; no rotary
-    /// inertia.
-    [[nodiscard]] Matrix<double, dofs> mass() const {
-        return mass_matrix<Dimension, 4>(mass_weights_);
-    }
-
-    /// Returns the nodal force of gravity.
-    /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Point& g) const {
-        return gravity_force<Dimension, 4>(mass_weights_, g);
-    }
-
-    /// Returns the nodal force of a dead force per length of the reference.
-    /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Point& force) const {
-        return line_.template line_load<2>(force);
-    }
-
     /// Tells whether e is a line: finite, with a stretch over 1e-6 at the nodes and stations, and
     /// turning by less than 90 degrees by the control points of every seventh of the element.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
-
-    /// Returns the reference length, along the curve, m.
-    [[nodiscard]] double length() const noexcept { return line_.length(); }
-    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
-    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with.
-    [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     /// Returns the position of a point of the body, m: r + y n + z c with (t, n, c) the section's
     /// frame.
@@ -170,11 +125,6 @@ public:
     /// Returns the derivative of position() by e.
     [[nodiscard]] Jacobian position_jacobian(const Coordinates& e, double xi, double y = 0.0,
                                              double z = 0.0) const noexcept;
-
-    /// Returns the velocity of a point of the body, m/s: position_jacobian() times the rate.
-    /// @param rate  time derivative of e
-    [[nodiscard]] Point velocity(const Coordinates& e, const Coordinates& rate, double xi,
-                                 double y = 0.0, double z = 0.0) const noexcept;
 
     /// Returns the unit tangent t.
     template <class Scalar>
@@ -208,13 +158,8 @@ public:
 
 private:
     using Station = detail::CableBendingStation;
-    template <class Scalar>
-    using Gradient = detail::LineGradient<Scalar, Dimension>;
 
-    Cable(const Material& material, const Section& section, const ReferenceLine<Dimension>& line,
-          const Coordinates& reference, const CableOptions& options);
-
-    [[nodiscard]] static Coordinates straight(double length);
+    void set_up(const Material& material, const Section& section);
     [[nodiscard]] Station station(double xi) const noexcept;
     void set_stations();
     void set_natural();
@@ -224,31 +169,152 @@ private:
     template <class Scalar>
     [[nodiscard]] static Matrix<Scalar, Dimension> section_frame(
         const Vector<Scalar, Dimension>& t) noexcept;
-    template <class Scalar>
-    [[nodiscard]] Gradient<Scalar> gradient(
-        const detail::LineVector<Scalar, Dimension>& line) const noexcept;
-    template <class Scalar>
-    [[nodiscard]] Gradient<Scalar> gradient(
-        const detail::LineVector<Scalar, Dimension>& line,
-        detail::LineHessian<Scalar, Dimension>& hessian) const noexcept;
 
-    ReferenceLine<Dimension> line_;
-    Coordinates reference_;
-    Options options_;
-    double young_;                 ///< E, Pa
-    double axial_stiffness_;       ///< EA, N
-    double bending_stiffness_;     ///< EI, N m^2
-    double natural_energy_ = 0.0;  ///< int EI kappa0^2/2 ds, J
-    std::vector<detail::CableAxialStation> axial_;
-    std::vector<Station> bending_;
-    std::vector<detail::NaturalCurvature> natural_;
-    Matrix<double, 4> mass_weights_;
+    double young_;              ///< E, Pa
+    double axial_stiffness_;    ///< EA, N
+    double bending_stiffness_;  ///< EI, N m^2
 };
+
+namespace detail {
+
+/// Returns EI of a section that a line of centroids may have; in space it must be the same about
+/// every axis.
+/// @throws InvalidArgument else.
+template <int Dimension>
+[[nodiscard]] double line_bending_stiffness(const Material& material, const Section& section) {
+    material.validate();
+    const Moments& m = section.moments();
+    const double radius = std::sqrt(m.polar() / m.area);
+    const double offset = (Dimension == 3 ? std::hypot(m.y, m.z) : std::abs(m.y)) / m.area;
+    require(offset <= 1e-9 * radius,
+            "a cable runs through the centroid of its section, got one at a distance of ", offset,
+            " m");
+    if constexpr (Dimension == 2) return material.young * m.yy;
+    const double most = 1e-6 * m.polar();
+    require(std::abs(m.yy - m.zz) <= most && std::abs(m.yz) <= most,
+            "a cable in space has no directors and needs a section that bends equally in all "
+            "directions, got int y^2 dA ",
+            m.yy, ", int z^2 dA ", m.zz, " and int y z dA ", m.yz, " m^4");
+    return 0.5 * material.young * m.polar();
+}
+
+/// Returns the unit vector normal to two tangents; where they are parallel, that along `kappa`.
+[[nodiscard]] inline Vector<double, 3> common_normal(const Vector<double, 3>& first,
+                                                     const Vector<double, 3>& second,
+                                                     const Vector<double, 3>& kappa) {
+    constexpr double nearly_parallel = 1e-8;  // so that the product keeps half of its digits
+    const Vector<double, 3> n = cross(first, second);
+    if (n.norm() > nearly_parallel) return n.normalized();
+    const Vector<double, 3> t = (first + second).normalized();
+    return (kappa - kappa.dot(t) * t).normalized();
+}
+
+}  // namespace detail
+
+template <int Dimension, class Measure>
+Cable<Dimension, Measure>::Cable(const Material& material, const Section& section, double length,
+                                 const CableOptions& options)
+    : Base(length, options) {
+    set_up(material, section);
+}
+
+template <int Dimension, class Measure>
+Cable<Dimension, Measure>::Cable(const Material& material, const Section& section,
+                                 const Coordinates& reference, double length,
+                                 const CableOptions& options)
+    : Base(reference, length, options) {
+    set_up(material, section);
+    this->require_admissible("slopes r_x of about 1");
+    set_natural();
+}
+
+template <int Dimension, class Measure>
+void Cable<Dimension, Measure>::set_up(const Material& material, const Section& section) {
+    young_ = material.young;
+    axial_stiffness_ = material.young * section.moments().area;
+    bending_stiffness_ = detail::line_bending_stiffness<Dimension>(material, section);
+    mass_weights_ = line_.template mass<2>(material.density, section.mass_moments());
+    detail::require(options_.compression >= 0.0 && options_.compression <= 1.0,
+                    "compression must lie in [0, 1], got ", options_.compression);
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
+    kernel_.softening = 1.0 - options_.compression;
+    kernel_.straight = detail::straight_curvature / line_.length();
+    set_stations();
+}
+
+/// The weights of r' and r'' per arc length s of the reference; `stiffness` is ds/dxi.
+template <int Dimension, class Measure>
+typename Cable<Dimension, Measure>::Station Cable<Dimension, Measure>::station(
+    double xi) const noexcept {
+    const StationShape<double> shape = line_.shape(xi);
+    return {{{shape.p[0], shape.p[1], shape.p[2]}},
+            {{shape.p1[0], shape.p1[1], shape.p1[2]}},
+            line_.metric(xi) * line_.parameter_length()};
+}
+
+template <int Dimension, class Measure>
+void Cable<Dimension, Measure>::set_stations() {
+    for (const RuleStation& place : options_.rule.stations()) {
+        const double axial = place.weight(StrainGroup::axial);
+        const double bending = place.weight(StrainGroup::bending);
+        Station here = station(place.xi);
+        const double arc = here.stiffness;
+        detail::require(std::isfinite(arc) && arc > 1e-6 * line_.parameter_length(),
+                        "the reference coordinates of a cable must be a line of slope r_x about 1, "
+                        "got |r_x| = ",
+                        arc / line_.parameter_length(), " at xi = ", place.xi);
+        if (axial != 0.0) kernel_.axial.push_back({here.p, axial_stiffness_ * axial * arc});
+        here.stiffness = bending_stiffness_ * bending * arc;
+        if (bending != 0.0) kernel_.bending.push_back(here);
+    }
+}
+
+template <int Dimension, class Measure>
+void Cable<Dimension, Measure>::set_natural() {
+    const std::size_t count = kernel_.bending.size();
+    if constexpr (Dimension == 3) {
+        for (std::size_t k = 0; 2 * k < count; ++k) add_pair(k, count - 1 - k);
+    } else {
+        for (std::size_t k = 0; k < count; ++k) add_pair(k, k);
+    }
+}
+
+/// Lets the natural curvatures of two stations (or of one, first = second) turn together.
+template <int Dimension, class Measure>
+void Cable<Dimension, Measure>::add_pair(std::size_t first, std::size_t second) {
+    // kappa0 l below this is the round-off of a straight reference; in space, where the spin of a
+    // curved line costs nothing, that of coordinates from a table
+    constexpr double straight = Dimension == 2 ? 1e-13 : detail::straight_curvature;
+    const auto line = detail::line_of<Dimension>(reference_);
+    detail::NaturalCurvature natural{first == second ? 1 : 2, {first, second}, {}, {}, 0.0};
+    Point tangent[2];
+    Curvature kappa[2];
+    for (int g = 0; g < 2; ++g) {
+        const Station& at = kernel_.bending[natural.station[g]];
+        tangent[g] = detail::interpolated<Dimension>(at.p, line);
+        kappa[g] = curvature(tangent[g], detail::interpolated<Dimension>(at.v, line));
+    }
+    const Curvature larger = kappa[kappa[0].norm() >= kappa[1].norm() ? 0 : 1];
+    if (!(larger.norm() * line_.parameter_length() > straight)) return;
+    for (int g = 0; g < natural.count; ++g) {
+        const double stiffness = kernel_.bending[natural.station[g]].stiffness;
+        kernel_.natural_energy += 0.5 * stiffness * kappa[g].squaredNorm();
+        if constexpr (Dimension == 2) {
+            natural.along[g] = stiffness * kappa[g][0];
+        } else {
+            const Point n = detail::common_normal(tangent[0], tangent[1], larger);
+            natural.along[g] = stiffness * kappa[g].dot(n);
+            natural.across[g] = stiffness * kappa[g].dot(cross(n, tangent[g]));
+            natural.floor += 1e-8 * stiffness * kappa[g].squaredNorm();
+        }
+    }
+    kernel_.natural.push_back(natural);
+}
 
 }  // namespace ancf
 
-#include <ancf/element/cable/evaluation.hpp>  // IWYU pragma: export
-#include <ancf/element/cable/results.hpp>     // IWYU pragma: export
+#include <ancf/element/cable/results.hpp>  // IWYU pragma: export
 
 #if defined(ANCF_COMPILED)
 namespace ancf {

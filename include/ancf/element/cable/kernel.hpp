@@ -198,8 +198,7 @@ inline void foresee_axial(const CableAxialStation& station, double soft,
     const Dual<S> foreseen =
         Measure::strain(Dual<S>(product(before, before), 2.0 * product(before, change)));
     const AxialResponse<S> now = axial_response(stiffness, soft, strain);
-    const AxialResponse<S> then =
-        axial_response(stiffness, soft, S(foreseen.value + foreseen.rate));
+    const AxialResponse<S> then = axial_response(stiffness, soft, arrived(foreseen));
     S n, k, n_then, k_then;
     Measure::resultants(now.force, now.stiffness, square, strain, n, k);
     Measure::resultants(then.force, now.stiffness, square, strain, n_then, k_then);

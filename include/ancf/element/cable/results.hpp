@@ -40,9 +40,9 @@ bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept 
     if (!detail::all_finite(e)) return false;
     const auto line = detail::line_of<Dimension>(e);
     const auto stretched = [](const Point& p) { return p.squaredNorm() > 1e-12; };
-    for (const auto& at : axial_)
+    for (const auto& at : kernel_.axial)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
-    for (const auto& at : bending_)
+    for (const auto& at : kernel_.bending)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
     const Point first = line.template segment<Dimension>(Dimension),
                 last = line.template tail<Dimension>(),
@@ -100,11 +100,8 @@ Vector<Scalar, Dimension> Cable<Dimension, Measure>::position(const Vector<Scala
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position_jacobian(
     const Coordinates& e, double xi, double y, double z) const noexcept {
-    const auto shape = hermite(xi, line_.parameter_length());
-    Jacobian jacobian;
-    for (int a = 0; a < 4; ++a)
-        jacobian.template middleCols<Dimension>(Dimension * a) =
-            shape[static_cast<std::size_t>(a)] * Matrix<double, Dimension>::Identity();
+    Jacobian jacobian = Jacobian::Zero();
+    line_.add_point_jacobian(xi, jacobian);
     if (y == 0.0 && z == 0.0) return jacobian;
     const Point t = tangent(e, xi);
     Matrix<double, Dimension> turning;  // of y n + z c by t
@@ -121,12 +118,6 @@ typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position
         turning = y * n_by_t + z * (cross_matrix(t) * n_by_t - cross_matrix(n));
     }
     return jacobian + turning * tangent_jacobian(e, xi);
-}
-
-template <int Dimension, class Measure>
-typename Cable<Dimension, Measure>::Point Cable<Dimension, Measure>::velocity(
-    const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
 }
 
 template <int Dimension, class Measure>
@@ -181,13 +172,13 @@ template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::natural_curvature(
     const Coordinates& e, double xi) const noexcept {
     Curvature curved = Curvature::Zero();
-    if (natural_.empty()) return curved;
+    if (kernel_.natural.empty()) return curved;
     curved = curvature(reference_, xi);
     if constexpr (Dimension == 3) {
         const auto frame = [&](const Coordinates& at) {
             const Point t = tangent(at, xi);
-            const Point n =
-                detail::natural_resultant(natural_.front(), bending_, detail::line_of<3>(at));
+            const Point n = detail::natural_resultant(kernel_.natural.front(), kernel_.bending,
+                                                      detail::line_of<3>(at));
             Matrix<double, 3> axes;
             axes << t, (n - n.dot(t) * t).normalized(), Point::Zero();
             axes.col(2) = cross(t, Point(axes.col(1)));
@@ -210,7 +201,7 @@ SectionForces Cable<Dimension, Measure>::section_forces(const Coordinates& e,
                                                         double xi) const noexcept {
     const Point p = detail::line_jacobian<Dimension>(station(xi).p) * e;
     const double square = p.squaredNorm(), strain = Measure::strain(square);
-    const auto axial = detail::axial_response(axial_stiffness_, 1.0 - options_.compression, strain);
+    const auto axial = detail::axial_response(axial_stiffness_, kernel_.softening, strain);
     double n = 0.0, k = 0.0;
     Measure::resultants(axial.force, axial.stiffness, square, strain, n, k);
     const Curvature bent = moment(e, xi);
@@ -231,7 +222,7 @@ Vector<double, 1> Cable<Dimension, Measure>::stress(const Coordinates& e, double
                                                     double z) const noexcept {
     const double strain = axial_strain(e, xi);
     const Curvature change = curvature(e, xi) - natural_curvature(e, xi);
-    double stress = detail::axial_response(young_, 1.0 - options_.compression, strain).force;
+    double stress = detail::axial_response(young_, kernel_.softening, strain).force;
     if constexpr (Dimension == 2) {
         stress -= young_ * y * change[0];
     } else {

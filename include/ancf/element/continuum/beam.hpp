@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/element/compiled_element.hpp>
+#include <ancf/element/continuum/evaluation.hpp>
 #include <ancf/element/continuum/kernel.hpp>
 #include <ancf/element/continuum/law.hpp>
 #include <ancf/element/continuum/nodes.hpp>
@@ -17,6 +18,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/line_element.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/pack.hpp>
 #include <ancf/element/quadrature.hpp>
@@ -55,7 +57,10 @@ struct ContinuumOptions {
 ///                                          {ancf::Rule::paper(), ancf::ContinuumMaterial::hooke});
 ///     const auto [energy, force, tangent] = element.evaluate(e);
 template <int Dimension = 3>
-class ContinuumBeam {
+class ContinuumBeam : public LineElement<ContinuumBeam<Dimension>,
+                                         detail::continuum::Kernel<Dimension>, ContinuumOptions> {
+    using Base = typename ContinuumBeam::LineElement;
+    using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 2 || Dimension == 3, "a beam lives in the plane or in space");
 
 public:
@@ -70,10 +75,9 @@ public:
     static constexpr Fields fields = Dimension == 3
                                          ? Field::r | Field::r_x | Field::r_y | Field::r_z
                                          : Field::r | Field::r_x | Field::r_y;
-    using Options = ContinuumOptions;  ///< choices that are values
-    /// Nodal coordinates e, those of the first node first.
-    using Coordinates = Vector<double, dofs>;
-    using Point = Vector<double, Dimension>;           ///< a vector of space
+    using typename Base::Coordinates;
+    using typename Base::Options;
+    using typename Base::Point;
     using Jacobian = Matrix<double, Dimension, dofs>;  ///< derivative of a vector of space by e
 
     /// Makes the element of a straight, prismatic beam.
@@ -94,52 +98,12 @@ public:
     ContinuumBeam(const Material& material, const Section& section, const Coordinates& reference,
                   double length, const Options& options = {});
 
-    /// Returns the strain energy U, J.
-    /// @param e  nodal coordinates, [r r_x r_y r_z] per node; m and 1
-    /// @note     noexcept, no heap allocation; so are all functions of e.
-    template <class Scalar>
-    [[nodiscard]] Scalar energy(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns energy, force and tangent K = dQ/de = sum_g B^T C B + S (x) I, in one pass.
-    template <class Scalar>
-    [[nodiscard]] Evaluation<Scalar, dofs> evaluate(const Vector<Scalar, dofs>& e) const noexcept;
-
-    /// Returns energy, force, a tangent whose stresses are those of `before`, linearised along
-    /// `change`, and the force of these stresses: docs/theory-statics.md, "Stresses as unknowns".
-    /// @param before  where the last tangent was taken
-    /// @param change  the correction that it gave
-    template <class Scalar>
-    [[nodiscard]] MixedEvaluation<Scalar, dofs> evaluate(
-        const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
-        const Vector<Scalar, dofs>& change) const noexcept;
-
     /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
     /// derivative of B^T C B v by e. A template: only those who damp compile it.
     /// @param e,v  nodal coordinates and their rates
     template <int...>
     [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
         const Coordinates& e, const Coordinates& v) const noexcept;
-
-    /// Returns the constant mass matrix, kg, kg m and kg m^2 by block.
-    [[nodiscard]] Matrix<double, dofs> mass() const {
-        return mass_matrix<Dimension, 2 * (2 + slopes)>(mass_weights_);
-    }
-
-    /// Returns the nodal force of gravity.
-    /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Point& g) const {
-        return gravity_force<Dimension, 2 * (2 + slopes)>(mass_weights_, g);
-    }
-
-    /// Returns the nodal force of a dead force per length of the stress-free axis.
-    /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Point& force) const {
-        return line_.template line_load<2 + slopes>(force);
-    }
 
     /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
     /// N m^2: a torque divides between the slopes in this proportion.
@@ -152,13 +116,6 @@ public:
     /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
     [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    /// Returns the length of the stress-free element, m.
-    [[nodiscard]] double length() const noexcept { return line_.length(); }
-    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
-    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with.
-    [[nodiscard]] const Options& options() const noexcept { return options_; }
-
     /// Returns the position r0 + y r_y + z r_z of a point of the body, m.
     /// @param xi    place along the element, 0 to 1
     /// @param y, z  place in the section, m; in the plane z has no effect
@@ -168,11 +125,6 @@ public:
     /// Returns the derivative of position() by e: the constant matrix of shape functions.
     [[nodiscard]] Jacobian position_jacobian(const Coordinates& e, double xi, double y = 0.0,
                                              double z = 0.0) const noexcept;
-
-    /// Returns the velocity of a point of the body, m/s.
-    /// @param rate  time derivative of e
-    [[nodiscard]] Point velocity(const Coordinates& e, const Coordinates& rate, double xi,
-                                 double y = 0.0, double z = 0.0) const noexcept;
 
     /// Returns the directors r_y, r_z (columns), 1.
     [[nodiscard]] Matrix<double, Dimension, slopes> directors(const Coordinates& e,
@@ -199,20 +151,12 @@ public:
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
 private:
-    /// Returns B(e)^T C s, s the strains of other coordinates.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, dofs> force(const Vector<Scalar, dofs>& e,
-                                             const Vector<Scalar, dofs>& strained) const noexcept;
-
     using Law = detail::ContinuumLaw<Dimension>;
     using Station = detail::continuum::Station<Dimension>;
-    using AxialStation = detail::continuum::AxialStation;
     using Vectors = detail::continuum::Vectors<double, Dimension>;
     using Strain = detail::continuum::Strain<double, Dimension>;
 
-    ContinuumBeam(const Material& material, const Section& section, ReferenceLine<Dimension> line,
-                  const Coordinates& reference, const Options& options);
-
+    void set_up(const Material& material, const Section& section);
     /// Returns the weights of (r_j - r_i, r_x at i, r_x at j) in r0', by the arc length.
     [[nodiscard]] Vector<double, 3> tangent_weights(double xi) const noexcept;
     /// Returns ds/dxi, m: the unit in which the stations measure y and z.
@@ -223,75 +167,60 @@ private:
     [[nodiscard]] Vectors vectors_at(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] Strain strain_at(const Coordinates& e, double xi) const noexcept;
 
-    ReferenceLine<Dimension> line_;
-    Coordinates reference_;  ///< nodal coordinates of the stress-free state, where it is curved
-    Options options_;
-    Law law_;                       ///< of the section, per length
-    detail::PointStiffness point_;  ///< on the strain of a point
-    detail::PointStiffness axis_;   ///< on the strain of the centroid, added to it
-    double centroid_y_, centroid_z_;
-    std::vector<Station> stations_;
-    std::vector<AxialStation> axial_stations_;  ///< of a rule that treats E A eps^2/2 apart
-    Matrix<double, 2 * (2 + slopes)> mass_weights_;
+    Law law_;                         ///< of the section, per length
+    detail::PointStiffness point_;    ///< on the strain of a point
+    detail::PointStiffness axis_;     ///< on the strain of the centroid, added to it
+    double centroid_y_, centroid_z_;  ///< m
 };
 
 template <int Dimension>
 ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
                                         double length, const Options& options)
-    : ContinuumBeam(material, section,
-                    ReferenceLine<Dimension>((detail::require_positive("length", length), length)),
-                    Coordinates::Zero(), options) {}
+    : Base(length, options) {
+    set_up(material, section);
+}
 
 template <int Dimension>
 ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
                                         const Coordinates& reference, double length,
                                         const Options& options)
-    : ContinuumBeam(
-          material, section,
-          ReferenceLine<Dimension>((detail::require_positive("length", length), length), reference),
-          reference, options) {
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, "
-                    "right-handed and turning by less than 120 degrees from node to node, got ",
-                    detail::components(reference));
+    : Base(reference, length, options) {
+    set_up(material, section);
+    this->require_admissible(
+        "slopes of some length, right-handed and turning by less than 120 degrees from node to "
+        "node");
 }
 
 template <int Dimension>
-ContinuumBeam<Dimension>::ContinuumBeam(const Material& material, const Section& section,
-                                        ReferenceLine<Dimension> line, const Coordinates& reference,
-                                        const Options& options)
-    : line_(std::move(line)),
-      reference_(reference),
-      options_(options),
-      law_(detail::continuum_law<Dimension>(material, section, options.material)),
-      point_(options.material == ContinuumMaterial::hooke
+void ContinuumBeam<Dimension>::set_up(const Material& material, const Section& section) {
+    law_ = detail::continuum_law<Dimension>(material, section, options_.material);
+    point_ = options_.material == ContinuumMaterial::hooke
                  ? detail::hooke_stiffness<Dimension>(material, section)
-                 : detail::diagonal_stiffness(material, section)),
-      axis_{0.0, 0.0, {0.0, 0.0}, 0.0},
-      centroid_y_(section.moments().y / section.moments().area),
-      centroid_z_(section.moments().z / section.moments().area),
-      mass_weights_(line_.template mass<2 + slopes>(material.density, section.mass_moments())) {
-    if (options.material == ContinuumMaterial::enhanced) {
+                 : detail::diagonal_stiffness(material, section);
+    axis_ = {0.0, 0.0, {0.0, 0.0}, 0.0};
+    if (options_.material == ContinuumMaterial::enhanced) {
         const detail::PointStiffness hooke = detail::hooke_stiffness<Dimension>(material, section);
         axis_ = {hooke.normal - point_.normal,
                  hooke.coupling,
                  {0.0, 0.0},
                  hooke.transverse_shear - point_.transverse_shear};
     }
-    detail::require_points(options.rule, StrainGroup::axial, "axial", 3);
-    detail::require_points(options.rule, StrainGroup::shear, "shear", 3);
-    detail::require_points(options.rule, StrainGroup::bending, "bending", 2);
-    detail::require_points(options.rule, StrainGroup::torsion, "torsion", 2);
+    centroid_y_ = section.moments().y / section.moments().area;
+    centroid_z_ = section.moments().z / section.moments().area;
+    mass_weights_ = line_.template mass<2 + slopes>(material.density, section.mass_moments());
+    detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);
+    detail::require_points(options_.rule, StrainGroup::shear, "shear", 3);
+    detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
+    detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 2);
     const double axial_stiffness = material.young * section.moments().area;
-    for (const RuleStation& place : options.rule.stations()) {
+    for (const RuleStation& place : options_.rule.stations()) {
         const double weight = place.weight(StrainGroup::axial) * unit(place.xi);
         if (place.axial_only())
-            axial_stations_.push_back({tangent_weights(place.xi), weight * axial_stiffness, 0.5});
+            kernel_.axial.push_back({tangent_weights(place.xi), weight * axial_stiffness, 0.5});
         else
-            stations_.push_back(station(place, axial_stiffness));
+            kernel_.stations.push_back(station(place, axial_stiffness));
     }
 }
-
 template <int Dimension>
 Vector<double, 3> ContinuumBeam<Dimension>::tangent_weights(double xi) const noexcept {
     const StationShape<double> shape = line_.shape(xi);
@@ -339,44 +268,6 @@ Vector<double, 2> ContinuumBeam<Dimension>::torsion_stiffness() const noexcept {
 }
 
 template <int Dimension>
-template <class Scalar>
-Scalar ContinuumBeam<Dimension>::energy(const Vector<Scalar, dofs>& e) const noexcept {
-    namespace kernel = detail::continuum;
-    const kernel::Nodes<Scalar, Dimension> nodes(e);
-    kernel::Force<Scalar, Dimension> sum;
-    for (const AxialStation& station : axial_stations_) {
-        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
-        kernel::add_axial_force(station, p, p, sum);
-    }
-    for (const Station& station : stations_)
-        sum.energy += kernel::station_energy(station, nodes.at(station.xi, station.tangent));
-    return sum.energy;
-}
-
-template <int Dimension>
-template <class Scalar>
-Vector<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::force(
-    const Vector<Scalar, dofs>& e) const noexcept {
-    return force(e, e);
-}
-
-template <int Dimension>
-template <class Scalar>
-Vector<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::force(
-    const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& strained) const noexcept {
-    namespace kernel = detail::continuum;
-    const kernel::Nodes<Scalar, Dimension> nodes(e), of(strained);
-    kernel::Force<Scalar, Dimension> sum;
-    for (const AxialStation& station : axial_stations_)
-        kernel::add_axial_force(station, nodes.tangent_at(station.tangent),
-                                of.tangent_at(station.tangent), sum);
-    for (const Station& station : stations_)
-        kernel::add_force(station, nodes.at(station.xi, station.tangent),
-                          of.at(station.xi, station.tangent), sum);
-    return kernel::nodal_force(sum);
-}
-
-template <int Dimension>
 template <int...>
 auto ContinuumBeam<Dimension>::viscous(const Coordinates& e, const Coordinates& v) const noexcept
     -> Evaluation<detail::Rate<double>, dofs> {
@@ -384,66 +275,8 @@ auto ContinuumBeam<Dimension>::viscous(const Coordinates& e, const Coordinates& 
     const auto place = detail::moving<Both>(e, Coordinates(Coordinates::Zero()));
     return detail::damped(*this, e, v, detail::columns<Dimension, dofs>([&](const auto& unit) {
         // B is linear in e, so that dB/dt is B(v)
-        return detail::rates(1.0, force(place, detail::moving<Both>(v, unit)));
+        return detail::rates(1.0, kernel_.force(place, detail::moving<Both>(v, unit)));
     }));
-}
-
-template <int Dimension>
-template <class Scalar>
-Evaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::evaluate(
-    const Vector<Scalar, dofs>& e) const noexcept {
-    namespace kernel = detail::continuum;
-    const kernel::Nodes<Scalar, Dimension> nodes(e);
-    kernel::Force<Scalar, Dimension> sum;
-    kernel::Tangent<Scalar, Dimension> tangent;
-    for (const AxialStation& station : axial_stations_) {
-        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
-        kernel::add_axial_tangent(station, p, kernel::add_axial_force(station, p, p, sum), tangent);
-    }
-    for (const Station& station : stations_) {
-        const kernel::Vectors<Scalar, Dimension> v = nodes.at(station.xi, station.tangent);
-        kernel::add_tangent(station, v, kernel::add_force(station, v, v, sum), tangent);
-    }
-    Evaluation<Scalar, dofs> result;
-    result.energy = sum.energy;
-    result.force = kernel::nodal_force(sum);
-    kernel::write_tangent(tangent, result.tangent);
-    return result;
-}
-
-template <int Dimension>
-template <class Scalar>
-MixedEvaluation<Scalar, ContinuumBeam<Dimension>::dofs> ContinuumBeam<Dimension>::evaluate(
-    const Vector<Scalar, dofs>& e, const Vector<Scalar, dofs>& before,
-    const Vector<Scalar, dofs>& change) const noexcept {
-    namespace kernel = detail::continuum;
-    Vector<Dual<Scalar>, dofs> moving;
-    for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
-    const kernel::Nodes<Scalar, Dimension> nodes(e);
-    const kernel::Nodes<Dual<Scalar>, Dimension> earlier(moving);
-    kernel::Force<Scalar, Dimension> sum, predicted;
-    kernel::Tangent<Scalar, Dimension> tangent;
-    for (const AxialStation& station : axial_stations_) {
-        const Vector<Scalar, Dimension> p = nodes.tangent_at(station.tangent);
-        const auto strain = kernel::axial_strain(station, earlier.tangent_at(station.tangent));
-        const Scalar normal = station.stiffness * (strain.value + strain.rate);
-        kernel::add_axial_force(station, p, p, sum);
-        kernel::add_normal(station, p, normal, predicted);
-        kernel::add_axial_tangent(station, p, normal, tangent);
-    }
-    for (const Station& station : stations_) {
-        const kernel::Vectors<Scalar, Dimension> v = nodes.at(station.xi, station.tangent);
-        const auto stress = kernel::foreseen(station, earlier.at(station.xi, station.tangent));
-        kernel::add_force(station, v, v, sum);
-        kernel::add_stress(station, v, stress, predicted);
-        kernel::add_tangent(station, v, stress, tangent);
-    }
-    MixedEvaluation<Scalar, dofs> result;
-    result.energy = sum.energy;
-    result.force = kernel::nodal_force(sum);
-    result.predicted = kernel::nodal_force(predicted);
-    kernel::write_tangent(tangent, result.tangent);
-    return result;
 }
 
 }  // namespace ancf

@@ -256,13 +256,12 @@ template <class Scalar, int Dimension>
     const Strain<Dual<Scalar>, Dimension> strain = station_strain(station, earlier);
     Strain<Scalar, Dimension> linear;
     const auto copy = [](const auto& from, auto& to) {
-        for (int k = 0; k < to.size(); ++k)
-            to.data()[k] = from.data()[k].value + from.data()[k].rate;
+        for (int k = 0; k < to.size(); ++k) to.data()[k] = arrived(from.data()[k]);
     };
     copy(strain.axial, linear.axial);
     copy(strain.shear, linear.shear);
     copy(strain.normal, linear.normal);
-    linear.transverse = strain.transverse.value + strain.transverse.rate;
+    linear.transverse = arrived(strain.transverse);
     return resultants(station.law, linear);
 }
 

@@ -92,27 +92,16 @@ typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::position(
 template <int Dimension>
 typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_jacobian(
     const Coordinates& /*e*/, double xi, double y, double z) const noexcept {
-    const auto line = hermite(xi, line_.parameter_length());
     const double place[2] = {y, z};
-    const Matrix<double, Dimension> identity = Matrix<double, Dimension>::Identity();
-    Jacobian jacobian;
-    jacobian.template middleCols<Dimension>(0) = line[0] * identity;
-    jacobian.template middleCols<Dimension>(Dimension) = line[1] * identity;
-    jacobian.template middleCols<Dimension>(node_dofs) = line[2] * identity;
-    jacobian.template middleCols<Dimension>(node_dofs + Dimension) = line[3] * identity;
-    for (int c = 0; c < slopes; ++c) {
-        jacobian.template middleCols<Dimension>(Dimension * (2 + c)) =
-            (1.0 - xi) * place[c] * identity;
-        jacobian.template middleCols<Dimension>(node_dofs + Dimension * (2 + c)) =
-            xi * place[c] * identity;
-    }
+    Jacobian jacobian = Jacobian::Zero();
+    line_.add_point_jacobian(xi, jacobian);
+    for (int c = 0; c < slopes; ++c)
+        for (int k = 0; k < Dimension; ++k) {
+            const int slope = Dimension * (2 + c) + k;
+            jacobian(k, slope) = (1.0 - xi) * place[c];
+            jacobian(k, node_dofs + slope) = xi * place[c];
+        }
     return jacobian;
-}
-
-template <int Dimension>
-typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::velocity(
-    const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
 }
 
 template <int Dimension>

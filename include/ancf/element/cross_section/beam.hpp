@@ -20,6 +20,7 @@
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/element/line_element.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
@@ -55,6 +56,10 @@ struct FormulationOf<Transported, LinearShear, Measure, Line> {
     using type = CarriedFormulation<Measure, ChordAngle, Line::vectors>;
 };
 
+template <class T, class Directors, class Shear, class Measure, class Line>
+using CrossSectionKernelOf =
+    CrossSectionKernel<T, typename FormulationOf<Directors, Shear, Measure, Line>::type>;
+
 /// Whether directors are carried from the nodes.
 template <class Directors>
 inline constexpr bool carries_directors =
@@ -73,7 +78,12 @@ inline constexpr bool carries_directors =
 /// @tparam Line       CubicLine (the paper) or QuinticLine, which goes with carried directors; its
 ///                    nodes have r_xx besides, as QuinticBeam
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
-class CrossSectionBeam {
+class CrossSectionBeam
+    : public LineElement<CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>,
+                         detail::CrossSectionKernelOf<double, Directors, Shear, Measure, Line>,
+                         detail::CrossSectionOptionsOf<Shear, Line>, Line> {
+    using Base = typename CrossSectionBeam::LineElement;
+    using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 3, "for two dimensions include <ancf/element/planar/beam.hpp>");
     static_assert(!detail::carries_directors<Directors> || Shear::nodal,
                   "Geodesic and Transported directors go with LinearShear");
@@ -91,10 +101,8 @@ public:
     static constexpr Fields fields = Field::r | Field::r_x | Field::r_y | Field::r_z |
                                      (quintic ? Fields(Field::r_xx) : Fields());
 
-    /// Nodal coordinates e, those of the first node first.
-    using Coordinates = Vector<double, dofs>;
-    /// Choices that are values.
-    using Options = std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>;
+    using typename Base::Coordinates;
+    using typename Base::Options;
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -114,38 +122,6 @@ public:
     CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
                      double length, const Options& options = {});
 
-    /// Returns the strain energy U, J. [Dufva2006, Eq. 29]
-    template <class S>
-    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
-
-    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes. [Dufva2006, Eq. 30]
-    template <class S>
-    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
-
-    /// Returns energy, elastic force and tangent in one pass.
-    ///
-    /// K = sum_g w_g (B^T C B + sum_i sigma_i d2 s_i/de2) in the generalised strains s of
-    /// docs/theory.md.
-    /// @param e  nodal coordinates, 24 x 1, [r r_x r_y r_z] per node; m and 1. A quintic line: 30 x
-    ///           1, r_xx last, 1/m
-    /// @note     noexcept, no heap allocation
-    template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
-
-    /// Returns the same with the tangent of mixed integration points: its geometric part has the
-    /// stresses C (s + B change) of an earlier state.
-    ///
-    /// Energy and force are those of e. Source: Magisano, Leonetti, Garcea 2017;
-    /// docs/theory-statics.md, "Stresses as unknowns".
-    /// @param before  where the last tangent was taken, dofs x 1
-    /// @param change  the correction that it gave, dofs x 1
-    template <class S>
-    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                                    const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept {
-        return kernel_.evaluate(e, before, change);
-    }
-
     /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
     /// derivative of B^T C B v by e. A template: only those who damp compile it.
     /// @param e,v  nodal coordinates and their rates
@@ -156,8 +132,7 @@ public:
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
     /// Vector<Pack<Lanes>, dofs>.
     template <int Lanes>
-    using Together = detail::CrossSectionKernel<
-        Pack<Lanes>, typename detail::FormulationOf<Directors, Shear, Measure, Line>::type>;
+    using Together = detail::CrossSectionKernelOf<Pack<Lanes>, Directors, Shear, Measure, Line>;
 
     /// Puts elements side by side; each keeps its own length, section and material. Equal elements
     /// need not be put together: evaluate() of any of them takes packs as well.
@@ -165,24 +140,6 @@ public:
     template <int Lanes>
     [[nodiscard]] static Together<Lanes> together(
         const std::array<const CrossSectionBeam*, Lanes>& elements);
-
-    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
-    /// r_xx. [Dufva2006, Eq. 34]; RotaryInertia::lumped keeps its sums over the nodes.
-    [[nodiscard]] Matrix<double, dofs> mass() const {
-        return mass_matrix<Dimension>(mass_weights_);
-    }
-
-    /// Returns the nodal force of gravity.
-    /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, Dimension>& g) const {
-        return gravity_force<Dimension>(mass_weights_, g);
-    }
-
-    /// Returns the nodal force of a dead force per length of the stress-free centre line.
-    /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, Dimension>& force) const {
-        return line_.template line_load<4>(force);
-    }
 
     /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
     /// N m^2: a torque divides between the slopes in this proportion.
@@ -207,13 +164,6 @@ public:
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
         return !Measure::engineering && line_.least_stretch(e) < softening_stretch;
     }
-
-    /// Returns the length of the stress-free element, m.
-    [[nodiscard]] double length() const noexcept { return line_.length(); }
-    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
-    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with; the rule is the one that it takes.
-    [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
 
@@ -267,12 +217,6 @@ public:
                                                             double y = 0.0,
                                                             double z = 0.0) const noexcept;
 
-    /// Returns the velocity of a point of the body, m/s.
-    /// @param rate  time derivative of e
-    [[nodiscard]] Vector<double, 3> velocity(const Coordinates& e, const Coordinates& rate,
-                                             double xi, double y = 0.0,
-                                             double z = 0.0) const noexcept;
-
 private:
     using Formulation = typename detail::FormulationOf<Directors, Shear, Measure, Line>::type;
 
@@ -291,26 +235,15 @@ private:
     [[nodiscard]] Row shear_row(const Place<double>& at, int director) const noexcept;
 
     void set_up(const Material& material, const Section& section);
-    /// Returns the generalised strains of a state, those of the stress-free state not subtracted.
-    template <class S>
-    [[nodiscard]] Vector<S, 12> raw_strains(const Vector<S, dofs>& e, double xi) const noexcept;
-    template <class S>
-    [[nodiscard]] Vector<S, 3> raw_transverse_strains(const Vector<S, dofs>& e,
-                                                      double xi) const noexcept;
 
-    ReferenceLine<Dimension, Line> line_;
-    Coordinates reference_;  ///< of the stress-free state; used where the line is curved
-    Options options_;
     SectionStiffness section_;
     Vector<double, 6> moduli_;  ///< of green_strain(), Pa
-    detail::CrossSectionKernel<double, Formulation> kernel_;
-    Matrix<double, dofs / 3> mass_weights_;
 };
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
     const Material& material, const Section& section, double length, const Options& options)
-    : line_((detail::require_positive("length", length), length)), options_(options) {
+    : Base(length, options) {
     set_up(material, section);
 }
 
@@ -318,17 +251,11 @@ template <int Dimension, class Directors, class Shear, class Measure, class Line
 CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::CrossSectionBeam(
     const Material& material, const Section& section, const Coordinates& reference, double length,
     const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
+    : Base(reference, length, options) {
     set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, "
-                    "right-handed and turning by less than 120 degrees from node to node, got ",
-                    detail::components(reference));
+    this->require_admissible(
+        "slopes of some length, right-handed and turning by less than 120 degrees from node to "
+        "node");
     kernel_.set_reference(reference);
 }
 
@@ -391,27 +318,6 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
         detail::put_lane(result.transverse, lane, element.kernel_.transverse);
     }
     return result;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-S CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::energy(
-    const Vector<S, dofs>& e) const noexcept {
-    return kernel_.energy(e);
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::force(
-    const Vector<S, dofs>& e) const noexcept -> Vector<S, dofs> {
-    return kernel_.force(e);
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::evaluate(
-    const Vector<S, dofs>& e) const noexcept -> Evaluation<S, dofs> {
-    return kernel_.evaluate(e);
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>

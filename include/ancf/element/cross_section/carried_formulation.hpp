@@ -144,7 +144,7 @@ struct CarriedFormulation {
     template <class T, class P>
     static void hessian(const StationData<T, Line>& data, const State<P>& at,
                         Hessian<P>& blocks) noexcept {
-        P D[invariant_count][invariant_count];
+        InvariantHessian<P> D;
         invariant_hessian<Measure, true>(data, at.w, at.J, at.stress, D);
         CarriedHessian<P> local;
         carried_hessian(at.frame, at.U, D, local);

@@ -101,7 +101,7 @@ struct EngineeringMeasure {
     template <class S>
     static void add_curvature(const detail::Invariants<S>& w, const Rates<S>& r,
                               const S (&sigma)[detail::strain_count],
-                              S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+                              detail::InvariantHessian<S>& D) noexcept;
 
 private:
     /// Returns the curvature e2 as r_y has it, D_x.D_y', and e3 as r_z has it.
@@ -121,7 +121,7 @@ private:
     template <class S>
     static void add_half_cosine(const detail::Invariants<S>& w, const Rates<S>& r,
                                 const S (&sigma)[detail::strain_count],
-                                S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+                                detail::InvariantHessian<S>& D) noexcept;
     /// Writes the derivatives of both curvatures, J[i][1] and J[i][2].
     template <class S>
     static void curvature_jacobian(const detail::Invariants<S>& w, const Rates<S>& r,
@@ -136,12 +136,10 @@ private:
                               const S& g) noexcept;
     template <class S>
     static void add_y(const detail::Invariants<S>& w, const Rates<S>& r, const Factor<S>& of_sig,
-                      const Factor<S>& of_Y,
-                      S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+                      const Factor<S>& of_Y, detail::InvariantHessian<S>& D) noexcept;
     template <class S>
     static void add_z(const detail::Invariants<S>& w, const Rates<S>& r, const Factor<S>& of_tau,
-                      const Factor<S>& of_Z,
-                      S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+                      const Factor<S>& of_Z, detail::InvariantHessian<S>& D) noexcept;
 };
 
 template <class S>
@@ -277,7 +275,7 @@ auto EngineeringMeasure::z_factor(const detail::Invariants<S>& w, const Rates<S>
 template <class S>
 void EngineeringMeasure::add_y(const detail::Invariants<S>& w, const Rates<S>& r,
                                const Factor<S>& al, const Factor<S>& be,
-                               S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+                               detail::InvariantHessian<S>& D) noexcept {
     using namespace detail;
     const S &s = w.s, sy = s * r.icy, y2 = r.icy * r.icy;
     const S sig_s = w.s1 * sy * y2, sig_s1s = sy * y2;
@@ -308,7 +306,7 @@ void EngineeringMeasure::add_y(const detail::Invariants<S>& w, const Rates<S>& r
 template <class S>
 void EngineeringMeasure::add_z(const detail::Invariants<S>& w, const Rates<S>& r,
                                const Factor<S>& al, const Factor<S>& be,
-                               S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+                               detail::InvariantHessian<S>& D) noexcept {
     using namespace detail;
     const S &C = w.C, &Z_ = w.S_, &q = w.q, qz = q * r.icz, z2 = r.icz * r.icz;
     const S tau_p = -w.chi2, Z_p = -q * w.kap2;
@@ -340,9 +338,9 @@ void EngineeringMeasure::add_z(const detail::Invariants<S>& w, const Rates<S>& r
 
 /// Adds -(d half x d(sigma_2 z + sigma_3 y) + its transpose) - (sigma_2 z + sigma_3 y) d2 half.
 template <class S>
-void EngineeringMeasure::add_half_cosine(
-    const detail::Invariants<S>& w, const Rates<S>& r, const S (&sigma)[detail::strain_count],
-    S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+void EngineeringMeasure::add_half_cosine(const detail::Invariants<S>& w, const Rates<S>& r,
+                                         const S (&sigma)[detail::strain_count],
+                                         detail::InvariantHessian<S>& D) noexcept {
     using namespace detail;
     const S &C = w.C, &Z_ = w.S_, &s = w.s, &q = w.q;
     const S sy = s * r.icy, qz = q * r.icz;
@@ -369,9 +367,9 @@ void EngineeringMeasure::add_half_cosine(
 }
 
 template <class S>
-void EngineeringMeasure::add_curvature(
-    const detail::Invariants<S>& w, const Rates<S>& r, const S (&sigma)[detail::strain_count],
-    S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+void EngineeringMeasure::add_curvature(const detail::Invariants<S>& w, const Rates<S>& r,
+                                       const S (&sigma)[detail::strain_count],
+                                       detail::InvariantHessian<S>& D) noexcept {
     using namespace detail;
     const S half = half_cosine(w, r);
     const S of_y = sigma[1] - half * sigma[2], of_z = sigma[2] - half * sigma[1];

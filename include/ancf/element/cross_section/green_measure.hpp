@@ -76,7 +76,7 @@ struct GreenMeasure {
     template <class S>
     static void add_curvature(const detail::Invariants<S>& w, const Rates<S>& r,
                               const S (&sigma)[detail::strain_count],
-                              S (&D)[detail::invariant_count][detail::invariant_count]) noexcept;
+                              detail::InvariantHessian<S>& D) noexcept;
 };
 
 template <class S>
@@ -143,9 +143,9 @@ void GreenMeasure::jacobian(const detail::Invariants<S>& w, const Rates<S>& r,
 }
 
 template <class S>
-void GreenMeasure::add_curvature(
-    const detail::Invariants<S>& w, const Rates<S>& r, const S (&sigma)[detail::strain_count],
-    S (&D)[detail::invariant_count][detail::invariant_count]) noexcept {
+void GreenMeasure::add_curvature(const detail::Invariants<S>& w, const Rates<S>& r,
+                                 const S (&sigma)[detail::strain_count],
+                                 detail::InvariantHessian<S>& D) noexcept {
     using namespace detail;
     const S &f2 = sigma[1], &f3 = sigma[2], &f4 = sigma[3], &f5 = sigma[4], &f6 = sigma[5];
     const S &f9 = sigma[8], &f11 = sigma[10];

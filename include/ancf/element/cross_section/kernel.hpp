@@ -30,7 +30,7 @@ namespace ancf::detail {
 template <class T, class Formulation>
 struct CrossSectionKernel {
     static constexpr int line = Formulation::line;  ///< nodal vectors in the centre line
-    static constexpr int dofs = dofs_with<line>;
+    static constexpr int dimension = 3, dofs = dofs_with<line>;
 
     StationTable<T, line> stations;
     StationTable<Pack<native_lanes>, line> packs;  ///< again, side by side; used where T is double
@@ -45,18 +45,14 @@ struct CrossSectionKernel {
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept;
     template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        return pass<S, false>(e, nullptr, nullptr);
-    }
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
 
     /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
     /// state before.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept {
-        return pass<S, true>(e, &before, &change);
-    }
+                                                    const Vector<S, dofs>& change) const noexcept;
 
     /// Returns B^T C dB/dt of the coordinates e + t v.
     [[nodiscard]] Matrix<double, dofs> rate_coupling(const Vector<double, dofs>& e,
@@ -112,10 +108,6 @@ private:
         Nodes<Dual<S>> nodes;
         Lanes<Dual<P>> lanes;
     };
-
-    template <class S, class P>
-    void linearise(const Vector<S, dofs>& e, const Vector<S, dofs>& change,
-                   Linearised<S, P>& at) const noexcept;
 
     /// Writes the linearised stresses of a station.
     template <class Station, class S, class P>
@@ -211,27 +203,13 @@ auto CrossSectionKernel<T, Formulation>::force(const Vector<S, dofs>& e) const n
 }
 
 template <class T, class Formulation>
-template <class S, class P>
-void CrossSectionKernel<T, Formulation>::linearise(const Vector<S, dofs>& e,
-                                                   const Vector<S, dofs>& change,
-                                                   Linearised<S, P>& at) const noexcept {
-    NodalVectors<S, line> values, rates;
-    nodal_vectors(e, values);
-    nodal_vectors(change, rates);
-    for (int x = 0; x < vectors_with<line>; ++x) {
-        for (int k = 0; k < 3; ++k) at.nodes.vectors[x][k] = Dual<S>(values[x][k], rates[x][k]);
-    }
-    prepare(at.nodes, at.lanes);
-}
-
-template <class T, class Formulation>
 template <class Station, class S, class P>
 void CrossSectionKernel<T, Formulation>::predict(const Station& station,
                                                  const Linearised<S, P>& before,
                                                  P (&stresses)[strain_count]) noexcept {
     At<Dual<P>> at;
     (void)Formulation::state(station, before.lanes.vectors, before.lanes.scalars, at);
-    for (int k = 0; k < strain_count; ++k) stresses[k] = at.stress[k].value + at.stress[k].rate;
+    for (int k = 0; k < strain_count; ++k) stresses[k] = arrived(at.stress[k]);
 }
 
 template <class T, class Formulation>
@@ -241,7 +219,7 @@ void CrossSectionKernel<T, Formulation>::predict(const Station& station,
                                                  P& stress) noexcept {
     AxialState<Dual<P>> at;
     (void)axial_state(station, before.lanes.vectors, at);
-    stress = at.stress.value + at.stress.rate;
+    stress = arrived(at.stress);
 }
 
 template <class T, class Formulation>
@@ -253,7 +231,7 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
     Lanes<P> lanes;
     prepare(e, nodes, lanes);
     [[maybe_unused]] std::conditional_t<Mixed, Linearised<S, P>, char> before;
-    if constexpr (Mixed) linearise(*from, *change, before);
+    if constexpr (Mixed) prepare(course(*from, *change), before.nodes, before.lanes);
     typename Formulation::template Gradient<P> sums{};
     [[maybe_unused]] typename Formulation::template Gradient<P> predicted{};
     typename Formulation::template Hessian<P> blocks{};
@@ -298,6 +276,22 @@ auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Ve
     half.finish(blocks);
     expand(gradient, result.force);
     return result;
+}
+
+template <class T, class Formulation>
+template <class S>
+auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e) const noexcept
+    -> Evaluation<S, dofs> {
+    return pass<S, false>(e, nullptr, nullptr);
+}
+
+template <class T, class Formulation>
+template <class S>
+auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e,
+                                                  const Vector<S, dofs>& before,
+                                                  const Vector<S, dofs>& change) const noexcept
+    -> MixedEvaluation<S, dofs> {
+    return pass<S, true>(e, &before, &change);
 }
 
 template <class T, class Formulation>

@@ -56,8 +56,7 @@ struct Projected {
     /// with the shears.
     template <class S>
     static void hessian(const Frames<S>& f, const detail::Invariants<S>& w,
-                        const S (&U)[detail::invariant_count],
-                        const S (&D)[detail::invariant_count][detail::invariant_count],
+                        const S (&U)[detail::invariant_count], const detail::InvariantHessian<S>& D,
                         detail::LocalHessian<S>& h) noexcept;
 };
 

@@ -29,8 +29,7 @@ struct ProjectedRows {
 
 template <class S>
 inline void projected_rows(const Projected::Frames<S>& f, const Invariants<S>& w,
-                           const S (&D)[invariant_count][invariant_count],
-                           ProjectedRows<S>& r) noexcept {
+                           const InvariantHessian<S>& D, ProjectedRows<S>& r) noexcept {
     const DirectorFrame<S>&y = f.y, &z = f.z;
     const S om2_m = z.al * z.om - z.chi;
     S(&t)[geometric_count] = r.L_u[0];
@@ -101,10 +100,10 @@ inline void projected_vectors(const Projected::Frames<S>& f, const ProjectedRows
 /// b).
 template <class S>
 inline void projected_full_blocks(const Invariants<S>& w, const S& U_lam,
-                                  const S (&D)[invariant_count][invariant_count],
-                                  const ProjectedRows<S>& r, const ProjectedVectors<S>& g,
-                                  const DirectorFrame<S>& y, const DirectorHessian<S>& hy,
-                                  const DirectorHessian<S>& hz, LocalHessian<S>& h) noexcept {
+                                  const InvariantHessian<S>& D, const ProjectedRows<S>& r,
+                                  const ProjectedVectors<S>& g, const DirectorFrame<S>& y,
+                                  const DirectorHessian<S>& hy, const DirectorHessian<S>& hz,
+                                  LocalHessian<S>& h) noexcept {
     const S &C = w.C, &Z = w.S_;
     S M[3][3];
     // (p, p): the z director's part is turned about t
@@ -187,8 +186,7 @@ inline void projected_full_blocks(const Invariants<S>& w, const S& U_lam,
 
 /// Writes the blocks that are sums of a few outer products, and the couplings with the shears.
 template <class S>
-inline void projected_sparse_blocks(const Invariants<S>& w,
-                                    const S (&D)[invariant_count][invariant_count],
+inline void projected_sparse_blocks(const Invariants<S>& w, const InvariantHessian<S>& D,
                                     const ProjectedRows<S>& r, const ProjectedVectors<S>& g,
                                     const DirectorFrame<S>& y, const DirectorHessian<S>& hy,
                                     const DirectorHessian<S>& hz, LocalHessian<S>& h) noexcept {
@@ -280,8 +278,7 @@ namespace ancf {
 
 template <class S>
 void Projected::hessian(const Frames<S>& f, const detail::Invariants<S>& w,
-                        const S (&U)[detail::invariant_count],
-                        const S (&D)[detail::invariant_count][detail::invariant_count],
+                        const S (&U)[detail::invariant_count], const detail::InvariantHessian<S>& D,
                         detail::LocalHessian<S>& h) noexcept {
     using namespace detail;
     DirectorHessian<S> hy, hz;

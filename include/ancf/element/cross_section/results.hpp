@@ -59,9 +59,11 @@ struct CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::Place {
 
 namespace detail {
 
-template <class S>
-[[nodiscard]] inline Vector<S, 3> to_vector(const Vec3<S>& a) noexcept {
-    return {a[0], a[1], a[2]};
+/// Adds factor times a form of nodal vector x.
+template <int Dofs>
+inline void add_form(Eigen::Matrix<double, 1, Dofs>& row, int x, double factor,
+                     const Vec3<double>& form) noexcept {
+    row.template segment<3>(coordinate_start<Dofs>(x)) += factor * to_vector(form).transpose();
 }
 
 }  // namespace detail
@@ -93,44 +95,32 @@ template <class S>
 auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::strains(const Vector<S, dofs>& e,
                                                                            double xi) const noexcept
     -> Vector<S, 12> {
-    Vector<S, 12> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi).template cast<S>();
-    return result;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::raw_strains(
-    const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 12> {
-    const Place<S> at = place(e, xi);
-    return Eigen::Map<const Vector<S, 12>>(at.state.strain);
+    return this->beyond_reference(e, [&](const auto& state) {
+        const auto at = place(state, xi);
+        using Strains = Vector<typename std::decay_t<decltype(state)>::Scalar, 12>;
+        return Strains(Eigen::Map<const Strains>(at.state.strain));
+    });
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
 auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::transverse_strains(
     const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 3> {
-    Vector<S, 3> result = raw_transverse_strains(e, xi);
-    if (line_.curved()) result -= raw_transverse_strains(reference_, xi).template cast<S>();
-    return result;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::raw_transverse_strains(
-    const Vector<S, dofs>& e, double xi) const noexcept -> Vector<S, 3> {
     using namespace detail;
-    NodalVectors<S, Line::vectors> nodes;
-    nodal_vectors(e, nodes);
-    Vector<S, 3> strain = Vector<S, 3>::Zero();
-    for (int node = 0; node < 2; ++node) {
-        const double weight = node == 0 ? 1.0 - xi : xi;
-        const Vec3<S>&a = nodes[n_a1 + node], &b = nodes[n_b1 + node];
-        strain[0] += weight * stretch_strain(options_.transverse, a).value;
-        strain[1] += weight * stretch_strain(options_.transverse, b).value;
-        strain[2] += weight * dot(a, b);
-    }
-    return strain;
+    return this->beyond_reference(e, [&](const auto& state) {
+        using T = typename std::decay_t<decltype(state)>::Scalar;
+        NodalVectors<T, Line::vectors> nodes;
+        nodal_vectors(state, nodes);
+        Vector<T, 3> strain = Vector<T, 3>::Zero();
+        for (int node = 0; node < 2; ++node) {
+            const double weight = node == 0 ? 1.0 - xi : xi;
+            const Vec3<T>&a = nodes[n_a1 + node], &b = nodes[n_b1 + node];
+            strain[0] += weight * stretch_strain(options_.transverse, a).value;
+            strain[1] += weight * stretch_strain(options_.transverse, b).value;
+            strain[2] += weight * dot(a, b);
+        }
+        return strain;
+    });
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
@@ -192,9 +182,6 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::spin_row(
     const Place<double>& at, int director) const noexcept -> Row {
     using namespace detail;
     Row row = Row::Zero();
-    const auto add = [&row](int x, double factor, const Vec3<double>& form) {
-        row.template segment<3>(coordinate_start<dofs>(x)) += factor * to_vector(form).transpose();
-    };
     const int a1 = n_a1 + 2 * director;
     Vec3<double> by_p{};  // of the tangent vector p
     if constexpr (carries_directors<Directors>) {
@@ -205,17 +192,17 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::spin_row(
         for (int node = 0; node < 2; ++node) {
             const auto& spin = at.nodes.spins[2 * director + node];
             const auto& way = at.state.frame.from[node];
-            add(a1 + node, share[node], spin.da);
-            add(n_g1 + node, share[node], spin.dg + way.sg);
+            add_form(row, a1 + node, share[node], spin.da);
+            add_form(row, n_g1 + node, share[node], spin.dg + way.sg);
             by_p = by_p + share[node] * way.sp;
         }
     } else {
         const DirectorFrame<double>& f = director == 0 ? at.state.frames.y : at.state.frames.z;
         const double share[2] = {1.0 - at.shape.n2, at.shape.n2};
-        for (int node = 0; node < 2; ++node) add(a1 + node, share[node] * f.inv_nu, f.c);
+        for (int node = 0; node < 2; ++node) add_form(row, a1 + node, share[node] * f.inv_nu, f.c);
         by_p = (-f.al * f.inv_lam) * f.c;
     }
-    for (int x = 0; x < Line::vectors; ++x) add(line_vector(x), at.shape.p[x], by_p);
+    for (int x = 0; x < Line::vectors; ++x) add_form(row, line_vector(x), at.shape.p[x], by_p);
     row.template head<3>() = -at.shape.p[0] * to_vector(by_p).transpose();
     return row;
 }
@@ -225,22 +212,19 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::shear_row(
     const Place<double>& at, int director) const noexcept -> Row {
     using namespace detail;
     Row row = Row::Zero();
-    const auto add = [&row](int x, double factor, const Vec3<double>& form) {
-        row.template segment<3>(coordinate_start<dofs>(x)) += factor * to_vector(form).transpose();
-    };
     const int a1 = n_a1 + 2 * director;
     const double share[2] = {1.0 - at.shape.n2, at.shape.n2};
     if constexpr (Shear::nodal) {
         for (int node = 0; node < 2; ++node) {
             const NodalSine<double>& sine = at.nodes.sines[2 * director + node];
-            add(a1 + node, share[node], sine.da);
-            add(n_g1 + node, share[node], sine.dg);
+            add_form(row, a1 + node, share[node], sine.da);
+            add_form(row, n_g1 + node, share[node], sine.dg);
         }
     } else {
         const Vec3<double> slope = share[0] * at.vectors[a1] + share[1] * at.vectors[a1 + 1];
         const NodalSine<double> sine = nodal_sine(slope, at.p);
-        for (int node = 0; node < 2; ++node) add(a1 + node, share[node], sine.da);
-        for (int x = 0; x < 3; ++x) add(n_D + x, at.shape.p[x], sine.dg);
+        for (int node = 0; node < 2; ++node) add_form(row, a1 + node, share[node], sine.da);
+        for (int x = 0; x < 3; ++x) add_form(row, n_D + x, at.shape.p[x], sine.dg);
         row.template head<3>() = -at.shape.p[0] * to_vector(sine.dg).transpose();
     }
     return row;
@@ -301,21 +285,8 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position_jaco
         const Matrix<double, 6, dofs> d = directors_jacobian(e, xi);
         jacobian = y * d.template topRows<3>() + z * d.template bottomRows<3>();
     }
-    const auto weights = Line::value(xi, line_.parameter_length());
-    for (int k = 0; k < 3; ++k) {
-        jacobian(k, k) += 1.0 - weights[0];
-        for (std::size_t x = 0; x < weights.size(); ++x) {
-            const int place = detail::line_vector(static_cast<int>(x));
-            jacobian(k, detail::coordinate_start<dofs>(place) + k) += weights[x];
-        }
-    }
+    line_.add_point_jacobian(xi, jacobian);
     return jacobian;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-Vector<double, 3> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::velocity(
-    const Coordinates& e, const Coordinates& rate, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
 }
 
 }  // namespace ancf

@@ -90,7 +90,7 @@ inline void energy_gradient(const StrainJacobian<S>& J, const S* sigma, S* U) no
 /// Writes D[i][j] = J[i] . f for i <= j, where f = C J[j].
 template <class Measure, int Column, int I = 0, class S>
 inline void hessian_column(const StrainJacobian<S>& J, const S* f,
-                           S (&D)[invariant_count][invariant_count]) noexcept {
+                           InvariantHessian<S>& D) noexcept {
     if constexpr (I <= Column) {
         constexpr unsigned pattern = Measure::pattern[I] & block_closure(Measure::pattern[Column]);
         if constexpr (pattern != 0) {
@@ -106,7 +106,7 @@ inline void hessian_column(const StrainJacobian<S>& J, const S* f,
 /// invariants.
 template <class Measure, int Column = 0, class T, class S>
 inline void material_hessian(const StrainJacobian<S>& J, const SectionMatrix<T>& C,
-                             S (&D)[invariant_count][invariant_count]) noexcept {
+                             InvariantHessian<S>& D) noexcept {
     if constexpr (Column < invariant_count) {
         S f[strain_count];
         stress<Measure::pattern[Column]>(C, J[Column], f);

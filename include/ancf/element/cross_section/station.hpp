@@ -77,7 +77,7 @@ ANCF_NOINLINE void station_gradient(const StationData<T>& data,
 template <class Measure, bool NodalShear, class Data, class S>
 ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
                                      const StrainJacobian<S>& J, const S (&stresses)[strain_count],
-                                     S (&D)[invariant_count][invariant_count]) noexcept {
+                                     InvariantHessian<S>& D) noexcept {
     material_hessian<Measure>(J, data.stiffness, D);
     Measure::add_curvature(w, typename Measure::template Rates<S>(w), stresses, D);
     const auto mirror = [&D](int first) noexcept {
@@ -100,7 +100,7 @@ template <class T, class S, class Directors, class Shear, class Measure>
 void station_hessian(const StationData<T>& data,
                      const StationState<S, Directors, Shear, Measure>& at,
                      NodalHessian<S>& nodal) noexcept {
-    S D[invariant_count][invariant_count];
+    InvariantHessian<S> D;
     invariant_hessian<Measure, Shear::nodal>(data, at.w, at.J, at.stress, D);
     LocalHessian<S> local;
     Directors::hessian(at.frames, at.w, at.U, D, local);

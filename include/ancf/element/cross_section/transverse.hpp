@@ -90,7 +90,7 @@ template <class S>
 inline void predict(const TransverseState<Dual<S>>& before, TransverseState<S>& state) noexcept {
     for (int k = 0; k < 3; ++k) {
         for (int node = 0; node < 2; ++node)
-            state.stress[k][node] = before.stress[k][node].value + before.stress[k][node].rate;
+            state.stress[k][node] = arrived(before.stress[k][node]);
     }
 }
 

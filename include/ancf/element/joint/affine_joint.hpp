@@ -16,6 +16,7 @@
 #include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/element/rate.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/types.hpp>
@@ -71,12 +72,9 @@ public:
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
                                                     const Vector<S, dofs>& change) const noexcept {
-        Vector<Dual<S>, dofs> moving;
-        for (int k = 0; k < dofs; ++k) moving[k] = {before[k], change[k]};
-        const Square<Dual<S>> foreseen = stress(moving);
+        const Square<Dual<S>> foreseen = stress(detail::course(before, change));
         Square<S> s;
-        for (int k = 0; k < s.size(); ++k)
-            s.data()[k] = foreseen.data()[k].value + foreseen.data()[k].rate;
+        for (int k = 0; k < s.size(); ++k) s.data()[k] = detail::arrived(foreseen.data()[k]);
         return {{energy(e), force(e), tangent(e, s)}, force(e, s)};
     }
 

@@ -17,6 +17,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/line_element.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/planar/kernel.hpp>
 #include <ancf/element/planar/nodal.hpp>
@@ -49,7 +50,15 @@ struct CubicShear {};
 /// @tparam Shear  LinearShear, or CubicShear that goes with QuinticLine: PlanarQuinticBeam
 /// @tparam Line   CubicLine or QuinticLine
 template <class Directors, class Shear, class Measure, class Line>
-class CrossSectionBeam<2, Directors, Shear, Measure, Line> {
+class CrossSectionBeam<2, Directors, Shear, Measure, Line>
+    : public LineElement<
+          CrossSectionBeam<2, Directors, Shear, Measure, Line>,
+          detail::PlanarKernel<
+              double, typename detail::PlanarMeasureOf<Measure>::type,
+              detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
+          detail::CrossSectionOptionsOf<Shear, Line>, Line, std::is_same_v<Shear, CubicShear>> {
+    using Base = typename CrossSectionBeam::LineElement;
+    using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(std::is_same_v<Shear, LinearShear> || std::is_same_v<Shear, CubicShear>,
                   "in the plane shear is LinearShear or CubicShear");
     static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;
@@ -68,12 +77,8 @@ public:
                                      (cubic_shear ? Fields(Field::r_xy) : Fields()) |
                                      (quintic ? Fields(Field::r_xx) : Fields());
 
-    /// Nodal coordinates e, those of the first node first.
-    using Coordinates = Vector<double, dofs>;
-    /// Choices that are values.
-    using Options =
-        std::conditional_t<cubic_shear, PlanarQuinticOptions,
-                           std::conditional_t<quintic, QuinticOptions, CrossSectionOptions>>;
+    using typename Base::Coordinates;
+    using typename Base::Options;
 
     /// Makes a straight element.
     /// @param length  l, m, > 0
@@ -91,54 +96,6 @@ public:
     CrossSectionBeam(const Material& material, const Section& section, const Coordinates& reference,
                      double length, const Options& options = {});
 
-    /// Returns the strain energy U, J.
-    template <class S>
-    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.energy(e);
-    }
-
-    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
-    template <class S>
-    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.force(e);
-    }
-
-    /// Returns energy, elastic force and tangent in one pass; noexcept, no heap allocation.
-    /// @param e  nodal coordinates, 12 x 1, [r r_x r_y] per node; m and 1. A quintic line: r_xx
-    ///           last, cubic shear: r_xy before it, 1/m
-    template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
-        return kernel_.evaluate(e);
-    }
-
-    /// Returns the same with the tangent of mixed integration points: its geometric part has the
-    /// stresses C (s + B change) of an earlier state. docs/theory-statics.md, "Stresses as
-    /// unknowns".
-    /// @param before  where the last tangent was taken, dofs x 1
-    /// @param change  the correction that it gave, dofs x 1
-    template <class S>
-    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept {
-        return kernel_.evaluate(e, before, change);
-    }
-
-    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
-    /// r_xx and r_xy.
-    [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<2>(mass_weights_); }
-
-    /// Returns the nodal force of gravity.
-    /// @param g  acceleration, m/s^2
-    [[nodiscard]] Vector<double, dofs> gravity(const Vector<double, 2>& g) const {
-        return gravity_force<2>(mass_weights_, g);
-    }
-
-    /// Returns the nodal force of a dead force per length of the stress-free centre line.
-    /// @param force  N/m
-    [[nodiscard]] Vector<double, dofs> line_load(const Vector<double, 2>& force) const {
-        return line_.template line_load<3, cubic_shear>(force);
-    }
-
     /// Tells whether e is a beam whose strains are defined: finite, the tangent longer than 1e-6
     /// and the shear's sine less than 1 at every station, and all along r_y to its left by more
     /// than an angle of 1e-6, turning by less than 120 degrees from node to node.
@@ -150,13 +107,6 @@ public:
     [[nodiscard]] bool softened(const Coordinates& e) const noexcept {
         return !PlanarMeasure::engineering && line_.least_stretch(e) < softening_stretch;
     }
-
-    /// Returns the length of the stress-free element, m.
-    [[nodiscard]] double length() const noexcept { return line_.length(); }
-    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
-    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
-    /// Returns the options it was made with.
-    [[nodiscard]] const Options& options() const noexcept { return options_; }
 
     // Results at a place: xi in [0, 1] along the element, y in the section, m; z has no effect. ---
 
@@ -190,14 +140,6 @@ public:
                                                             double y = 0.0,
                                                             double z = 0.0) const noexcept;
 
-    /// Returns the velocity of a point of the body, m/s.
-    /// @param rate  time derivative of e
-    [[nodiscard]] Vector<double, 2> velocity(const Coordinates& e, const Coordinates& rate,
-                                             double xi, double y = 0.0,
-                                             double z = 0.0) const noexcept {
-        return position_jacobian(e, xi, y, z) * rate;
-    }
-
 private:
     using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
 
@@ -216,17 +158,9 @@ private:
         return PlanarMeasure::engineering ? std::sqrt(1.0 - f.w.s * f.w.s) : 1.0;
     }
     void set_up(const Material& material, const Section& section);
-    [[nodiscard]] Vector<double, 5> raw_strains(const Coordinates& e, double xi) const noexcept;
-    [[nodiscard]] double raw_transverse_strain(const Coordinates& e, double xi) const noexcept;
 
-    ReferenceLine<2, Line> line_;
-    Coordinates
-        reference_;  // nodal coordinates of the stress-free state; used where the line is curved
-    Options options_;
     SectionStiffness section_;
     Vector<double, 3> moduli_;  // of green_strain(), Pa
-    detail::PlanarKernel<double, PlanarMeasure, Layout> kernel_;
-    Matrix<double, dofs / 2> mass_weights_;
 };
 
 namespace detail {
@@ -252,7 +186,7 @@ CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Mat
                                                                        const Section& section,
                                                                        double length,
                                                                        const Options& options)
-    : line_((detail::require_positive("length", length), length)), options_(options) {
+    : Base(length, options) {
     set_up(material, section);
 }
 
@@ -262,17 +196,11 @@ CrossSectionBeam<2, Directors, Shear, Measure, Line>::CrossSectionBeam(const Mat
                                                                        const Coordinates& reference,
                                                                        double length,
                                                                        const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
+    : Base(reference, length, options) {
     set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y to "
-                    "the left of r_x, turning by less than 120 degrees from node to node, got ",
-                    detail::components(reference));
+    this->require_admissible(
+        "slopes of some length, r_y to the left of r_x, turning by less than 120 degrees from node "
+        "to node");
     kernel_.set_reference(reference);
 }
 
@@ -321,37 +249,26 @@ bool CrossSectionBeam<2, Directors, Shear, Measure, Line>::admissible(
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::strains(
     const Coordinates& e, double xi) const noexcept {
-    Vector<double, 5> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi);
-    return result;
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_strains(
-    const Coordinates& e, double xi) const noexcept {
-    double strains[detail::planar_strain_count];
-    PlanarMeasure::strains(frame(e, xi).w, strains);
-    return Eigen::Map<const Vector<double, 5>>(strains);
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-double CrossSectionBeam<2, Directors, Shear, Measure, Line>::raw_transverse_strain(
-    const Coordinates& e, double xi) const noexcept {
-    double nodal[Layout::shears];
-    kernel_.transverse(e, nodal);
-    const Shape at = shape(xi);
-    double strain = 0.0;
-    for (int m = 0; m < Layout::shears; ++m) strain += at.weight(m) * nodal[m];
-    return strain;
+    return this->beyond_reference(e, [&](const Coordinates& state) {
+        double strains[detail::planar_strain_count];
+        PlanarMeasure::strains(frame(state, xi).w, strains);
+        return Vector<double, 5>(Eigen::Map<const Vector<double, 5>>(strains));
+    });
 }
 
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_strain(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
-    double transverse = raw_transverse_strain(e, xi);
-    if (line_.curved()) transverse -= raw_transverse_strain(reference_, xi);
-    return {s[0] + y * s[1] + y * y * s[2], transverse, s[3] + y * s[4]};
+    const Shape at = shape(xi);
+    const auto transverse = this->beyond_reference(e, [&](const Coordinates& state) {
+        double nodal[Layout::shears];
+        kernel_.transverse(state, nodal);
+        Vector<double, 1> strain(0.0);
+        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.weight(m) * nodal[m];
+        return strain;
+    });
+    return {s[0] + y * s[1] + y * y * s[2], transverse[0], s[3] + y * s[4]};
 }
 
 template <class Directors, class Shear, class Measure, class Line>
@@ -409,12 +326,7 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept
     -> Matrix<double, 2, dofs> {
     Matrix<double, 2, dofs> jacobian = Matrix<double, 2, dofs>::Zero();
-    const auto weights = Line::value(xi, line_.parameter_length());
-    for (int k = 0; k < 2; ++k) {
-        jacobian(k, k) = 1.0 - weights[0];
-        for (int x = 0; x < Layout::line; ++x)
-            jacobian(k, Layout::start[x] + k) = weights[static_cast<unsigned>(x)];
-    }
+    line_.add_point_jacobian(xi, jacobian);
     if (y == 0.0) return jacobian;
     const Shape at = shape(xi);
     const detail::PlanarNodes<double, Layout> nodes(e);

@@ -38,7 +38,7 @@ struct TransverseTerm {
 /// @tparam Layout  a PlanarLayout
 template <class T, class Measure, class Layout>
 struct PlanarKernel {
-    static constexpr int dofs = Layout::dofs;
+    static constexpr int dimension = 2, dofs = Layout::dofs;
     template <class S>
     using Nodes = PlanarNodes<S, Layout>;
 
@@ -116,9 +116,7 @@ struct PlanarKernel {
         result.energy = sums.energy + transverse_terms(nodes, transverse);
         result.force = gradient(nodes, sums, transverse);
 
-        Dual<S> course[dofs];
-        for (int i = 0; i < dofs; ++i) course[i] = Dual<S>(before[i], change[i]);
-        const Nodes<Dual<S>> line(course);
+        const Nodes<Dual<S>> line(course(before, change));
         PlanarSums<S, Layout> predicted;
         for (const PlanarStation<T, Layout>& station : stations) {
             PlanarFrame<Dual<S>> frame;
@@ -162,12 +160,6 @@ private:
             add_planar_station<Second, Measure>(station, nodes, sums);
         for (const AxialStationData<T, Layout::line>& station : axial)
             add_planar_axial<Second>(station, nodes, sums);
-    }
-
-    // What a linearised state has reached at the end of its change.
-    template <class S>
-    static S arrived(const Dual<S>& course) noexcept {
-        return course.value + course.rate;
     }
 
     template <class S>

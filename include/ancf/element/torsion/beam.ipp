@@ -22,35 +22,18 @@
 
 namespace ancf {
 
-ANCF_LAZY TorsionBeam::Coordinates TorsionBeam::straight(double length) {
-    Coordinates e = Coordinates::Zero();
-    e[3] = e[7] = e[12] = e[16] = 1.0;
-    e[9] = length;
-    return e;
-}
-
 ANCF_LAZY TorsionBeam::TorsionBeam(const Material& material, const Section& section, double length,
                                    const Options& options)
-    : line_((detail::require_positive("length", length), length)),
-      reference_(straight(length)),
-      options_(options) {
+    : LineElement(length, options) {
     set_up(material, section);
 }
 
 ANCF_LAZY TorsionBeam::TorsionBeam(const Material& material, const Section& section,
                                    const Coordinates& reference, double length,
                                    const Options& options)
-    : line_((detail::require_positive("length", length), length), reference),
-      reference_(reference),
-      options_(options) {
-    detail::require(detail::all_finite(reference),
-                    "the reference coordinates of an element must be finite, got ",
-                    detail::components(reference));
+    : LineElement(reference, length, options) {
     set_up(material, section);
-    detail::require(admissible(reference),
-                    "the reference coordinates of an element need slopes of some length, r_y not "
-                    "along the tangent, got ",
-                    detail::components(reference));
+    require_admissible("slopes of some length, r_y not along the tangent");
     kernel_.set_reference(reference);
 }
 
@@ -122,17 +105,12 @@ ANCF_LAZY bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
     return true;
 }
 
-ANCF_LAZY Vector<double, 4> TorsionBeam::raw_strains(const Coordinates& e,
-                                                     double xi) const noexcept {
-    detail::Invariants<double> w;
-    (void)frame(e, xi, w);
-    return {0.5 * (w.lam * w.lam - 1.0), -w.kap, -w.chi, w.om};
-}
-
 ANCF_LAZY Vector<double, 4> TorsionBeam::strains(const Coordinates& e, double xi) const noexcept {
-    Vector<double, 4> result = raw_strains(e, xi);
-    if (line_.curved()) result -= raw_strains(reference_, xi);
-    return result;
+    return beyond_reference(e, [&](const Coordinates& state) {
+        detail::Invariants<double> w;
+        (void)frame(state, xi, w);
+        return Vector<double, 4>(0.5 * (w.lam * w.lam - 1.0), -w.kap, -w.chi, w.om);
+    });
 }
 
 ANCF_LAZY SectionForces TorsionBeam::section_forces(const Coordinates& e,
@@ -159,8 +137,7 @@ ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     torsion_state(shape, nodes, at);
     const CarriedFrame<double>& f = at.frame;
     // d n = th c - (n.dt) t and d c = -th n - (c.dt) t, with dt = (I - t t^T) dp/lam
-    Vector<double, 3> t, n, c;
-    for (int k = 0; k < 3; ++k) t[k] = f.t[k], n[k] = f.n[k], c[k] = f.c[k];
+    const Vector<double, 3> t = to_vector(f.t), n = to_vector(f.n), c = to_vector(f.c);
     Eigen::Matrix<double, 3, torsion_local> local = Eigen::Matrix<double, 3, torsion_local>::Zero();
     const Vector<double, 3> turned = y * c - z * n;
     const Matrix<double, 3> tilt = -f.inv_lam * t * (y * n + z * c).transpose();
@@ -177,14 +154,7 @@ ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     Matrix<double, 3, dofs> result = Matrix<double, 3, dofs>::Zero();
     for (int i = 0; i < torsion_local; ++i) result.col(torsion_place[i]) = local.col(i);
     result.leftCols<3>() = -local.leftCols<3>();
-    const auto line = hermite(xi, line_.parameter_length());
-    for (int node = 0; node < 2; ++node) {
-        const auto place = static_cast<unsigned>(2 * node);
-        for (int k = 0; k < 3; ++k) {
-            result(k, 9 * node + k) += line[place];
-            result(k, 9 * node + 3 + k) += line[place + 1];
-        }
-    }
+    line_.add_point_jacobian(xi, result);
     return result;
 }
 
@@ -192,24 +162,6 @@ ANCF_LAZY Vector<double, 1> TorsionBeam::stress(const Coordinates& e, double xi,
                                                 double z) const noexcept {
     const Vector<double, 4> s = strains(e, xi);
     return Vector<double, 1>(young_ * (s[0] + y * s[1] + z * s[2]));
-}
-
-ANCF_LAZY Vector<double, 3> TorsionBeam::velocity(const Coordinates& e, const Coordinates& rate,
-                                                  double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * rate;
-}
-
-ANCF_LAZY Matrix<double, TorsionBeam::dofs> TorsionBeam::mass() const {
-    return mass_matrix<3>(mass_weights_);
-}
-
-ANCF_LAZY Vector<double, TorsionBeam::dofs> TorsionBeam::gravity(const Vector<double, 3>& g) const {
-    return gravity_force<3>(mass_weights_, g);
-}
-
-ANCF_LAZY Vector<double, TorsionBeam::dofs> TorsionBeam::line_load(
-    const Vector<double, 3>& force) const {
-    return line_.template line_load<3>(force);
 }
 
 }  // namespace ancf

@@ -118,7 +118,7 @@ struct NoState {};
 /// Replaces stresses by those of a state before, linearised along its correction.
 template <class S, int Count>
 inline void predict(const Dual<S> (&before)[Count], S (&stress)[Count]) noexcept {
-    for (int i = 0; i < Count; ++i) stress[i] = before[i].value + before[i].rate;
+    for (int i = 0; i < Count; ++i) stress[i] = arrived(before[i]);
 }
 
 template <class S>
@@ -242,6 +242,8 @@ ANCF_NOINLINE void add_torsion_curvature(const StationShape<double>& shape,
 
 /// The constant data of an element, and the walk over its stations.
 struct TorsionKernel {
+    static constexpr int dimension = 3, dofs = 18;
+
     std::vector<TorsionAxialStation> axial;
     std::vector<TorsionStation> stations;
     TorsionHold holds[2];
@@ -304,9 +306,8 @@ inline void TorsionKernel::set_reference(const Vector<double, 18>& e) noexcept {
     TorsionNodes<double> nodes;
     torsion_nodes(e, nodes);
     for (TorsionAxialStation& station : axial) {
-        Vec3<double> p{};
-        for (int a = 0; a < 3; ++a) add(p, station.p[a], nodes.vector[a]);
-        station.reference = 0.5 * (dot(p, p) - 1.0);
+        station.reference = 0.0;
+        station.reference = station.strain(station.slope(nodes.vector));
     }
     for (TorsionStation& station : stations) {
         CarriedFrame<double> f;
@@ -333,8 +334,7 @@ S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, const Before& before, L
         S stress = station.stiffness * strain;
         energy += 0.5 * stress * strain;
         if constexpr (!std::is_same_v<Before, NoState>) {
-            const auto earlier = station.strain(station.slope(before.vector));
-            stress = station.stiffness * (earlier.value + earlier.rate);
+            stress = station.stiffness * arrived(station.strain(station.slope(before.vector)));
         }
         for (int a = 0; a < 3; ++a)
             for (int i = 0; i < 3; ++i) force[3 * a + i] += station.p[a] * stress * p[i];
@@ -529,10 +529,8 @@ MixedEvaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e, const Vec
                                                const Vector<S, 18>& change) const noexcept {
     TorsionNodes<S> nodes;
     TorsionNodes<Dual<S>> along;
-    Vector<Dual<S>, 18> moving;
-    for (int k = 0; k < 18; ++k) moving[k] = Dual<S>(before[k], change[k]);
     torsion_nodes(e, nodes);
-    torsion_nodes(moving, along);
+    torsion_nodes(course(before, change), along);
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
     MixedEvaluation<S, 18> result;

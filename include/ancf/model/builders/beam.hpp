@@ -175,18 +175,14 @@ template <class Element>
 
 namespace detail {
 
-template <class Element, class = void>
-struct has_line_load : std::false_type {};
 template <class Element>
-struct has_line_load<Element, std::void_t<decltype(std::declval<const Element&>().line_load(
-                                  std::declval<const Vector<double, Element::dimension>&>()))>>
-    : std::true_type {};
+using LineLoad = decltype(some<Element>().line_load(some<Vector<double, Element::dimension>>()));
 
 /// Returns the nodal force of a force per length; elements without a say in it are straight.
 template <class Element>
 [[nodiscard]] VectorX line_load(const Element& element,
                                 const Vector<double, Element::dimension>& force_per_length) {
-    if constexpr (has_line_load<Element>::value) {
+    if constexpr (offers<LineLoad, Element>) {
         return element.line_load(force_per_length);
     } else {
         Moments line;  // a section of unit area on the axis alone

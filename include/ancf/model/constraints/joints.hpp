@@ -96,15 +96,8 @@ public:
     [[nodiscard]] std::string name() const;
 
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const;
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const;
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const;
-
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
     [[nodiscard]] double driven_angle(double time) const {

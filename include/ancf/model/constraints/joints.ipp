@@ -239,28 +239,13 @@ ANCF_INLINE Forms<double> FrameJoint::form_accelerations(double time) const {
 }
 
 template <class Scalar>
-DynamicVector<Scalar> FrameJoint::violation(const DynamicVector<Scalar>& q,
-                                            const Scalar& time) const {
-    DynamicVector<Scalar> g(equations());
-    if (pinned_) {
-        for (int k = 0; k < 3; ++k)
-            g[k] = q[k] - (b_.kind == SideKind::space ? Scalar(b_.place[k]) : q[3 + k]);
-    }
-    const At<Scalar> at(*this, q, time);
-    int row = positions();
-    for (const FrameForm<Scalar>& sine : at.sines) g[row++] = at.factor.value * sine.value;
-    return g;
-}
-
-template <class Scalar>
-DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
-                                           const Scalar& time) const {
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(equations(), q.size());
-    if (pinned_) {
-        for (int k = 0; k < 3; ++k) {
-            g(k, k) = Scalar(1.0);
-            if (b_.kind != SideKind::space) g(k, 3 + k) = Scalar(-1.0);
-        }
+void FrameJoint::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                       ConstraintTerms<Scalar>& out) const {
+    const bool to_space = b_.kind == SideKind::space;
+    for (int k = 0; k < positions(); ++k) {
+        out.violation[k] = q[k] - (to_space ? Scalar(b_.place[k]) : q[3 + k]);
+        out.jacobian(k, k) = Scalar(1.0);
+        if (!to_space) out.jacobian(k, 3 + k) = Scalar(-1.0);
     }
     const int width = 3 * (a_.vectors() + b_.vectors());
     const At<Scalar> at(*this, q, time);
@@ -268,32 +253,23 @@ DynamicMatrix<Scalar> FrameJoint::jacobian(const DynamicVector<Scalar>& q,
     int row = positions();
     for (const FrameForm<Scalar>& sine : at.sines) {
         const std::array<Scalar, 12> of_sine = sine.gradient(at.a, at.b);
+        out.violation[row] = at.factor.value * sine.value;
         for (int k = 0; k < width; ++k)
-            g(row, first_slope() + k) =
+            out.jacobian(row, first_slope() + k) =
                 at.factor.value * of_sine[k] + sine.value * at.factor.first * of_cosine[k];
         ++row;
     }
-    return g;
-}
-
-template <class Scalar>
-DynamicVector<Scalar> FrameJoint::rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
-    DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(equations());
-    if (!angle_) return g;
-    const At<Scalar> at(*this, q, time);
+    if (!angle_) return;
     const Forms<Scalar> rates = form_rates(time);
-    const Scalar of_cosine = FrameForm<Scalar>(rates.cosine, at.a, at.b).value;
+    const Scalar cosine_rate = FrameForm<Scalar>(rates.cosine, at.a, at.b).value;
     for (std::size_t k = 0; k < at.sines.size(); ++k)
-        g[positions() + static_cast<int>(k)] =
+        out.rate[positions() + static_cast<int>(k)] =
             at.factor.value * FrameForm<Scalar>(rates.sines[k], at.a, at.b).value +
-            at.sines[k].value * at.factor.first * of_cosine;
-    return g;
+            at.sines[k].value * at.factor.first * cosine_rate;
 }
 
 ANCF_INLINE void FrameJoint::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
-    out.rate = rate(at.q, at.time);
+    terms(at.q, at.time, out);
     const At<double> here(*this, at.q, at.time);
     const TurnFactor<double>& factor = here.factor;
     const std::vector<FormCourse> forms = here.courses(*this, at);

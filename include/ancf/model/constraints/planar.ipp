@@ -136,41 +136,22 @@ ANCF_INLINE MatrixX PlanarWeld::angle_hessian(const VectorX& q) const {
 }
 
 template <class Scalar>
-DynamicVector<Scalar> PlanarWeld::violation(const DynamicVector<Scalar>& q,
-                                            const Scalar& time) const {
-    DynamicVector<Scalar> g(3);
-    g[0] = q[0];
-    g[1] = q[1];
-    for (int k = 0; k < 2; ++k) g[k] -= to_space_ ? Scalar(place_[k]) : q[2 + k];
-    g[2] = held(q, time).value;
-    return g;
-}
-
-template <class Scalar>
-DynamicMatrix<Scalar> PlanarWeld::jacobian(const DynamicVector<Scalar>& q,
-                                           const Scalar& time) const {
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(3, q.size());
+void PlanarWeld::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                       ConstraintTerms<Scalar>& out) const {
     for (int k = 0; k < 2; ++k) {
-        g(k, k) = Scalar(1.0);
-        if (!to_space_) g(k, 2 + k) = Scalar(-1.0);
+        out.violation[k] = q[k] - (to_space_ ? Scalar(place_[k]) : q[2 + k]);
+        out.jacobian(k, k) = Scalar(1.0);
+        if (!to_space_) out.jacobian(k, 2 + k) = Scalar(-1.0);
     }
-    const Scalar slope = held(q, time).first;
+    const Held<Scalar> now = held(q, time);
     const DynamicVector<Scalar> gradient = angle_gradient(q);
-    for (Eigen::Index k = 0; k < q.size(); ++k) g(2, k) = slope * gradient[k];
-    return g;
-}
-
-template <class Scalar>
-DynamicVector<Scalar> PlanarWeld::rate(const DynamicVector<Scalar>& q, const Scalar& time) const {
-    DynamicVector<Scalar> g = DynamicVector<Scalar>::Zero(3);
-    g[2] = -held(q, time).first * detail::continued(angle_.rate, angle_.acceleration, time);
-    return g;
+    out.violation[2] = now.value;
+    for (Eigen::Index k = 0; k < q.size(); ++k) out.jacobian(2, k) = now.first * gradient[k];
+    out.rate[2] = -now.first * detail::continued(angle_.rate, angle_.acceleration, time);
 }
 
 ANCF_INLINE void PlanarWeld::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
-    out.rate = rate(at.q, at.time);
+    terms(at.q, at.time, out);
     const Held<double> now = held(at.q, at.time);
     const VectorX gradient = angle_gradient(at.q);
     const MatrixX curvature = angle_hessian(at.q);

@@ -4,8 +4,8 @@
 /// @file
 /// Constraints on coordinates and points: fixed coordinates, pins, distances.
 ///
-/// violation, jacobian and rate are templates on the scalar so that the tests differentiate them by
-/// a complex step; evaluate is what a model calls. docs/theory-dynamics.md derives each term.
+/// terms is a template on the scalar so that the tests differentiate it by a complex step; evaluate
+/// is what a model calls. docs/theory-dynamics.md derives each term.
 
 #pragma once
 
@@ -121,18 +121,10 @@ public:
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
 
-    /// Returns g.
+    /// Writes g, G and g_t.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const;
-    /// Returns G = dg/dq.
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const;
-    /// Returns g_t.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const;
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
     /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
@@ -166,18 +158,10 @@ public:
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
 
-    /// Returns g.
+    /// Writes g, G and g_t.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const;
-    /// Returns G = dg/dq.
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const;
-    /// Returns g_t.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const;
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
     /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
@@ -222,27 +206,16 @@ public:
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
 
-    /// Returns g.
+    /// Writes g, G and g_t.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const;
-    /// Returns G = dg/dq.
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const;
-    /// Returns g_t.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const;
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
     /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 private:
     Distance(detail::PointPair<Dimension> points, double length);
 
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, Dimension> direction(const DynamicVector<Scalar>& q,
-                                                      const Scalar& time) const;
     static void require_place(const Vector<double, Dimension>& place);
 
     detail::PointPair<Dimension> points_;
@@ -286,44 +259,32 @@ public:
         return detail::driven_angle(constraint_, time);
     }
 
-    /// Returns g.
+    /// Writes g, G and g_t.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const {
-        DynamicVector<Scalar> g = constraint_.violation(q, time);
-        for (const auto& [equation, motion] : motions_)
-            g[equation] -= detail::continued(motion.value, motion.rate, time);
-        return g;
-    }
-
-    /// Returns G = dg/dq.
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const {
-        return constraint_.jacobian(q, time);
-    }
-
-    /// Returns g_t.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const {
-        DynamicVector<Scalar> g = constraint_.rate(q, time);
-        for (const auto& [equation, motion] : motions_)
-            g[equation] -= detail::continued(motion.rate, motion.acceleration, time);
-        return g;
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const {
+        constraint_.terms(q, time, out);
+        drive(time, out);
     }
 
     /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         constraint_.evaluate(at, out);
-        for (const auto& [equation, motion] : motions_) {
-            out.violation[equation] -= motion.value(at.time);
-            out.rate[equation] -= motion.rate(at.time);
+        drive(at.time, out);
+        for (const auto& [equation, motion] : motions_)
             out.convection[equation] -= motion.acceleration(at.time);
-        }
     }
 
 private:
+    /// Takes f and its rate off g and g_t.
+    template <class Scalar>
+    void drive(const Scalar& time, ConstraintTerms<Scalar>& out) const {
+        for (const auto& [equation, motion] : motions_) {
+            out.violation[equation] -= detail::continued(motion.value, motion.rate, time);
+            out.rate[equation] -= detail::continued(motion.rate, motion.acceleration, time);
+        }
+    }
+
     Constraint constraint_;
     std::vector<std::pair<int, Motion>> motions_;
 };

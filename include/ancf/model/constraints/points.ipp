@@ -147,34 +147,16 @@ std::string FixedCoordinate<Dimension>::name() const {
 
 template <int Dimension>
 template <class Scalar>
-DynamicVector<Scalar> FixedCoordinate<Dimension>::violation(const DynamicVector<Scalar>& q,
-                                                            const Scalar& time) const {
-    return DynamicVector<Scalar>::Constant(
-        1, q[component_] - detail::continued(motion_.value, motion_.rate, time));
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicMatrix<Scalar> FixedCoordinate<Dimension>::jacobian(const DynamicVector<Scalar>& /*q*/,
-                                                           const Scalar& /*time*/) const {
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, Dimension);
-    g(0, component_) = Scalar(1.0);
-    return g;
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicVector<Scalar> FixedCoordinate<Dimension>::rate(const DynamicVector<Scalar>& /*q*/,
-                                                       const Scalar& time) const {
-    return DynamicVector<Scalar>::Constant(
-        1, -detail::continued(motion_.rate, motion_.acceleration, time));
+void FixedCoordinate<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                                       ConstraintTerms<Scalar>& out) const {
+    out.violation[0] = q[component_] - detail::continued(motion_.value, motion_.rate, time);
+    out.jacobian(0, component_) = Scalar(1.0);
+    out.rate[0] = -detail::continued(motion_.rate, motion_.acceleration, time);
 }
 
 template <int Dimension>
 void FixedCoordinate<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
-    out.rate = rate(at.q, at.time);
+    terms(at.q, at.time, out);
     out.convection[0] = -motion_.acceleration(at.time);
 }
 
@@ -187,34 +169,18 @@ Pin<Dimension>::Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
 
 template <int Dimension>
 template <class Scalar>
-DynamicVector<Scalar> Pin<Dimension>::violation(const DynamicVector<Scalar>& q,
-                                                const Scalar& time) const {
-    return points_.difference(q, time);
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicMatrix<Scalar> Pin<Dimension>::jacobian(const DynamicVector<Scalar>& q,
-                                               const Scalar& /*time*/) const {
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(Dimension, q.size());
+void Pin<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                           ConstraintTerms<Scalar>& out) const {
+    out.violation = points_.difference(q, time);
     int at = 0;
     for (const double weight : points_.weights())
-        for (int i = 0; i < Dimension; ++i) g(i, at++) = Scalar(weight);
-    return g;
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicVector<Scalar> Pin<Dimension>::rate(const DynamicVector<Scalar>& /*q*/,
-                                           const Scalar& time) const {
-    return points_.drift(time);
+        for (int i = 0; i < Dimension; ++i) out.jacobian(i, at++) = Scalar(weight);
+    out.rate = points_.drift(time);
 }
 
 template <int Dimension>
 void Pin<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
-    out.rate = rate(at.q, at.time);
+    terms(at.q, at.time, out);
     out.convection = points_.drift_rate(at.time);
 }
 
@@ -262,66 +228,35 @@ void Distance<Dimension>::require_place(const Vector<double, Dimension>& place) 
 
 template <int Dimension>
 template <class Scalar>
-Vector<Scalar, Dimension> Distance<Dimension>::direction(const DynamicVector<Scalar>& q,
-                                                         const Scalar& time) const {
-    using std::sqrt;
-    Vector<Scalar, Dimension> d = points_.difference(q, time);
-    const Scalar length = sqrt(detail::product(d, d));
-    for (int i = 0; i < Dimension; ++i) d[i] /= length;
-    return d;
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicVector<Scalar> Distance<Dimension>::violation(const DynamicVector<Scalar>& q,
-                                                     const Scalar& time) const {
+void Distance<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                                ConstraintTerms<Scalar>& out) const {
     using std::sqrt;
     const Vector<Scalar, Dimension> d = points_.difference(q, time);
-    return DynamicVector<Scalar>::Constant(
-        1, sqrt(detail::product(d, d)) - detail::continued(length_.value, length_.rate, time));
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicMatrix<Scalar> Distance<Dimension>::jacobian(const DynamicVector<Scalar>& q,
-                                                    const Scalar& time) const {
-    const Vector<Scalar, Dimension> n = direction(q, time);
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(1, q.size());
+    const Scalar distance = sqrt(detail::product(d, d));
+    const Vector<Scalar, Dimension> n = d / distance;
     int at = 0;
     for (const double weight : points_.weights())
-        for (int i = 0; i < Dimension; ++i) g(0, at++) = weight * n[i];
-    return g;
-}
-
-template <int Dimension>
-template <class Scalar>
-DynamicVector<Scalar> Distance<Dimension>::rate(const DynamicVector<Scalar>& q,
-                                                const Scalar& time) const {
-    const Scalar along = detail::product(direction(q, time), points_.template drift<Scalar>(time));
-    return DynamicVector<Scalar>::Constant(
-        1, along - detail::continued(length_.rate, length_.acceleration, time));
+        for (int i = 0; i < Dimension; ++i) out.jacobian(0, at++) = weight * n[i];
+    out.violation[0] = distance - detail::continued(length_.value, length_.rate, time);
+    out.rate[0] = detail::product(n, points_.template drift<Scalar>(time)) -
+                  detail::continued(length_.rate, length_.acceleration, time);
 }
 
 template <int Dimension>
 void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    terms(at.q, at.time, out);
     const Vector<double, Dimension> d = points_.difference(at.q, at.time);
     const double distance = std::sqrt(detail::product(d, d));
     const Vector<double, Dimension> n = d / distance;
     const Matrix<double, Dimension> curvature =
         at.multipliers[0] / distance * (Matrix<double, Dimension>::Identity() - n * n.transpose());
     const double* weight = points_.weights().data();
-    for (int i = 0; i < at.q.size(); ++i) {
-        const double here = weight[i / Dimension];
-        out.jacobian(0, i) = here * n[i % Dimension];
+    for (int i = 0; i < at.q.size(); ++i)
         for (int j = 0; j < at.q.size(); ++j)
-            out.stiffness(i, j) =
-                here * weight[j / Dimension] * curvature(i % Dimension, j % Dimension);
-    }
-    const Vector<double, Dimension> drift = points_.drift(at.time);
-    const Vector<double, Dimension> speed = drift + points_.moved(at.v);
+            out.stiffness(i, j) = weight[i / Dimension] * weight[j / Dimension] *
+                                  curvature(i % Dimension, j % Dimension);
+    const Vector<double, Dimension> speed = points_.drift(at.time) + points_.moved(at.v);
     const double along = detail::product(n, speed);
-    out.violation[0] = distance - length_.value(at.time);
-    out.rate[0] = detail::product(n, drift) - length_.rate(at.time);
     out.convection[0] = (detail::product(speed, speed) - along * along) / distance +
                         detail::product(n, points_.drift_rate(at.time)) -
                         length_.acceleration(at.time);

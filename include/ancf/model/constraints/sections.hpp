@@ -34,18 +34,10 @@ public:
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
 
-    /// Returns g.
+    /// Writes g, G and g_t.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> violation(const DynamicVector<Scalar>& q,
-                                                  const Scalar& time) const;
-    /// Returns G = dg/dq.
-    template <class Scalar>
-    [[nodiscard]] DynamicMatrix<Scalar> jacobian(const DynamicVector<Scalar>& q,
-                                                 const Scalar& time) const;
-    /// Returns g_t.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> rate(const DynamicVector<Scalar>& q,
-                                             const Scalar& time) const;
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
     /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 

@@ -21,36 +21,20 @@ ANCF_INLINE std::string RigidSection::name() const {
 }
 
 template <class Scalar>
-DynamicVector<Scalar> RigidSection::violation(const DynamicVector<Scalar>& q,
-                                              const Scalar& /*time*/) const {
+void RigidSection::terms(const DynamicVector<Scalar>& q, const Scalar& /*time*/,
+                         ConstraintTerms<Scalar>& out) const {
     const auto y = detail::vec3<Scalar>(q), z = detail::vec3<Scalar>(q, 3);
-    DynamicVector<Scalar> g(3);
-    g[0] = Scalar(0.5) * (dot(y, y) - Scalar(1.0));
-    g[1] = Scalar(0.5) * (dot(z, z) - Scalar(1.0));
-    g[2] = dot(y, z);
-    return g;
-}
-
-template <class Scalar>
-DynamicMatrix<Scalar> RigidSection::jacobian(const DynamicVector<Scalar>& q,
-                                             const Scalar& /*time*/) const {
-    DynamicMatrix<Scalar> g = DynamicMatrix<Scalar>::Zero(3, 6);
+    out.violation[0] = Scalar(0.5) * (dot(y, y) - Scalar(1.0));
+    out.violation[1] = Scalar(0.5) * (dot(z, z) - Scalar(1.0));
+    out.violation[2] = dot(y, z);
     for (int k = 0; k < 3; ++k) {
-        g(0, k) = g(2, 3 + k) = q[k];
-        g(1, 3 + k) = g(2, k) = q[3 + k];
+        out.jacobian(0, k) = out.jacobian(2, 3 + k) = y[k];
+        out.jacobian(1, 3 + k) = out.jacobian(2, k) = z[k];
     }
-    return g;
-}
-
-template <class Scalar>
-DynamicVector<Scalar> RigidSection::rate(const DynamicVector<Scalar>& /*q*/,
-                                         const Scalar& /*time*/) const {
-    return DynamicVector<Scalar>::Zero(3);
 }
 
 ANCF_INLINE void RigidSection::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    out.violation = violation(at.q, at.time);
-    out.jacobian = jacobian(at.q, at.time);
+    terms(at.q, at.time, out);
     const auto dy = detail::vec3<double>(at.v), dz = detail::vec3<double>(at.v, 3);
     out.convection[0] = dot(dy, dy);
     out.convection[1] = dot(dz, dz);

@@ -84,12 +84,9 @@ void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude
 
 namespace detail {
 
-/// Tells whether an element has derivatives of its damping.
-template <class Element, class = void>
-inline constexpr bool has_viscous = false;
+/// Of an element that has derivatives of its damping.
 template <class Element>
-inline constexpr bool has_viscous<Element, std::void_t<decltype(&Element::template viscous<>)>> =
-    true;
+using Viscous = decltype(&Element::template viscous<>);
 
 }  // namespace detail
 
@@ -144,7 +141,7 @@ void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) con
     const Vector<double, dofs> e = state.q, v = state.v;
     if (!state.derivatives) {
         out.force = force<double>(e, v);
-    } else if constexpr (detail::has_viscous<Element>) {
+    } else if constexpr (detail::offers<detail::Viscous, Element>) {
         const Evaluation<detail::Rate<double>, dofs> at = element_->viscous(e, v);
         out.force = detail::rates(-eta_, at.force);
         out.stiffness = detail::rates(-eta_, at.tangent);

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// What every element along a line from node to node has: its stress-free line, its mass, and the
+/// way to its kernel.
+///
+/// The class of a family says how an element is made and what its results are. Its kernel has
+/// energy, force and tangent.
+
+#pragma once
+
+#include <ancf/compiler.hpp>
+#include <ancf/element/evaluation.hpp>
+#include <ancf/element/hermite.hpp>
+#include <ancf/element/mass.hpp>
+#include <ancf/element/reference_line.hpp>
+#include <ancf/error.hpp>
+#include <ancf/types.hpp>
+
+#include <utility>
+
+namespace ancf {
+
+/// An element along a line from node to node; base of the classes of all families.
+///
+/// @tparam Element  the class of the family, which derives from this
+/// @tparam Kernel   constant data of its stations, with energy, force and tangent
+/// @tparam Choices  of an element, as values
+/// @tparam Line     CubicLine or QuinticLine
+/// @tparam Rates    whether nodes have r_xy besides r_y
+template <class Element, class Kernel, class Choices, class Line = CubicLine, bool Rates = false>
+class LineElement {
+    static constexpr int dimension = Kernel::dimension, dofs = Kernel::dofs;
+    /// Vectors of a node, r_xx and r_xy not counted.
+    static constexpr int fields =
+        dofs / (2 * dimension) - (Line::fields - CubicLine::fields) - (Rates ? 1 : 0);
+    template <class S>
+    using Mixed = decltype(std::declval<const Kernel&>().evaluate(
+        Vector<S, dofs>(), Vector<S, dofs>(), Vector<S, dofs>()));
+
+public:
+    /// Nodal coordinates e, those of the first node first.
+    using Coordinates = Vector<double, dofs>;
+    using Options = Choices;                  ///< choices that are values
+    using Point = Vector<double, dimension>;  ///< a vector of space
+    using Evaluator = Kernel;  ///< whose functions of doubles the compiled library holds
+
+    /// Returns the strain energy U, J.
+    /// @param e  nodal coordinates; m for positions, 1 for slopes, 1/m for r_xx and r_xy
+    /// @note     noexcept, no heap allocation; so are all functions of e.
+    template <class S>
+    [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.energy(e);
+    }
+
+    /// Returns the elastic force Q = dU/de; N for positions, N m for slopes.
+    template <class S>
+    [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.force(e);
+    }
+
+    /// Returns energy, elastic force and tangent K = dQ/de in one pass.
+    ///
+    /// K = sum_g w_g (B^T C B + sum_i sigma_i d2 s_i/de2) in the generalised strains s.
+    template <class S>
+    [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
+        return kernel_.evaluate(e);
+    }
+
+    /// Returns the same with the tangent of mixed integration points: its geometric part has the
+    /// stresses C (s + B change) of an earlier state.
+    ///
+    /// Energy and force are those of e. Source: Magisano, Leonetti, Garcea 2017;
+    /// docs/theory-statics.md, "Stresses as unknowns".
+    /// @param before  where the last tangent was taken, dofs x 1
+    /// @param change  the correction that it gave, dofs x 1
+    /// @return MixedEvaluation, or Evaluation of a kernel that does not predict forces
+    template <class S>
+    [[nodiscard]] Mixed<S> evaluate(const Vector<S, dofs>& e, const Vector<S, dofs>& before,
+                                    const Vector<S, dofs>& change) const noexcept {
+        return kernel_.evaluate(e, before, change);
+    }
+
+    /// Returns the constant mass matrix, dofs x dofs; kg, kg m and kg m^2 by block, to kg m^4 of
+    /// r_xx and r_xy.
+    [[nodiscard]] Matrix<double, dofs> mass() const {
+        return mass_matrix<dimension>(mass_weights_);
+    }
+
+    /// Returns the nodal force of gravity.
+    /// @param g  acceleration, m/s^2
+    [[nodiscard]] Coordinates gravity(const Point& g) const {
+        return gravity_force<dimension>(mass_weights_, g);
+    }
+
+    /// Returns the nodal force of a dead force per length of the stress-free line.
+    /// @param force  N/m
+    [[nodiscard]] Coordinates line_load(const Point& force) const {
+        return line_.template line_load<fields, Rates>(force);
+    }
+
+    /// Returns the length of the stress-free element, m.
+    [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
+    [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
+    /// Returns the options it was made with; the rule is the one that it takes.
+    [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+    /// Returns the velocity of a point of the body, m/s.
+    /// @param rate  time derivative of e
+    /// @param xi    place along the element, 0 to 1
+    /// @param y, z  place in the section, m; in the plane z has no effect
+    [[nodiscard]] Point velocity(const Coordinates& e, const Coordinates& rate, double xi,
+                                 double y = 0.0, double z = 0.0) const noexcept {
+        return self().position_jacobian(e, xi, y, z) * rate;
+    }
+
+protected:
+    /// Moves member by member; one function, for a vector of elements moves them in many places.
+    ANCF_NOINLINE LineElement(LineElement&&) = default;
+    LineElement(const LineElement&) = default;             ///< member by member
+    LineElement& operator=(LineElement&&) = default;       ///< member by member
+    LineElement& operator=(const LineElement&) = default;  ///< member by member
+    ~LineElement() = default;                              ///< of the derived class alone
+
+    /// A straight element.
+    /// @throws InvalidArgument unless the length is positive.
+    LineElement(double length, const Options& options)
+        : line_((detail::require_positive("length", length), length)), options_(options) {}
+
+    /// An element whose stress-free state is given.
+    /// @throws InvalidArgument unless the length is positive and the coordinates finite.
+    LineElement(const Coordinates& reference, double length, const Options& options)
+        : line_((detail::require_positive("length", length), length), reference),
+          reference_(reference),
+          options_(options) {
+        detail::require(detail::all_finite(reference),
+                        "the reference coordinates of an element must be finite, got ",
+                        detail::components(reference));
+    }
+
+    /// @throws InvalidArgument unless the stress-free state is admissible.
+    /// @param needs  what it must have then
+    void require_admissible(const char* needs) const {
+        detail::require(self().admissible(reference_),
+                        "the reference coordinates of an element need ", needs, ", got ",
+                        detail::components(reference_));
+    }
+
+    /// Returns a function of the coordinates, less that of a stress-free state that is curved.
+    template <class S, class Function>
+    [[nodiscard]] auto beyond_reference(const Vector<S, dofs>& e,
+                                        const Function& function) const noexcept {
+        auto result = function(e);
+        if (line_.curved()) result -= function(reference_).template cast<S>();
+        return result;
+    }
+
+    ReferenceLine<dimension, Line> line_;            ///< of the stress-free state
+    Coordinates reference_;                          ///< of that state; set where it is curved
+    Options options_;                                ///< the rule among them
+    Kernel kernel_;                                  ///< energy, force and tangent
+    Matrix<double, dofs / dimension> mass_weights_;  ///< of pairs of nodal vectors
+
+private:
+    [[nodiscard]] const Element& self() const noexcept {
+        return static_cast<const Element&>(*this);
+    }
+};
+
+}  // namespace ancf
