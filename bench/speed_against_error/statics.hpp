@@ -80,7 +80,8 @@ constexpr bool takes_part(const std::string_view name) {
 
 /// Whether Newton's method of mixed integration points differs from the plain one.
 template <class Element>
-inline constexpr bool has_mixed_newton = ancf::detail::EvaluatesMixed<Element>::value;
+inline constexpr bool has_mixed_newton =
+    ancf::detail::offers<ancf::detail::MixedEvaluationOf, Element>;
 
 /// What the tables add to a solver's name.
 inline const char* newton_suffix(ancf::NewtonKind newton) {
