@@ -46,6 +46,8 @@ private:
     [[nodiscard]] bool fill(double step);
     [[nodiscard]] bool is_stable();
     [[nodiscard]] bool evaluate(double time, const VectorX& q, VectorX& s);
+    [[nodiscard]] bool find_rate(double part, double time, const VectorX& q, const VectorX& v,
+                                 const VectorX& s);
     [[nodiscard]] bool enter();
     [[nodiscard]] bool take_step();
     [[nodiscard]] bool advance();
@@ -177,15 +179,22 @@ ANCF_INLINE bool LeapfrogRun::evaluate(double time, const VectorX& q, VectorX& s
     return true;
 }
 
-/// Finds Q and V of the motion at hand for the step that begins.
-ANCF_INLINE bool LeapfrogRun::enter() {
-    const double part = step_ / 16.0;  // of differences, forward: a load may begin here
+/// Finds ds/dt at a place by two forces ahead of it, or behind where the part is negative.
+ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX& q,
+                                        const VectorX& v, const VectorX& s) {
     VectorX first, second;
-    const auto along = [&](double later, VectorX& s) {
-        return evaluate(now_.time + later, now_.q + later * (now_.v - 0.5 * later * at_.kick), s);
+    const auto along = [&](double later, VectorX& there) {
+        return evaluate(time + later, q + later * (v - 0.5 * later * s), there);
     };
     if (!along(part, first) || !along(2.0 * part, second)) return false;
-    s_rate_ = (4.0 * first - 3.0 * at_.kick - second) / (2.0 * part);
+    s_rate_ = (4.0 * first - 3.0 * s - second) / (2.0 * part);
+    return true;
+}
+
+/// Finds Q and V of the motion at hand for the step that begins.
+ANCF_INLINE bool LeapfrogRun::enter() {
+    // forward: a load may begin here
+    if (!find_rate(step_ / 16.0, now_.time, now_.q, now_.v, at_.kick)) return false;
     const double share = step_ * step_ / 12.0;
     at_.V = now_.v - share * s_rate_;
     at_.s = at_.kick;
@@ -207,11 +216,15 @@ ANCF_INLINE bool LeapfrogRun::take_step() {
     next_.q = moved_.Q - share * moved_.s;
     if (!evaluate(next_.time, next_.q, moved_.kick)) return false;
     moved_.V -= 0.5 * h * moved_.kick;
-    // of second order, which is fourth in v
-    if (count_ == 0.0)
+    // of second order, which is fourth in v; closer where steps may begin anew
+    const bool ends = count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
+    if (ends) {
+        if (!find_rate(-h / 16.0, next_.time, moved_.Q, moved_.V, moved_.s)) return false;
+    } else if (count_ == 0.0) {
         s_rate_ = 2.0 / h * (moved_.s - at_.s) - s_rate_;
-    else
+    } else {
         s_rate_ = (3.0 * moved_.s - 4.0 * at_.s + s_before_) / (2.0 * h);
+    }
     next_.v = moved_.V + share * s_rate_;
     return true;
 }
