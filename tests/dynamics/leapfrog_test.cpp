@@ -419,6 +419,35 @@ TEST_CASE("Leapfrog: many short runs of the longest steps stay stable",
     }
 }
 
+TEST_CASE("Leapfrog: what an observer changes holds from the next step on",
+          "[dynamics][leapfrog]") {
+    const auto end = [](double step, double changed_at) {
+        Chain scene = stiff_chain();
+        Schedule schedule = until(1.0);
+        schedule.times = {changed_at};
+        schedule.observe = [&](const Snapshot&) { scene.model.set_gravity({3.0, 0.0, 0.0}); };
+        REQUIRE(run(scene.model, fixed(step), schedule).status == Status::converged);
+        return scene.model.state().q;
+    };
+    for (const double time : {0.0, 0.5}) {
+        const VectorX exact = end(1.25e-4, time);
+        const double coarse = distance(end(2e-3, time), exact),
+                     fine = distance(end(1e-3, time), exact);
+        CAPTURE(coarse, fine);
+        CHECK(fine <= coarse / 6.0);
+        CHECK(fine <= 1e-5);
+    }
+    Chain stiffer = stiff_chain();
+    Schedule schedule = until(1.0);
+    schedule.times = {0.5};
+    schedule.observe = [&](const Snapshot&) {
+        stiffer.model.prototype<Bar<3>>(0) = Bar<3>(2e6, 1.0, 0.4);
+    };
+    const LeapfrogReport report = run(stiffer.model, {}, schedule);
+    CHECK(report.status == Status::converged);
+    CHECK(report.smallest_step < 0.2 * report.largest_step);
+}
+
 TEST_CASE("Leapfrog: it takes the same steps in any units", "[dynamics][leapfrog][scales]") {
     for (const double base : {2.0, 1e9})
         check_scales(base, 0, [](const Scale& s) {

@@ -43,7 +43,13 @@ private:
     [[nodiscard]] bool begin();
     void require_no_damping();
     void estimate();
+    [[nodiscard]] bool has_changed() const { return !(problem_.model().revision() == revision_); }
+    [[nodiscard]] bool renew();
     [[nodiscard]] bool fill(double step);
+    [[nodiscard]] bool fill_anew() {
+        return fill(is_fixed() ? options_.step : options_.stable_share * report_.stable_step) &&
+               is_stable();
+    }
     [[nodiscard]] bool is_stable();
     [[nodiscard]] bool evaluate(double time, const VectorX& q, VectorX& s);
     [[nodiscard]] bool find_rate(double part, double time, const VectorX& q, const VectorX& v,
@@ -65,6 +71,7 @@ private:
     LeapfrogReport& report_;
     Recorder recorder_;
 
+    Revision revision_;  // of the scene that the kick is of
     MotionPoint now_, earlier_, next_;
     Moved at_, moved_;                  // of now_, of next_
     VectorX s_before_, kick_before_;    // of earlier_
@@ -87,10 +94,13 @@ ANCF_INLINE LeapfrogRun::LeapfrogRun(DynamicProblem& problem, const Schedule& sc
 ANCF_INLINE void LeapfrogRun::run() {
     if (!begin()) return;
     recorder_.start(now_);
-    bool good = fill(is_fixed() ? options_.step : options_.stable_share * report_.stable_step) &&
-                is_stable();
+    bool good = has_changed() ? renew() : fill_anew();
     while (good && goes_on() && advance()) {
         if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) break;
+        if (has_changed()) {
+            good = !goes_on() || renew();
+            continue;
+        }
         if (++since_ < interval_ && goes_on()) continue;
         estimate();
         good = is_stable();
@@ -101,6 +111,7 @@ ANCF_INLINE void LeapfrogRun::run() {
 ANCF_INLINE bool LeapfrogRun::begin() {
     Start start = start_run(problem_, report_);
     if (start.status != Status::converged) return false;
+    revision_ = problem_.model().revision();
     now_ = {start.time, std::move(start.q), std::move(start.v), {}};
     at_.kick = -start.acceleration;
     estimate();
@@ -134,6 +145,17 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     const double longer = rise > 0.01 ? std::max(0.02 / rise, 0.1) : 2.0;
     interval_ = std::clamp(static_cast<int>(interval_ * longer), 1, options_.stable_interval);
     attempts_ = 0;
+}
+
+/// Goes on with a scene that an observer has changed.
+ANCF_INLINE bool LeapfrogRun::renew() {
+    revision_ = problem_.model().revision();
+    if (!evaluate(now_.time, now_.q, at_.kick)) {
+        fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
+        return false;
+    }
+    estimate();
+    return fill_anew();
 }
 
 /// Divides what is left of the run into equal steps of at most a width; false where max_steps are
