@@ -448,6 +448,16 @@ TEST_CASE("Leapfrog: what an observer changes holds from the next step on",
     CHECK(report.smallest_step < 0.2 * report.largest_step);
 }
 
+TEST_CASE("Leapfrog: steps that vanish in the round-off of time are refused",
+          "[dynamics][leapfrog]") {
+    Chain scene = stiff_chain();
+    scene.model.state().time = 1e14;
+    const LeapfrogReport report = run(scene.model, {}, until(1e14 + 1.0));
+    CHECK(report.status == Status::step_too_small);
+    CHECK(report.steps == 0);
+    CHECK_THAT(report.message, ContainsSubstring("resolution of time"));
+}
+
 TEST_CASE("Leapfrog: it takes the same steps in any units", "[dynamics][leapfrog][scales]") {
     for (const double base : {2.0, 1e9})
         check_scales(base, 0, [](const Scale& s) {

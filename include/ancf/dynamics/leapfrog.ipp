@@ -143,7 +143,8 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     // between two estimates the frequency is to rise by 2 % at most
     const double rise = now / before - 1.0;  // NaN or infinite at the start
     const double longer = rise > 0.01 ? std::max(0.02 / rise, 0.1) : 2.0;
-    interval_ = std::clamp(static_cast<int>(interval_ * longer), 1, options_.stable_interval);
+    interval_ = static_cast<int>(std::clamp(std::floor(interval_ * longer), 1.0,
+                                            static_cast<double>(options_.stable_interval)));
     attempts_ = 0;
 }
 
@@ -159,13 +160,20 @@ ANCF_INLINE bool LeapfrogRun::renew() {
 }
 
 /// Divides what is left of the run into equal steps of at most a width; false where max_steps are
-/// too few.
+/// too few, or time does not resolve them.
 ANCF_INLINE bool LeapfrogRun::fill(double step) {
     const double rest = schedule_.end - now_.time;
     origin_ = now_.time;
     count_ = 0.0;
     steps_ = std::max(1.0, std::ceil(rest / step - 1e-9));
     step_ = rest / steps_;
+    if (steps_ > 1.0 && step_ <= time_resolution(origin_, schedule_.end)) {
+        fail(Status::step_too_small,
+             joined({"a stable step of ", step_, " s is below the resolution of time at ", origin_,
+                     " s"},
+                    6));
+        return false;
+    }
     if (options_.max_steps == 0 ||
         steps_ <= static_cast<double>(options_.max_steps - report_.steps))
         return true;

@@ -25,6 +25,9 @@ namespace ancf::detail {
 /// Throws where nothing can move, and for a part of a scene unless `takes_parts`.
 void require_motion(const DynamicProblem& problem, bool takes_parts = false);
 
+/// Returns the width at which steps begin to vanish in the round-off of time, s.
+[[nodiscard]] double time_resolution(double start, double end) noexcept;
+
 /// Throws for steps that vanish in the round-off of time.
 void require_resolved(double step, double start, double end);
 

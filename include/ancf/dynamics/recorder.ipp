@@ -25,9 +25,12 @@ ANCF_INLINE void require_motion(const DynamicProblem& problem, bool takes_parts)
             "the scene has no free coordinate: there is no motion to integrate");
 }
 
+ANCF_INLINE double time_resolution(double start, double end) noexcept {
+    return 16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start), std::abs(end));
+}
+
 ANCF_INLINE void require_resolved(double step, double start, double end) {
-    const double least =
-        16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(start), std::abs(end));
+    const double least = time_resolution(start, end);
     require(step > least, "a step of ", step, " s is below the resolution of time at ", end, " s, ",
             least, " s");
 }
