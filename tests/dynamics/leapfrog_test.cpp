@@ -53,6 +53,18 @@ Chain soft_chain() {
     return scene;
 }
 
+/// A force across a bar that turns with it: it has no potential.
+struct Thrust {
+    NodeId first, second;
+    double stiffness;  // N/m, of the bar's length
+
+    [[nodiscard]] Coupling coupling() const { return {{first, Field::r}, {second, Field::r}}; }
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        out.force[3] -= stiffness * (state.q[4] - state.q[1]);
+        out.force[4] += stiffness * (state.q[3] - state.q[0]);
+    }
+};
+
 /// The same with a pin that is driven, a force that grows and one that follows a bar.
 Chain driven_chain() {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, 20.0);
@@ -65,6 +77,7 @@ Chain driven_chain() {
     scene.model.set_gravity({0.0, -2.0, 0.0});
     scene.model.add(Force<3>(scene.last(), {0.0, 0.0, 1.0}),
                     [](double t) { return std::sin(3.0 * t); });
+    scene.model.add(Thrust{scene.nodes[1], scene.last(), 4.0});
     return scene;
 }
 
@@ -176,14 +189,13 @@ TEST_CASE("Leapfrog: its steps are the longest below the share of the stable one
 }
 
 /// A bar whose end is pulled to three times its length within a second.
-Chain stretched(double until_time = 1.0) {
+Chain stretched() {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     scene.model.pin(scene.first());
     for (const int k : {1, 2}) scene.model.fix(scene.last(), Field::r, k);
-    const double speed = 2.0 / until_time;
     scene.model.prescribe(
-        scene.last(), Field::r, 0, [=](double t) { return 1.0 + speed * t * t; },
-        [=](double t) { return 2.0 * speed * t; }, [=](double) { return 2.0 * speed; });
+        scene.last(), Field::r, 0, [](double t) { return 1.0 + 2.0 * t * t; },
+        [](double t) { return 4.0 * t; }, [](double) { return 4.0; });
     return scene;
 }
 
