@@ -29,7 +29,7 @@ namespace ancf {
 struct LeapfrogOptions {
     double step = 0.0;           ///< s, shortened to fill the run evenly; 0: the longest below
                                  ///< stable_share, chosen anew as the scene stiffens or softens
-    double stable_share = 0.8;   ///< of the stable step, taken at most; above 0 and below 1
+    double stable_share = 0.5;   ///< of the stable step, taken at most; above 0 and below 1
     int stable_interval = 50;    ///< steps between two estimates of the stable one, at most
     long max_steps = 1'000'000;  ///< 0: no limit
     bool follow_energy = true;   ///< report the energy drift: one evaluation of the force a step
