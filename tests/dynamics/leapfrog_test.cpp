@@ -231,6 +231,31 @@ TEST_CASE("Leapfrog: a scene that stiffens takes shorter steps",
     CHECK(same.model.state().time == late.time);
 }
 
+TEST_CASE("Leapfrog: steps do not grow where a scene softens for a while",
+          "[dynamics][leapfrog][stability]") {
+    // there and back within a second
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    scene.model.pin(scene.first());
+    for (const int k : {1, 2}) scene.model.fix(scene.last(), Field::r, k);
+    const double turn = std::acos(-1.0);
+    scene.model.prescribe(
+        scene.last(), Field::r, 0, [=](double t) { return 2.0 - std::cos(2.0 * turn * t); },
+        [=](double t) { return 2.0 * turn * std::sin(2.0 * turn * t); },
+        [=](double t) { return 4.0 * turn * turn * std::cos(2.0 * turn * t); });
+    Schedule schedule = until(1.0);
+    double last = 0.0, before = 0.0;
+    schedule.progress = [&](double time, double) {
+        last = time - before;
+        before = time;
+        return true;
+    };
+    const LeapfrogReport report = run(scene.model, {}, schedule);
+    CHECK(report.status == Status::converged);
+    CHECK(report.largest_step > 2.0 * report.smallest_step);
+    CHECK(last < 1.1 * report.smallest_step);
+    CHECK(report.stable_step > 4.0 * last);
+}
+
 TEST_CASE("Leapfrog: a part that becomes the stiffest of a scene shortens the steps",
           "[dynamics][leapfrog][stability]") {
     LeapfrogOptions options;

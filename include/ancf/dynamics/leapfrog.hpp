@@ -28,7 +28,7 @@ namespace ancf {
 /// How the leapfrog runs.
 struct LeapfrogOptions {
     double step = 0.0;           ///< s, shortened to fill the run evenly; 0: the longest below
-                                 ///< stable_share, chosen anew as the scene stiffens or softens
+                                 ///< stable_share, chosen anew as the scene stiffens
     double stable_share = 0.5;   ///< of the stable step, taken at most; above 0 and below 1
     int stable_interval = 50;    ///< steps between two estimates of the stable one, at most
     long max_steps = 1'000'000;  ///< 0: no limit

@@ -47,7 +47,7 @@ private:
     [[nodiscard]] bool renew();
     [[nodiscard]] bool fill(double step);
     [[nodiscard]] bool fill_anew() {
-        return fill(is_fixed() ? options_.step : options_.stable_share * report_.stable_step) &&
+        return fill(is_fixed() ? options_.step : options_.stable_share * least_stable_) &&
                is_stable();
     }
     [[nodiscard]] bool is_stable();
@@ -79,8 +79,9 @@ private:
     VectorX fastest_;                   // mode of the highest frequency
     double origin_ = 0.0, step_ = 0.0;  // s, of the grid: origin + count step
     double count_ = 0.0, steps_ = 0.0;  // taken and to be taken of it
-    int since_ = 0, interval_ = 1;      // steps since the last estimate, and to the next one
-    int attempts_ = 0;                  // that failed since
+    double least_stable_ = std::numeric_limits<double>::infinity();  // s, seen so far
+    int since_ = 0, interval_ = 1;  // steps since the last estimate, and to the next one
+    int attempts_ = 0;              // that failed since
 };
 
 ANCF_INLINE LeapfrogRun::LeapfrogRun(DynamicProblem& problem, const Schedule& schedule,
@@ -140,6 +141,7 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     if (now > 0.0) report_.highest_frequency = now;
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
+    least_stable_ = std::min(least_stable_, report_.stable_step);
     // between two estimates the frequency is to rise by 2 % at most
     const double rise = now / before - 1.0;  // NaN or infinite at the start
     const double longer = rise > 0.01 ? std::max(0.02 / rise, 0.1) : 2.0;
@@ -155,6 +157,7 @@ ANCF_INLINE bool LeapfrogRun::renew() {
         fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
         return false;
     }
+    least_stable_ = std::numeric_limits<double>::infinity();
     estimate();
     return fill_anew();
 }
@@ -187,7 +190,7 @@ ANCF_INLINE bool LeapfrogRun::fill(double step) {
 
 /// Tells whether the step is below the stable one; chooses it anew where the margin has changed.
 ANCF_INLINE bool LeapfrogRun::is_stable() {
-    const double stable = report_.stable_step, most = options_.stable_share * stable;
+    const double stable = report_.stable_step, most = options_.stable_share * least_stable_;
     if (step_ > stable) {
         fail(Status::diverged,
              joined({"the step of ", step_, " s is above the stable one of ", stable, " s at ",
