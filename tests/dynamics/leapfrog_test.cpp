@@ -275,6 +275,21 @@ TEST_CASE("Leapfrog: a part that becomes the stiffest of a scene shortens the st
     CHECK(report.smallest_step < 0.6 * report.largest_step);
 }
 
+TEST_CASE("Leapfrog: a bar without stiffness where it starts is moved in steps all the same",
+          "[dynamics][leapfrog][stability]") {
+    // straight, between two walls that its end glides along, and thrown across itself
+    for (const double speed : {1.0, 30.0}) {
+        CAPTURE(speed);
+        Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+        scene.model.pin(scene.first());
+        scene.model.fix(scene.last(), Field::r, 0);
+        scene.model.set_rate(scene.last(), Field::r, {0.0, speed, 0.0});
+        const LeapfrogReport report = run(scene.model, {}, until(5.0));
+        CHECK(report.status == Status::converged);
+        CHECK(report.energy_drift <= 0.2 * report.kinetic_largest);
+    }
+}
+
 TEST_CASE("Leapfrog: a fixed step above the stable one is refused", "[dynamics][leapfrog]") {
     Chain scene = soft_chain();
     Schedule schedule = until(1.0);

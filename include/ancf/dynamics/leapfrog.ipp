@@ -113,10 +113,17 @@ ANCF_INLINE bool LeapfrogRun::begin() {
     Start start = start_run(problem_, report_);
     if (start.status != Status::converged) return false;
     revision_ = problem_.model().revision();
+    const double motion = problem_.motion_frequency(start);
+    if (motion > 0.0) least_stable_ = reach / motion;
     now_ = {start.time, std::move(start.q), std::move(start.v), {}};
     at_.kick = -start.acceleration;
     estimate();
     require_no_damping();
+    // what has no stiffness where it starts gets it as it moves
+    const double ahead = std::min(options_.stable_share * least_stable_, schedule_.end - now_.time);
+    const double later = problem_.highest_frequency(
+        now_.time, now_.q + ahead * (now_.v - 0.5 * ahead * at_.kick), fastest_);
+    if (later > 0.0) least_stable_ = std::min(least_stable_, reach / later);
     return true;
 }
 
