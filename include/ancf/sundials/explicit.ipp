@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/dynamics/frequency.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/arkode.hpp>
 #include <ancf/sundials/explicit.hpp>
