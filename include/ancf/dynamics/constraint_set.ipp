@@ -228,7 +228,7 @@ ANCF_INLINE int ConstraintSet::constraint_of(int equation) const {
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
     const auto constraint = static_cast<std::size_t>(constraint_of(equation));
     return joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
-                           "), equation ", equation - first_[constraint]});
+                   "), equation ", equation - first_[constraint]});
 }
 
 }  // namespace ancf::detail
