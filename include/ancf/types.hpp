@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace ancf {
@@ -68,9 +69,10 @@ template <int Dimension>
 /// True unless a component of a vector or matrix is a NaN or an infinity.
 template <class Plain>
 [[nodiscard]] bool all_finite(const Plain& x) noexcept {
+    Eigen::Index others = 0;  // a count as wide as a number: several are looked at in one go
     for (Eigen::Index k = 0; k < x.size(); ++k)
-        if (!std::isfinite(x.data()[k])) return false;
-    return true;
+        others += !(std::abs(x.data()[k]) <= std::numeric_limits<double>::max());
+    return others == 0;
 }
 
 /// Returns a.b of two or three components, without conjugates.

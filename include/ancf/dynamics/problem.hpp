@@ -205,8 +205,9 @@ public:
     bool project(double t, VectorX& q, VectorX& v);
 
     /// Moves v on G v + g_t = 0 at (t, q), by the least change in the mass norm.
+    /// @param passes  a second one removes the round-off of the first.
     /// @return false where the system cannot be solved; v is then as it came.
-    bool project_rates(double t, const VectorX& q, VectorX& v);
+    bool project_rates(double t, const VectorX& q, VectorX& v, int passes = 2);
 
     /// Moves accelerations on G v' + c = 0 at (t, q, v), by the least change in the mass norm.
     /// @return false where the system cannot be solved; they are then as they came.

@@ -562,10 +562,11 @@ ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const V
     return false;
 }
 
-ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v) {
+ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v,
+                                               int passes) {
     VectorX b = VectorX::Zero(numbering().unknowns());
     VectorX x;
-    for (int pass = 0; pass < 2; ++pass) {  // the second removes the round-off of the first
+    for (int pass = 0; pass < passes; ++pass) {
         evaluate_constraints(t, q, v);
         if (factorize_kkt() != Status::converged) return false;
         b.tail(multipliers()) = -constraints_.rate();

@@ -62,6 +62,8 @@ private:
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] double correct(double h);
     [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
+    template <int Count>
+    void add_inertia();
     void predict(double offset, double ratio);
     void place_stages(const Span& step);
     [[nodiscard]] double error(double h);
@@ -229,7 +231,6 @@ ANCF_INLINE Status RadauRun::evaluate_stages(const Span& step, bool renew) {
             status != Status::converged)
             return status;
         force_[i] = problem_.force();
-        add_product(problem_.compact_mass(), Storage::full, 1.0, acceleration_[i], force_[i]);
         lengths_[i] = problem_.constraint_residual();
         if (!tangent) continue;
         ++report_.jacobians;
@@ -238,7 +239,29 @@ ANCF_INLINE Status RadauRun::evaluate_stages(const Span& step, bool renew) {
             status != Status::converged)
             return status;
     }
+    stages_ == 3 ? add_inertia<3>() : add_inertia<5>();
     return Status::converged;
+}
+
+/// Adds M times the accelerations to the residuals, of all stages in one walk over M.
+template <int Count>
+ANCF_INLINE void RadauRun::add_inertia() {
+    const SparseMatrix& mass = problem_.compact_mass();
+    const double* in[Count];
+    double* out[Count];
+    for (std::size_t i = 0; i < Count; ++i) {
+        in[i] = acceleration_[i].data();
+        out[i] = force_[i].data();
+    }
+    for (int row = 0; row < mass.cols(); ++row) {
+        double sums[Count] = {};
+        for (int k = mass.outerIndexPtr()[row]; k < mass.outerIndexPtr()[row + 1]; ++k) {
+            const double value = mass.valuePtr()[k];
+            const int column = mass.innerIndexPtr()[k];
+            for (int i = 0; i < Count; ++i) sums[i] += value * in[i][column];
+        }
+        for (int i = 0; i < Count; ++i) out[i][row] += sums[i];
+    }
 }
 
 /// Writes positions, rates and accelerations of the stages from Y.
@@ -386,7 +409,7 @@ ANCF_INLINE double RadauRun::error(double h) {
 /// there.
 ANCF_INLINE void RadauRun::add_knot(const MotionPoint& at, const VectorX& acceleration) {
     Knot knot{at.time, at.q, at.v, acceleration};
-    if (problem_.multipliers() > 0 && problem_.project_rates(knot.time, knot.q, knot.v))
+    if (problem_.multipliers() > 0 && problem_.project_rates(knot.time, knot.q, knot.v, 1))
         (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
     knots_.push_back(std::move(knot));
 }

@@ -171,7 +171,7 @@ private:
             }
             work.scaled[j] = column;
             work.next_scaled[j] = next;
-            const Scalar inverse = 1.0 / work.scaled[j][j];
+            const Scalar inverse = reciprocal(work.scaled[j][j]);
             (column * inverse).store(panel + j * N);
             (next * inverse).store(below + j * N);
             panel[j * N + j] = inverse;

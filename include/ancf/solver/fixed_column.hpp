@@ -42,6 +42,15 @@ inline std::complex<double> product(const std::complex<double>& a,
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+/// Returns 1 / a; of a complex number without a look for infinities where its square has none.
+inline double reciprocal(double a) noexcept { return 1.0 / a; }
+inline std::complex<double> reciprocal(const std::complex<double>& a) noexcept {
+    const double square = a.real() * a.real() + a.imag() * a.imag();
+    if (!(square > 1e-250 && square < 1e250)) return 1.0 / a;
+    const double inverse = 1.0 / square;
+    return {a.real() * inverse, -a.imag() * inverse};
+}
+
 /// Returns how many of N doubles stand in one register.
 constexpr int column_lanes(int n, int lanes = register_lanes) {
     return n % lanes == 0 ? lanes : column_lanes(n, lanes / 2);
