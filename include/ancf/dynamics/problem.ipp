@@ -562,8 +562,7 @@ ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const V
     return false;
 }
 
-ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v,
-                                               int passes) {
+ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, VectorX& v, int passes) {
     VectorX b = VectorX::Zero(numbering().unknowns());
     VectorX x;
     for (int pass = 0; pass < passes; ++pass) {
