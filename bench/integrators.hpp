@@ -67,7 +67,7 @@ inline Integrator explicit_method(std::string name, sundials::Table table, bool 
 }
 #endif
 
-/// The leapfrog, with fixed steps; for scenes without multipliers.
+/// The leapfrog, with fixed steps.
 inline Integrator leapfrog(std::string name) {
     return {std::move(name), "step", [](Scene& model, const Schedule& schedule, double step) {
                 DynamicProblem problem(model);

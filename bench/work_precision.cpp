@@ -281,7 +281,7 @@ std::vector<Series> all_series(bool constrained, [[maybe_unused]] bool tables) {
     all.push_back(
         {ancf::bench::adaptive_generalized_alpha("generalized-alpha adaptive"), tolerances(3, 8)});
     all.push_back({ancf::bench::energy_momentum("energy-momentum"), steps(8e-3, 8e-6)});
-    if (!constrained) all.push_back({ancf::bench::leapfrog("leapfrog"), steps(8e-3, 8e-6)});
+    all.push_back({ancf::bench::leapfrog("leapfrog"), steps(8e-3, 8e-6)});
 #if ANCF_WITH_SUNDIALS
     using ancf::sundials::Form;
     using ancf::sundials::Table;

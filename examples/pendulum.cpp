@@ -139,7 +139,7 @@ bool swing(const Pendulum& problem) {
         model.add(
             ancf::Distance<Dimension>(beam.first(), problem.link * Point::Unit(1), problem.link));
     else if (problem.motion.is_explicit())
-        model.pin(beam.first());  // a support: an explicit method takes no multipliers
+        model.pin(beam.first());  // a support, without multipliers
     else
         model.add(ancf::Pin<Dimension>(beam.first(), Point::Zero()));
     model.set_gravity(-problem.gravity * Point::Unit(1));

@@ -38,7 +38,7 @@ struct MotionOptions {
 
     [[nodiscard]] bool by_ida() const { return integrator.rfind("ida", 0) == 0; }
     [[nodiscard]] bool by_radau() const { return integrator.rfind("radau", 0) == 0; }
-    /// Returns whether the integrator takes no multipliers.
+    /// Returns whether the integrator is one of explicit methods.
     [[nodiscard]] bool is_explicit() const {
         return integrator == "explicit" || integrator == "leapfrog";
     }

@@ -173,8 +173,6 @@ public:
 
     /// Returns g_t of dg/dt = G v + g_t, one entry per equation; m/s where g is a length.
     [[nodiscard]] const VectorX& violation_rate() const noexcept { return violation_rate_; }
-    /// Returns c of d2g/dt2 = G a + c, one entry per equation; m/s^2 where g is a length.
-    [[nodiscard]] const VectorX& convection() const noexcept { return convection_; }
 
     /// Returns the derivative of the external force with respect to the load factor, where the
     /// instant is that factor: N and N m.
@@ -274,7 +272,9 @@ private:
     Revision revision_;                                // of the model that this is set up for
     VectorX gravity_;                                  // force of gravity at unit scale
 
-    VectorX internal_, predicted_, external_, constraint_, violation_, violation_rate_, convection_;
+    VectorX internal_, predicted_, external_, constraint_, violation_, violation_rate_;
+    ConstraintState constraint_state_;  // where, and what, of one constraint
+    ConstraintResult constraint_result_;
     detail::Records<std::array<double, 3>> steepest_;  // |dg/dq| of r_xx, slopes, r by equation
     VectorX force_q_;                   // coordinates of the last evaluation of forces alone
     mutable bool energy_known_ = true;  // else it is that at force_q_, to be computed

@@ -564,11 +564,10 @@ ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const
 ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request request) {
     violation_.setZero(numbering_.multipliers());
     violation_rate_.setZero(numbering_.multipliers());
-    convection_.setZero(numbering_.multipliers());
     faulty_constraint_ = -1;
     steepest_.assign(static_cast<std::size_t>(numbering_.multipliers()), {});
-    ConstraintState local;
-    ConstraintResult result;
+    ConstraintState& local = constraint_state_;
+    ConstraintResult& result = constraint_result_;
     local.time = at.instant.time;
     int first = 0;
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
@@ -581,21 +580,26 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         detail::gather(at.v, map.read(), local.v);
         local.multipliers.resize(equations);
         std::copy_n(at.multipliers.data() + first, equations, local.multipliers.data());
-        result.reset(equations, size);
-        constraint.evaluate(local, result);
+        const bool terms_alone = request == Request::force;
+        if (terms_alone) {
+            constraint.terms(local, result);
+        } else {
+            result.reset(equations, size);
+            constraint.evaluate(local, result);
+        }
         detail::require(result.violation.size() == equations &&
                             result.jacobian.rows() == equations && result.jacobian.cols() == size &&
-                            result.stiffness.rows() == size && result.stiffness.cols() == size &&
                             result.rate.size() == equations &&
-                            result.convection.size() == equations,
+                            (terms_alone ||
+                             (result.stiffness.rows() == size && result.stiffness.cols() == size &&
+                              result.convection.size() == equations)),
                         "constraint ", constraint.name(), " of ", equations, " equations on ", size,
                         " coordinates changed the size of its results");
         map.carry_columns(result.jacobian);
-        map.carry(result.stiffness);
+        if (!terms_alone) map.carry(result.stiffness);
         size = result.jacobian.cols();
         std::copy_n(result.violation.data(), equations, violation_.data() + first);
         std::copy_n(result.rate.data(), equations, violation_rate_.data() + first);
-        std::copy_n(result.convection.data(), equations, convection_.data() + first);
         if (faulty_constraint_ < 0 &&
             !(detail::all_finite(result.violation) && detail::all_finite(result.jacobian)))
             faulty_constraint_ = static_cast<int>(k);

@@ -32,8 +32,8 @@ public:
     /// Leaves equations out of everything but violations and their largest values.
     void leave_out(const std::vector<int>& equations);
 
-    /// Evaluates every constraint at one instant.
-    void evaluate(double time, const VectorX& q, const VectorX& v);
+    /// Evaluates every constraint at one instant; without c it is cheaper.
+    void evaluate(double time, const VectorX& q, const VectorX& v, bool convection = true);
 
     /// Returns the number of equations.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(violation_.size()); }
@@ -64,6 +64,9 @@ public:
     /// Writes G and G^T into a matrix of the system's pattern (full storage); equations left out
     /// get a 1 on the diagonal.
     void write_jacobian(const BlockPattern& pattern, SparseMatrix& matrix) const;
+
+    /// Writes G into a dense matrix: each free coordinate has a column, or -1.
+    void write_rows(const std::vector<int>& columns, MatrixX& rows) const;
 
     /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's
     /// pattern.

@@ -44,33 +44,39 @@ ANCF_INLINE void ConstraintSet::leave_out(const std::vector<int>& equations) {
     for (const int equation : equations) left_out_[static_cast<std::size_t>(equation)] = 1;
 }
 
-ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v) {
-    time_ = time;
-    q_ = q;
-    v_ = v;
+ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v,
+                                         bool convection) {
+    if (convection) {
+        time_ = time;
+        q_ = q;
+        v_ = v;
+    }
+    local_.time = time;
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
-        const std::vector<int>& read = coordinates_[k].read();
-        const auto size = static_cast<Eigen::Index>(read.size());
-        const int equations = constraint.equations();
-        local_.time = time;
-        gather(q, read, local_.q);
-        gather(v, read, local_.v);
-        local_.multipliers.setZero(equations);
         ConstraintResult& result = results_[k];
-        result.reset(equations, size);
-        constraint.evaluate(local_, result);
-        const VectorX slide = multiply(result.jacobian, local_.v);
-        coordinates_[k].carry_columns(result.jacobian);
-        for (int i = 0; i < equations; ++i) {
-            violation_[first_[k] + i] = result.violation[i];
-            full_rate_[first_[k] + i] = slide[i] + result.rate[i];
-            convection_[first_[k] + i] = result.convection[i];
+        const int equations = constraint.equations(), first = first_[k];
+        gather(q, coordinates_[k].read(), local_.q);
+        gather(v, coordinates_[k].read(), local_.v);
+        local_.multipliers.setZero(equations);
+        if (convection) {
+            result.reset(equations, local_.q.size());
+            constraint.evaluate(local_, result);
+        } else {
+            constraint.terms(local_, result);
         }
+        for (int i = 0; i < equations; ++i) {
+            double slide = 0.0;
+            for (Eigen::Index j = 0; j < result.jacobian.cols(); ++j)
+                slide += result.jacobian(i, j) * local_.v[j];
+            violation_[first + i] = result.violation[i];
+            full_rate_[first + i] = slide + result.rate[i];
+            rate_[first + i] = left_out(first + i) ? 0.0 : full_rate_[first + i];
+            if (convection)
+                convection_[first + i] = left_out(first + i) ? 0.0 : result.convection[i];
+        }
+        coordinates_[k].carry_columns(result.jacobian);
     }
-    rate_ = full_rate_;
-    for (int i = 0; i < size(); ++i)
-        if (left_out(i)) rate_[i] = convection_[i] = 0.0;
 }
 
 ANCF_INLINE double ConstraintSet::largest_violation() const noexcept {
@@ -148,6 +154,20 @@ ANCF_INLINE void ConstraintSet::write_jacobian(const BlockPattern& pattern,
                 values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
                     left_out(first + i) ? 1.0 : 0.0;
         });
+}
+
+ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, MatrixX& rows) const {
+    rows.setZero();
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        for (std::size_t j = 0; j < at.size(); ++j) {
+            const int equation = numbering_.equation(at[j]);
+            if (equation < 0) continue;
+            const int column = columns[static_cast<std::size_t>(equation)];
+            for (int i = 0; i < result.jacobian.rows(); ++i)
+                if (!left_out(first + i))
+                    rows(first + i, column) += result.jacobian(i, static_cast<Eigen::Index>(j));
+        }
+    });
 }
 
 ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, const VectorX& mu,

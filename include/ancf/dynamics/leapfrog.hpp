@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Explicit time integration of soft scenes without multipliers: a leapfrog of fourth order. With
-/// accelerations a(t, q) a step from q, v at t is
+/// Explicit time integration of soft scenes: a leapfrog of fourth order. With accelerations
+/// a(t, q) a step from q, v at t is
 ///
 ///     v += h/2 a*,    q += h v,    a* = a(t + h, q + h^2/12 a(t + h, q)),    v += h/2 a*,
 ///
-/// two forces. The motion itself is q + h^2/12 a and v - h^2/12 da/dt. The step stays below the
-/// stable one, sqrt(12) over the highest frequency of the mesh; the energy does not drift.
+/// two forces. The motion itself is q + h^2/12 a and v - h^2/12 da/dt. With multipliers q += h v is
+/// the motion on the constraints without forces, and a has no part that they take. The step stays
+/// below the stable one, sqrt(12) over the highest frequency of the mesh. The energy does not
+/// drift.
 /// docs/theory-leapfrog.md derives the method and says for which scenes it pays.
 /// Sources: Takahashi and Imada, Journal of the Physical Society of Japan 53, 1984; Lopez-Marcos,
 /// Sanz-Serna and Skeel, SIAM Journal on Scientific Computing 18, 1997.
@@ -62,9 +64,12 @@ public:
     /// @return status converged at the end; max_iterations where it needs more than max_steps;
     ///         diverged where an estimate finds the step above the stable one; or why it ended
     ///         before, with what was observed until then.
-    /// @throws InvalidArgument for a scene with multipliers or with forces that depend on rates, a
-    ///         schedule that does not fit the model's time, a step below the resolution of time, or
-    ///         a scene without a free coordinate.
+    ///
+    /// Constraints cost little where they are few: systems of twice as many equations as there are
+    /// multipliers are dense.
+    /// @throws InvalidArgument for a scene with forces that depend on rates, a schedule that does
+    ///         not fit the model's time, a step below the resolution of time, or a scene without a
+    ///         free coordinate.
     [[nodiscard]] LeapfrogReport integrate(DynamicProblem& problem, const Schedule& schedule) const;
 
 private:

@@ -6,19 +6,23 @@
 
 #pragma once
 
+#include <ancf/dynamics/constraint_manifold.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/hermite.hpp>
 #include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 namespace detail {
@@ -33,14 +37,20 @@ public:
 
 private:
     // A moved place with s = -a(t, Q) and the kick -a(t, q).
-    struct Moved {
+    struct Place {
         VectorX Q, V, s, kick;
+    };
+    // With constraints s is tangential, lambda belongs to it, the kick is M^-1 (r + G^T lambda).
+    struct Moved : Place {
+        VectorX lambda;
+        TangentSpace at_Q, at_q;
     };
 
     static constexpr int most_attempts = 12;             // between two estimates, each half as long
     static constexpr double reach = 3.4641016151377544;  // sqrt(12), the largest stable h w
 
     [[nodiscard]] bool begin();
+    [[nodiscard]] bool read_constraints();
     void require_no_damping();
     void estimate();
     [[nodiscard]] bool has_changed() const { return !(problem_.model().revision() == revision_); }
@@ -51,13 +61,19 @@ private:
                is_stable();
     }
     [[nodiscard]] bool is_stable();
-    [[nodiscard]] bool evaluate(double time, const VectorX& q, VectorX& s);
+    [[nodiscard]] bool binds() const { return problem_.multipliers() > 0; }
+    [[nodiscard]] bool evaluate(double time, const VectorX& q, const VectorX& lambda, VectorX& s);
+    [[nodiscard]] bool rest(double time, const VectorX& q, const TangentSpace& at, VectorX& lambda,
+                            VectorX& s);
     [[nodiscard]] bool find_rate(double part, double time, const VectorX& q, const VectorX& v,
-                                 const VectorX& s);
+                                 const VectorX& s, const TangentSpace& at);
     [[nodiscard]] bool enter();
+    [[nodiscard]] bool turns_little();
     [[nodiscard]] bool take_step();
     [[nodiscard]] bool advance();
-    [[nodiscard]] MotionPoint between(double time) const;
+    VectorX complete(MotionPoint& point, const Moved& of, VectorX kick);
+    [[nodiscard]] bool is_observed() const;
+    [[nodiscard]] MotionPoint between(double time);
     [[nodiscard]] bool is_fixed() const noexcept { return options_.step > 0.0; }
     [[nodiscard]] bool goes_on() const noexcept { return now_.time < schedule_.end; }
     void fail(Status status, std::string message) {
@@ -70,6 +86,9 @@ private:
     const LeapfrogOptions& options_;
     LeapfrogReport& report_;
     Recorder recorder_;
+    std::optional<ConstraintManifold> manifold_;
+    VectorX none_;        // m zeros
+    std::string reason_;  // why a step failed that no element did
 
     Revision revision_;  // of the scene that the kick is of
     MotionPoint now_, earlier_, next_;
@@ -97,6 +116,7 @@ ANCF_INLINE void LeapfrogRun::run() {
     recorder_.start(now_);
     bool good = has_changed() ? renew() : fill_anew();
     while (good && goes_on() && advance()) {
+        if (binds() && is_observed()) complete(now_, at_, at_.kick);
         if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) break;
         if (has_changed()) {
             good = !goes_on() || renew();
@@ -106,6 +126,7 @@ ANCF_INLINE void LeapfrogRun::run() {
         estimate();
         good = is_stable();
     }
+    if (binds()) complete(now_, at_, at_.kick);
     recorder_.finish(now_);
 }
 
@@ -115,16 +136,28 @@ ANCF_INLINE bool LeapfrogRun::begin() {
     revision_ = problem_.model().revision();
     const double motion = problem_.motion_frequency(start);
     if (motion > 0.0) least_stable_ = reach / motion;
-    now_ = {start.time, std::move(start.q), std::move(start.v), {}};
+    now_ = {start.time, std::move(start.q), std::move(start.v), std::move(start.multipliers)};
     at_.kick = -start.acceleration;
+    none_ = VectorX::Zero(problem_.multipliers());
+    if (!read_constraints()) return false;
     estimate();
     require_no_damping();
     // what has no stiffness where it starts gets it as it moves
     const double ahead = std::min(options_.stable_share * least_stable_, schedule_.end - now_.time);
     const double later = problem_.highest_frequency(
-        now_.time, now_.q + ahead * (now_.v - 0.5 * ahead * at_.kick), fastest_);
+        now_.time, now_.q + ahead * (now_.v - 0.5 * ahead * at_.kick), now_.lambda, fastest_);
     if (later > 0.0) least_stable_ = std::min(least_stable_, reach / later);
     return true;
+}
+
+/// Reads mass and constraints for the motion at hand; false where they depend on each other.
+ANCF_INLINE bool LeapfrogRun::read_constraints() {
+    at_.lambda = now_.lambda;
+    manifold_.emplace(problem_);
+    if (!binds() || manifold_->find(now_.time, now_.q, at_.at_q)) return true;
+    fail(Status::singular,
+         joined({"the constraints depend on each other at ", now_.time, " s"}, 6));
+    return false;
 }
 
 /// A kick takes forces where the rates are not known yet: refuses those that depend on rates.
@@ -144,7 +177,7 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     since_ = 0;
     ++report_.jacobians;
     const double before = report_.highest_frequency;
-    const double now = problem_.highest_frequency(now_.time, now_.q, fastest_);
+    const double now = problem_.highest_frequency(now_.time, now_.q, now_.lambda, fastest_);
     if (now > 0.0) report_.highest_frequency = now;
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
@@ -160,10 +193,11 @@ ANCF_INLINE void LeapfrogRun::estimate() {
 /// Goes on with a scene that an observer has changed.
 ANCF_INLINE bool LeapfrogRun::renew() {
     revision_ = problem_.model().revision();
-    if (!evaluate(now_.time, now_.q, at_.kick)) {
+    if (!evaluate(now_.time, now_.q, now_.lambda, at_.kick)) {
         fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
         return false;
     }
+    if (!read_constraints()) return false;
     least_stable_ = std::numeric_limits<double>::infinity();
     estimate();
     return fill_anew();
@@ -210,21 +244,38 @@ ANCF_INLINE bool LeapfrogRun::is_stable() {
     return is_fixed() || suits || !goes_on() || fill(most);
 }
 
-/// Evaluates s = -a(t, q); false where an element fails.
-ANCF_INLINE bool LeapfrogRun::evaluate(double time, const VectorX& q, VectorX& s) {
+/// Evaluates s = M^-1 (r + G^T lambda); false where an element fails.
+ANCF_INLINE bool LeapfrogRun::evaluate(double time, const VectorX& q, const VectorX& lambda,
+                                       VectorX& s) {
     ++report_.evaluations;
-    report_.fault = problem_.evaluate(time, q, now_.v, now_.lambda, Request::force);
+    report_.fault = problem_.evaluate(time, q, now_.v, lambda, Request::force);
     if (report_.fault) return false;
     problem_.solve_mass(problem_.force(), s);
     return true;
 }
 
+/// Evaluates s = -a(t, q) of a scene at rest; false where an element fails.
+ANCF_INLINE bool LeapfrogRun::rest(double time, const VectorX& q, const TangentSpace& at,
+                                   VectorX& lambda, VectorX& s) {
+    if (!evaluate(time, q, lambda, s)) return false;
+    if (binds()) manifold_->project(at, none_, s, &lambda);
+    return true;
+}
+
 /// Finds ds/dt at a place by two forces ahead of it, or behind where the part is negative.
 ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX& q,
-                                        const VectorX& v, const VectorX& s) {
+                                        const VectorX& v, const VectorX& s,
+                                        const TangentSpace& at) {
     VectorX first, second;
     const auto along = [&](double later, VectorX& there) {
-        return evaluate(time + later, q + later * (v - 0.5 * later * s), there);
+        VectorX rate = v - 0.5 * later * s, lambda = none_;
+        TangentSpace to;
+        VectorX place = q;
+        if (!binds())
+            place += later * rate;
+        else if (!manifold_->drift(time, later, at, place, rate, to))
+            return false;
+        return rest(time + later, place, to, lambda, there);
     };
     if (!along(part, first) || !along(2.0 * part, second)) return false;
     s_rate_ = (4.0 * first - 3.0 * s - second) / (2.0 * part);
@@ -233,39 +284,70 @@ ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX&
 
 /// Finds Q and V of the motion at hand for the step that begins.
 ANCF_INLINE bool LeapfrogRun::enter() {
+    at_.s = at_.kick;
+    if (binds()) manifold_->project(at_.at_q, none_, at_.s);
+    at_.kick = at_.s;
     // forward: a load may begin here
-    if (!find_rate(step_ / 16.0, now_.time, now_.q, now_.v, at_.kick)) return false;
+    if (!find_rate(step_ / 16.0, now_.time, now_.q, now_.v, at_.s, at_.at_q)) return false;
     const double share = step_ * step_ / 12.0;
     at_.V = now_.v - share * s_rate_;
-    at_.s = at_.kick;
+    at_.lambda = now_.lambda;
     for (int k = 0; k < 2; ++k) {
         at_.Q = now_.q + share * at_.s;
-        if (!evaluate(now_.time, at_.Q, at_.s)) return false;
+        if (binds() && !manifold_->bring(now_.time, at_.at_q, at_.Q, at_.at_Q)) return false;
+        if (!rest(now_.time, at_.Q, at_.at_Q, at_.lambda, at_.s)) return false;
     }
+    if (!binds()) return true;
+    manifold_->project(at_.at_Q, at_.at_Q.rate, at_.V);
     return true;
 }
 
-/// Takes a step into next_; false where an element fails.
+/// Tells whether joints are driven so little in a step that it can only end in the right turn.
+ANCF_INLINE bool LeapfrogRun::turns_little() {
+    report_.fault.reset();
+    const std::vector<AnyConstraint>& all = problem_.model().constraints();
+    const DrivenTurn turn = driven_turn(all, now_.time, next_.time);
+    reason_ = turn.fits() ? "Newton's method does not reach the constraints"
+                          : driven_turn_text(all, turn, now_.time, next_.time);
+    return turn.fits();
+}
+
+/// Takes a step into next_; false where an element fails or the constraints are not reached.
 ANCF_INLINE bool LeapfrogRun::take_step() {
-    if (count_ == 0.0 && !enter()) return false;
     const double h = step_, share = h * h / 12.0;
     next_.time = count_ + 1.0 < steps_ ? origin_ + (count_ + 1.0) * h : schedule_.end;
+    if (binds() && !turns_little()) return false;
+    if (count_ == 0.0 && !enter()) return false;
     moved_.V = at_.V - 0.5 * h * at_.kick;
-    moved_.Q = at_.Q + h * moved_.V;
-    if (!evaluate(next_.time, moved_.Q, moved_.s)) return false;
+    if (binds()) {
+        moved_.Q = at_.Q;
+        moved_.lambda = at_.lambda;
+        if (!manifold_->drift(now_.time, next_.time - now_.time, at_.at_Q, moved_.Q, moved_.V,
+                              moved_.at_Q))
+            return false;
+    } else {
+        moved_.Q = at_.Q + h * moved_.V;
+    }
+    if (!rest(next_.time, moved_.Q, moved_.at_Q, moved_.lambda, moved_.s)) return false;
     next_.q = moved_.Q - share * moved_.s;
-    if (!evaluate(next_.time, next_.q, moved_.kick)) return false;
+    if (binds() && !manifold_->bring(next_.time, moved_.at_Q, next_.q, moved_.at_q)) return false;
+    if (!evaluate(next_.time, next_.q, moved_.lambda, moved_.kick)) return false;
     moved_.V -= 0.5 * h * moved_.kick;
+    if (binds()) manifold_->project(moved_.at_Q, moved_.at_Q.rate, moved_.V);
     // of second order, which is fourth in v; closer where steps may begin anew
     const bool ends = count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
     if (ends) {
-        if (!find_rate(-h / 16.0, next_.time, moved_.Q, moved_.V, moved_.s)) return false;
+        if (!find_rate(-h / 16.0, next_.time, moved_.Q, moved_.V, moved_.s, moved_.at_Q))
+            return false;
     } else if (count_ == 0.0) {
         s_rate_ = 2.0 / h * (moved_.s - at_.s) - s_rate_;
     } else {
         s_rate_ = (3.0 * moved_.s - 4.0 * at_.s + s_before_) / (2.0 * h);
     }
     next_.v = moved_.V + share * s_rate_;
+    if (!binds()) return true;
+    manifold_->project(moved_.at_q, moved_.at_q.rate, next_.v);
+    next_.lambda = moved_.lambda;
     return true;
 }
 
@@ -274,9 +356,9 @@ ANCF_INLINE bool LeapfrogRun::advance() {
     while (!take_step()) {
         ++report_.convergence_failures;
         if (is_fixed() || ++attempts_ == most_attempts) {
-            fail(report_.fault->status,
+            fail(report_.fault ? report_.fault->status : Status::max_iterations,
                  joined({"a step of ", step_, " s from ", now_.time, " s failed; "}, 6) +
-                     problem_.assembly().describe(*report_.fault));
+                     (report_.fault ? problem_.assembly().describe(*report_.fault) : reason_));
             return false;
         }
         if (!fill(0.5 * step_)) return false;
@@ -284,17 +366,40 @@ ANCF_INLINE bool LeapfrogRun::advance() {
     count_ += 1.0;
     std::swap(earlier_, now_);
     std::swap(now_, next_);
-    std::swap(at_, moved_);
+    binds() ? std::swap(at_, moved_) : std::swap<Place>(at_, moved_);
     s_before_.swap(moved_.s);
     kick_before_.swap(moved_.kick);
     return true;
 }
 
-ANCF_INLINE MotionPoint LeapfrogRun::between(double time) const {
-    MotionPoint at{time, {}, {}, {}};
-    interpolate({{earlier_.time, earlier_.q, earlier_.v, -kick_before_},
-                 {now_.time, now_.q, now_.v, -at_.kick}},
-                time, at.q, at.v);
+/// Returns -v' of a point with constraints, from its kick, and finds its multipliers.
+ANCF_INLINE VectorX LeapfrogRun::complete(MotionPoint& point, const Moved& of, VectorX kick) {
+    problem_.evaluate_constraints(point.time, point.q, point.v);
+    point.lambda = of.lambda;
+    manifold_->project(of.at_q, -problem_.constraint_convection(), kick, &point.lambda);
+    return kick;
+}
+
+ANCF_INLINE bool LeapfrogRun::is_observed() const {
+    const double slack = 1e-9 * step_;
+    const auto next =
+        std::upper_bound(schedule_.times.begin(), schedule_.times.end(), earlier_.time + slack);
+    return schedule_.observe && next != schedule_.times.end() && *next <= now_.time + slack;
+}
+
+ANCF_INLINE MotionPoint LeapfrogRun::between(double time) {
+    MotionPoint at{time, {}, {}, now_.lambda};
+    const bool bound = binds();
+    interpolate(
+        {{earlier_.time, earlier_.q, earlier_.v,
+          bound ? VectorX(-complete(earlier_, moved_, kick_before_)) : -kick_before_},
+         {now_.time, now_.q, now_.v, bound ? VectorX(-complete(now_, at_, at_.kick)) : -at_.kick}},
+        time, at.q, at.v);
+    Moved here;
+    if (!bound || !manifold_->bring(time, at_.at_q, at.q, here.at_q)) return at;
+    manifold_->project(here.at_q, here.at_q.rate, at.v);
+    here.lambda = none_;
+    if (evaluate(time, at.q, none_, here.kick)) (void)complete(at, here, here.kick);
     return at;
 }
 
@@ -314,10 +419,6 @@ ANCF_INLINE void LeapfrogOptions::check() const {
 
 ANCF_INLINE LeapfrogReport Leapfrog::integrate(DynamicProblem& problem,
                                                const Schedule& schedule) const {
-    detail::require(problem.multipliers() == 0, "Leapfrog: the scene has constraints with ",
-                    problem.multipliers(),
-                    " multipliers, which no explicit method takes; integrate by RadauIIA, or join "
-                    "by supports, by polyline and by Scene::attach, which have no multipliers");
     detail::require_motion(problem);
     const double from = problem.model().state().time;
     schedule.check(from);

@@ -177,8 +177,22 @@ public:
     // Constraints alone: no element is evaluated ------------------------------------------------
 
     /// Evaluates g, G, g_t and c at (t, q, v) for the functions below. Equations left out have zero
-    /// rows.
-    void evaluate_constraints(double t, const VectorX& q, const VectorX& v);
+    /// rows. c only where it is asked for.
+    void evaluate_constraints(double t, const VectorX& q, const VectorX& v, bool convection = true);
+
+    /// Evaluates the same but c, at rest, which is cheaper; the rate is then g_t and what driven
+    /// supports make.
+    /// @param active  places among all coordinates of the free ones that constraints act on.
+    /// @param q       of these alone.
+    void evaluate_constraints(double t, const std::vector<int>& active, const VectorX& q);
+
+    /// Returns the constraints as they were evaluated last.
+    [[nodiscard]] const detail::ConstraintSet& constraints() const noexcept { return constraints_; }
+
+    /// Returns c + G a_p, m entries, a_p the accelerations of driven supports.
+    [[nodiscard]] VectorX constraint_convection() const {
+        return constraints_.convection() + constraints_.product(full_a_);
+    }
 
     /// Returns G v + g_t, m entries, held and driven coordinates included.
     [[nodiscard]] const VectorX& constraint_rate() const noexcept { return constraints_.rate(); }
@@ -291,10 +305,11 @@ public:
     ///                becomes the mode.
     [[nodiscard]] double largest_eigenvalue(const SparseMatrix& matrix, VectorX& mode) const;
 
-    /// Returns the highest angular frequency of M^-1 K at (t, q), rad/s, likewise; constraints left
-    /// aside, so an upper bound with them. 0 where an element fails.
-    [[nodiscard]] double highest_frequency(double t, const VectorX& q, VectorX& mode);
-    /// Returns the same, begun with all modes.
+    /// Returns the highest angular frequency of M^-1 (K + (G^T lambda)_q) at (t, q), rad/s,
+    /// likewise; constraints do not hold it, so an upper bound with them. 0 where an element fails.
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q, const VectorX& lambda,
+                                           VectorX& mode);
+    /// Returns the same without multipliers, begun with all modes.
     [[nodiscard]] double highest_frequency(double t, const VectorX& q);
 
     /// Returns the lowest angular frequency of K on M and G at (t, q) that is not of a rigid motion

@@ -507,10 +507,24 @@ ANCF_INLINE double DynamicProblem::driving_power() const {
     return power;
 }
 
-ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q,
-                                                      const VectorX& v) {
+ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q, const VectorX& v,
+                                                      bool convection) {
     expand(t, q, v);
-    constraints_.evaluate(t, full_q_, full_v_);
+    constraints_.evaluate(t, full_q_, full_v_, convection);
+}
+
+ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vector<int>& active,
+                                                      const VectorX& q) {
+    time_ = t;
+    full_v_.setZero();
+    for (std::size_t j = 0; j < active.size(); ++j)
+        full_q_[active[j]] = q[static_cast<Eigen::Index>(j)];
+    if (!driven_.empty() || !numbering().dependence().empty()) {
+        VectorX free;
+        numbering().gather_free(full_q_, free);
+        expand(t, free, VectorX::Zero(size()));
+    }
+    constraints_.evaluate(t, full_q_, full_v_, false);
 }
 
 ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double scale,
@@ -755,15 +769,16 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
         });
 }
 
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q, VectorX& mode) {
+ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q,
+                                                     const VectorX& lambda, VectorX& mode) {
     const VectorX rest = VectorX::Zero(size());
-    if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
+    if (evaluate(t, q, rest, lambda, Request::tangent)) return 0.0;
     return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
 }
 
 ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
     VectorX mode;
-    return highest_frequency(t, q, mode);
+    return highest_frequency(t, q, VectorX::Zero(multipliers()), mode);
 }
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {

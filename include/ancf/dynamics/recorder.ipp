@@ -146,7 +146,7 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point) {
     const long in_a_step = std::max(2L, report_.evaluations / std::max(1L, report_.steps));
     if (report_.steps % std::max(1L, 24 / in_a_step) == 0) inspect(point);
     if (problem_.multipliers() > 0) {
-        problem_.evaluate_constraints(point.time, point.q, point.v);
+        problem_.evaluate_constraints(point.time, point.q, point.v, false);
         report_.violation = larger(report_.violation, problem_.constraint_violation());
         report_.violation_rate = larger(report_.violation_rate, problem_.violation_rate());
     }

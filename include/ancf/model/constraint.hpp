@@ -74,6 +74,11 @@ using ConstraintMembers =
 template <class T>
 using DrivenAngle = decltype(double(some<T>().driven_angle(0.0)));
 
+/// Of a constraint that tells g, G and g_t alone.
+template <class T>
+using TermsMember = decltype(some<T>().terms(some<VectorX>(), some<double>(),
+                                             std::declval<ConstraintTerms<double>&>()));
+
 }  // namespace detail
 
 /// True if `T` offers what a constraint must.
@@ -98,7 +103,8 @@ template <class T>
 /// One for models of one dimension declares `static constexpr int dimension`. One whose equations
 /// know an angle but for whole turns, and drive it, tells that angle with its turns by
 /// `double driven_angle(double time) const`, rad: solvers then take no step in which it changes by
-/// more than a sixth of a turn.
+/// more than a sixth of a turn. One that has `terms(q, time, ConstraintTerms<double>&)`, for g, G
+/// and g_t alone, is cheaper where no more is asked for.
 class AnyConstraint {
 public:
     /// Holds a copy of the constraint.
@@ -121,6 +127,10 @@ public:
     void evaluate(const ConstraintState& state, ConstraintResult& out) const {
         held_->evaluate(state, out);
     }
+    /// Evaluates g, G and g_t into `out` of any size; what else stands in it has no meaning then.
+    void terms(const ConstraintState& state, ConstraintResult& out) const {
+        held_->terms(state, out);
+    }
     /// Returns the angle that it is driven to, rad; 0 where it drives none.
     [[nodiscard]] double driven_angle(double time) const { return held_->driven_angle(time); }
 
@@ -131,6 +141,7 @@ private:
         [[nodiscard]] virtual int equations() const = 0;
         [[nodiscard]] virtual std::string name() const = 0;
         virtual void evaluate(const ConstraintState&, ConstraintResult&) const = 0;
+        virtual void terms(const ConstraintState&, ConstraintResult&) const = 0;
         [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
 
@@ -142,6 +153,15 @@ private:
         [[nodiscard]] std::string name() const override { return constraint.name(); }
         void evaluate(const ConstraintState& state, ConstraintResult& out) const override {
             constraint.evaluate(state, out);
+        }
+        void terms(const ConstraintState& state, ConstraintResult& out) const override {
+            if constexpr (detail::offers<detail::TermsMember, Constraint>) {
+                out.ConstraintTerms::reset(constraint.equations(), state.q.size());
+                constraint.terms(state.q, state.time, out);
+            } else {
+                out.reset(constraint.equations(), state.q.size());
+                constraint.evaluate(state, out);
+            }
         }
         [[nodiscard]] double driven_angle(double time) const override {
             return detail::driven_angle(constraint, time);

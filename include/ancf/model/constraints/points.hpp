@@ -260,9 +260,10 @@ public:
     }
 
     /// Writes g, G and g_t.
-    template <class Scalar>
-    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
-               ConstraintTerms<Scalar>& out) const {
+    template <class Scalar, class Held = Constraint>
+    auto terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const
+        -> decltype(std::declval<const Held&>().terms(q, time, out)) {
         constraint_.terms(q, time, out);
         drive(time, out);
     }
