@@ -40,7 +40,7 @@ struct TangentSpace {
     VectorX rate;  ///< m: g_t, and what driven supports make
 };
 
-/// The manifold of the constraints with the metric M.
+/// The manifold of the constraints with the metric M; without constraints all places.
 class ConstraintManifold {
 public:
     /// Reads M, and which equations are left out. @pre the problem has started.
@@ -62,6 +62,7 @@ public:
                              TangentSpace& to);
 
 private:
+    [[nodiscard]] bool binds() const noexcept { return problem_.multipliers() > 0; }
     void look(double t, const VectorX& place, TangentSpace& at);
     void spread(TangentSpace& at) const;
     [[nodiscard]] bool factorize(TangentSpace& at) const;

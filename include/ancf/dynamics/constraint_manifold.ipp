@@ -148,6 +148,7 @@ ANCF_INLINE bool ConstraintManifold::factorize(TangentSpace& at) const {
 }
 
 ANCF_INLINE bool ConstraintManifold::find(double t, const VectorX& q, TangentSpace& at) {
+    if (!binds()) return true;
     gather(q, active_, there_);
     look(t, there_, at);
     return factorize(at);
@@ -164,6 +165,7 @@ ANCF_INLINE void ConstraintManifold::add(const VectorX& force, double scale, Vec
 
 ANCF_INLINE void ConstraintManifold::project(const TangentSpace& at, const VectorX& b, VectorX& x,
                                              VectorX* sum) {
+    if (!binds()) return;
     gather(x, active_, there_);
     multipliers_ = b;
     add_product(at.G, 1.0, there_, 0, multipliers_);
@@ -176,6 +178,7 @@ ANCF_INLINE void ConstraintManifold::project(const TangentSpace& at, const Vecto
 
 ANCF_INLINE bool ConstraintManifold::bring(double t, const TangentSpace& along, VectorX& q,
                                            TangentSpace& at) {
+    if (!binds()) return true;
     gather(q, active_, there_);
     force_.setZero(there_.size());
     for (int iteration = 0; iteration < 12; ++iteration) {
@@ -247,6 +250,10 @@ ANCF_INLINE bool ConstraintManifold::find_push(double t, double h, const Tangent
 
 ANCF_INLINE bool ConstraintManifold::drift(double t, double h, const TangentSpace& from, VectorX& q,
                                            VectorX& v, TangentSpace& to) {
+    if (!binds()) {
+        q += h * v;
+        return true;
+    }
     const Eigen::Index m = from.G.rows();
     gather(q, active_, place_now_);
     gather(v, active_, rate_);

@@ -116,7 +116,7 @@ ANCF_INLINE void LeapfrogRun::run() {
     recorder_.start(now_);
     bool good = has_changed() ? renew() : fill_anew();
     while (good && goes_on() && advance()) {
-        if (binds() && is_observed()) complete(now_, at_, at_.kick);
+        if (is_observed()) complete(now_, at_, at_.kick);
         if (!recorder_.step(earlier_, now_, [this](double time) { return between(time); })) break;
         if (has_changed()) {
             good = !goes_on() || renew();
@@ -126,7 +126,7 @@ ANCF_INLINE void LeapfrogRun::run() {
         estimate();
         good = is_stable();
     }
-    if (binds()) complete(now_, at_, at_.kick);
+    complete(now_, at_, at_.kick);
     recorder_.finish(now_);
 }
 
@@ -154,7 +154,7 @@ ANCF_INLINE bool LeapfrogRun::begin() {
 ANCF_INLINE bool LeapfrogRun::read_constraints() {
     at_.lambda = now_.lambda;
     manifold_.emplace(problem_);
-    if (!binds() || manifold_->find(now_.time, now_.q, at_.at_q)) return true;
+    if (manifold_->find(now_.time, now_.q, at_.at_q)) return true;
     fail(Status::singular,
          joined({"the constraints depend on each other at ", now_.time, " s"}, 6));
     return false;
@@ -258,7 +258,7 @@ ANCF_INLINE bool LeapfrogRun::evaluate(double time, const VectorX& q, const Vect
 ANCF_INLINE bool LeapfrogRun::rest(double time, const VectorX& q, const TangentSpace& at,
                                    VectorX& lambda, VectorX& s) {
     if (!evaluate(time, q, lambda, s)) return false;
-    if (binds()) manifold_->project(at, none_, s, &lambda);
+    manifold_->project(at, none_, s, &lambda);
     return true;
 }
 
@@ -269,13 +269,10 @@ ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX&
     VectorX first, second;
     const auto along = [&](double later, VectorX& there) {
         VectorX rate = v - 0.5 * later * s, lambda = none_;
-        TangentSpace to;
         VectorX place = q;
-        if (!binds())
-            place += later * rate;
-        else if (!manifold_->drift(time, later, at, place, rate, to))
-            return false;
-        return rest(time + later, place, to, lambda, there);
+        TangentSpace to;
+        return manifold_->drift(time, later, at, place, rate, to) &&
+               rest(time + later, place, to, lambda, there);
     };
     if (!along(part, first) || !along(2.0 * part, second)) return false;
     s_rate_ = (4.0 * first - 3.0 * s - second) / (2.0 * part);
@@ -284,9 +281,8 @@ ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX&
 
 /// Finds Q and V of the motion at hand for the step that begins.
 ANCF_INLINE bool LeapfrogRun::enter() {
+    manifold_->project(at_.at_q, none_, at_.kick);
     at_.s = at_.kick;
-    if (binds()) manifold_->project(at_.at_q, none_, at_.s);
-    at_.kick = at_.s;
     // forward: a load may begin here
     if (!find_rate(step_ / 16.0, now_.time, now_.q, now_.v, at_.s, at_.at_q)) return false;
     const double share = step_ * step_ / 12.0;
@@ -294,10 +290,10 @@ ANCF_INLINE bool LeapfrogRun::enter() {
     at_.lambda = now_.lambda;
     for (int k = 0; k < 2; ++k) {
         at_.Q = now_.q + share * at_.s;
-        if (binds() && !manifold_->bring(now_.time, at_.at_q, at_.Q, at_.at_Q)) return false;
-        if (!rest(now_.time, at_.Q, at_.at_Q, at_.lambda, at_.s)) return false;
+        if (!manifold_->bring(now_.time, at_.at_q, at_.Q, at_.at_Q) ||
+            !rest(now_.time, at_.Q, at_.at_Q, at_.lambda, at_.s))
+            return false;
     }
-    if (!binds()) return true;
     manifold_->project(at_.at_Q, at_.at_Q.rate, at_.V);
     return true;
 }
@@ -319,21 +315,17 @@ ANCF_INLINE bool LeapfrogRun::take_step() {
     if (binds() && !turns_little()) return false;
     if (count_ == 0.0 && !enter()) return false;
     moved_.V = at_.V - 0.5 * h * at_.kick;
-    if (binds()) {
-        moved_.Q = at_.Q;
-        moved_.lambda = at_.lambda;
-        if (!manifold_->drift(now_.time, next_.time - now_.time, at_.at_Q, moved_.Q, moved_.V,
-                              moved_.at_Q))
-            return false;
-    } else {
-        moved_.Q = at_.Q + h * moved_.V;
-    }
-    if (!rest(next_.time, moved_.Q, moved_.at_Q, moved_.lambda, moved_.s)) return false;
+    moved_.Q = at_.Q;
+    moved_.lambda = at_.lambda;
+    if (!manifold_->drift(now_.time, h, at_.at_Q, moved_.Q, moved_.V, moved_.at_Q) ||
+        !rest(next_.time, moved_.Q, moved_.at_Q, moved_.lambda, moved_.s))
+        return false;
     next_.q = moved_.Q - share * moved_.s;
-    if (binds() && !manifold_->bring(next_.time, moved_.at_Q, next_.q, moved_.at_q)) return false;
-    if (!evaluate(next_.time, next_.q, moved_.lambda, moved_.kick)) return false;
+    if (!manifold_->bring(next_.time, moved_.at_Q, next_.q, moved_.at_q) ||
+        !evaluate(next_.time, next_.q, moved_.lambda, moved_.kick))
+        return false;
     moved_.V -= 0.5 * h * moved_.kick;
-    if (binds()) manifold_->project(moved_.at_Q, moved_.at_Q.rate, moved_.V);
+    manifold_->project(moved_.at_Q, moved_.at_Q.rate, moved_.V);
     // of second order, which is fourth in v; closer where steps may begin anew
     const bool ends = count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
     if (ends) {
@@ -345,7 +337,6 @@ ANCF_INLINE bool LeapfrogRun::take_step() {
         s_rate_ = (3.0 * moved_.s - 4.0 * at_.s + s_before_) / (2.0 * h);
     }
     next_.v = moved_.V + share * s_rate_;
-    if (!binds()) return true;
     manifold_->project(moved_.at_q, moved_.at_q.rate, next_.v);
     next_.lambda = moved_.lambda;
     return true;
@@ -372,8 +363,9 @@ ANCF_INLINE bool LeapfrogRun::advance() {
     return true;
 }
 
-/// Returns -v' of a point with constraints, from its kick, and finds its multipliers.
+/// Returns -v' of a point, from its kick, and finds its multipliers.
 ANCF_INLINE VectorX LeapfrogRun::complete(MotionPoint& point, const Moved& of, VectorX kick) {
+    if (!binds()) return kick;
     problem_.evaluate_constraints(point.time, point.q, point.v);
     point.lambda = of.lambda;
     manifold_->project(of.at_q, -problem_.constraint_convection(), kick, &point.lambda);
@@ -389,14 +381,11 @@ ANCF_INLINE bool LeapfrogRun::is_observed() const {
 
 ANCF_INLINE MotionPoint LeapfrogRun::between(double time) {
     MotionPoint at{time, {}, {}, now_.lambda};
-    const bool bound = binds();
-    interpolate(
-        {{earlier_.time, earlier_.q, earlier_.v,
-          bound ? VectorX(-complete(earlier_, moved_, kick_before_)) : -kick_before_},
-         {now_.time, now_.q, now_.v, bound ? VectorX(-complete(now_, at_, at_.kick)) : -at_.kick}},
-        time, at.q, at.v);
+    interpolate({{earlier_.time, earlier_.q, earlier_.v, -complete(earlier_, moved_, kick_before_)},
+                 {now_.time, now_.q, now_.v, -complete(now_, at_, at_.kick)}},
+                time, at.q, at.v);
     Moved here;
-    if (!bound || !manifold_->bring(time, at_.at_q, at.q, here.at_q)) return at;
+    if (!binds() || !manifold_->bring(time, at_.at_q, at.q, here.at_q)) return at;
     manifold_->project(here.at_q, here.at_q.rate, at.v);
     here.lambda = none_;
     if (evaluate(time, at.q, none_, here.kick)) (void)complete(at, here, here.kick);
