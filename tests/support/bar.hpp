@@ -8,11 +8,13 @@
 
 #pragma once
 
+#include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <memory>
 
 namespace ancf::test {
 
@@ -85,3 +87,13 @@ private:
 };
 
 }  // namespace ancf::test
+
+#if defined(ANCF_COMPILED)
+namespace ancf {
+
+// in bar.cpp
+extern template std::unique_ptr<ElementGroup> detail::make_group<test::Bar<2>>();
+extern template std::unique_ptr<ElementGroup> detail::make_group<test::Bar<3>>();
+
+}  // namespace ancf
+#endif

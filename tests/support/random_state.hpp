@@ -6,14 +6,14 @@
 ///
 /// An element type has `dimension`, `dofs`, `fields` and `length()`; its nodal coordinates are
 /// vectors in Field order, node by node. What is computed depends on its Shape alone, and is
-/// compiled once for all types. The generator is our own, so that a seed means the same everywhere.
+/// compiled once for all types, in random_state.cpp. The generator is our own, so that a seed
+/// means the same everywhere.
 
 #pragma once
 
 #include <ancf/element/fields.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <cstdint>
 
 namespace ancf::test {
@@ -29,20 +29,10 @@ public:
     }
 
     /// Returns a vector uniform in the cube [-1, 1)^n.
-    VectorX vector(int n) {
-        VectorX v(n);
-        for (double& each : v) each = uniform(-1.0, 1.0);
-        return v;
-    }
+    VectorX vector(int n);
 
     /// Returns a unit vector of n components, uniform on the sphere.
-    VectorX direction(int n) {
-        for (;;) {
-            const VectorX v = vector(n);
-            const double norm = v.norm();
-            if (norm > 0.1 && norm < 1.0) return v / norm;
-        }
-    }
+    VectorX direction(int n);
 
     template <int N>
     Vector<double, N> vector() {
@@ -66,30 +56,14 @@ private:
 };
 
 /// Returns the rotation by |v| about v (three dimensions), by Rodrigues' formula.
-[[nodiscard]] inline Matrix<double, 3> rotation(const Vector<double, 3>& v) {
-    const double angle = v.norm();
-    Matrix<double, 3> result = Matrix<double, 3>::Identity();
-    if (angle == 0.0) return result;
-    Matrix<double, 3> k;
-    k << 0.0, -v(2), v(1), v(2), 0.0, -v(0), -v(1), v(0), 0.0;
-    k /= angle;
-    return result + std::sin(angle) * k + (1.0 - std::cos(angle)) * k * k;
-}
+[[nodiscard]] Matrix<double, 3> rotation(const Vector<double, 3>& v);
 
 /// Returns the rotation by an angle in the plane.
-[[nodiscard]] inline Matrix<double, 2> rotation(double angle) {
-    Matrix<double, 2> result;
-    result << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    return result;
-}
+[[nodiscard]] Matrix<double, 2> rotation(double angle);
 
 /// Returns a rotation of up to `angle` radians about a random axis, in the plane or in space.
-[[nodiscard]] inline MatrixX random_rotation(int dimension, Random& random,
-                                             double angle = 3.14159265358979) {
-    if (dimension == 2) return rotation(random.uniform(-angle, angle));
-    const double turn = random.uniform(0.0, angle);
-    return rotation(Vector<double, 3>(turn * random.direction<3>()));
-}
+[[nodiscard]] MatrixX random_rotation(int dimension, Random& random,
+                                      double angle = 3.14159265358979);
 
 template <int Dimension>
 [[nodiscard]] Matrix<double, Dimension> random_rotation(Random& random,
@@ -130,21 +104,10 @@ void for_each_vector(const Visit& visit) {
 
 /// Returns the unit vector along which a field of the straight reference points: e_x, e_y, e_z of
 /// slopes, 0 of the others.
-[[nodiscard]] inline VectorX reference_direction(int dimension, Field field) {
-    if (length_power(field) != 0) return VectorX::Zero(dimension);
-    return VectorX::Unit(dimension, static_cast<int>(field) - 1);
-}
+[[nodiscard]] VectorX reference_direction(int dimension, Field field);
 
 /// Returns the coordinates of the straight element along e_x from the origin.
-[[nodiscard]] inline VectorX reference_coordinates(const Shape& shape) {
-    VectorX e(shape.dofs());
-    shape.for_each_vector([&](int node, Field field, int first) {
-        VectorX v = reference_direction(shape.dimension, field);
-        if (field == Field::r) v(0) = node * shape.length;
-        e.segment(first, shape.dimension) = v;
-    });
-    return e;
-}
+[[nodiscard]] VectorX reference_coordinates(const Shape& shape);
 
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> reference_coordinates(const Element& element) {
@@ -152,16 +115,8 @@ template <class Element>
 }
 
 /// Returns R e on every vector, plus the shift on the positions.
-[[nodiscard]] inline VectorX moved(const Shape& shape, const VectorX& e, const MatrixX& rotation,
-                                   const VectorX& shift) {
-    VectorX result(e.size());
-    shape.for_each_vector([&](int, Field field, int first) {
-        VectorX v = rotation * e.segment(first, shape.dimension);
-        if (field == Field::r) v += shift;
-        result.segment(first, shape.dimension) = v;
-    });
-    return result;
-}
+[[nodiscard]] VectorX moved(const Shape& shape, const VectorX& e, const MatrixX& rotation,
+                            const VectorX& shift);
 
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> moved(
@@ -173,26 +128,7 @@ template <class Element>
 /// Returns a deformed element: its end frames turned against each other (bending and twist, up to
 /// about 40 degrees a node), every slope sheared and stretched and the chord stretched by up to
 /// `strain`.
-[[nodiscard]] inline VectorX deformed_state(const Shape& shape, Random& random,
-                                            double strain = 0.3) {
-    const int dimension = shape.dimension;
-    VectorX e(shape.dofs());
-    MatrixX frame[2];
-    for (auto& each : frame) each = random_rotation(dimension, random, 2.3 * strain);
-    shape.for_each_vector([&](int node, Field field, int first) {
-        VectorX v = reference_direction(dimension, field);
-        if (field == Field::r) {
-            if (node == 1) v(0) = 1.0;
-            if (node == 1) v += strain * random.vector(dimension);
-            v *= shape.length;
-        } else {
-            v = frame[node] * (v + strain * random.vector(dimension));
-            if (length_power(field) < 0) v /= shape.length;
-        }
-        e.segment(first, dimension) = v;
-    });
-    return e;
-}
+[[nodiscard]] VectorX deformed_state(const Shape& shape, Random& random, double strain = 0.3);
 
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> deformed_state(const Element& element, Random& random,
@@ -201,11 +137,7 @@ template <class Element>
 }
 
 /// Returns a deformed element, rotated at random and shifted by up to one length.
-[[nodiscard]] inline VectorX random_state(const Shape& shape, Random& random, double strain = 0.3) {
-    const VectorX e = deformed_state(shape, random, strain);
-    const MatrixX turn = random_rotation(shape.dimension, random);
-    return moved(shape, e, turn, shape.length * random.vector(shape.dimension));
-}
+[[nodiscard]] VectorX random_state(const Shape& shape, Random& random, double strain = 0.3);
 
 template <class Element>
 [[nodiscard]] Vector<double, Element::dofs> random_state(const Element& element, Random& random,
