@@ -35,7 +35,8 @@ function(_ancf_compiled_layers result)
     foreach(layer IN LISTS ARGN)
         file(GLOB_RECURSE definitions RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
             ${PROJECT_SOURCE_DIR}/include/ancf/${layer}/*.ipp)
-        if(layer MATCHES "^(solver|dynamics|suitesparse|sundials|petsc)$") # each of them is large
+        # Each of them is large, or of one element, which a program without it is spared.
+        if(layer MATCHES "^(element|solver|dynamics|suitesparse|sundials|petsc)$")
             foreach(file IN LISTS definitions)
                 string(REGEX REPLACE "^ancf/|[.]ipp$" "" stem ${file})
                 string(REPLACE "/" "_" stem ${stem})

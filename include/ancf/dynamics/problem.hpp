@@ -84,6 +84,7 @@ public:
     ///         or a part of a scene with constraints or without a mass_solver.
     explicit DynamicProblem(Scene& model, const ProblemOptions& options = {});
 
+    ~DynamicProblem();
     DynamicProblem(const DynamicProblem&) = delete;
     DynamicProblem& operator=(const DynamicProblem&) = delete;
 

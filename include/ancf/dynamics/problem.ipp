@@ -51,6 +51,8 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
     if (exchange_ == nullptr) kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
 }
 
+ANCF_INLINE DynamicProblem::~DynamicProblem() = default;
+
 ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
     std::vector<int> result;
     const std::vector<int>& sizes = numbering().block_sizes();

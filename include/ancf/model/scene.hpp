@@ -87,7 +87,7 @@ public:
     /// Replaces all of that likewise.
     /// @throws InvalidArgument for a scene of another dimension.
     Scene& operator=(Scene&& other);
-    virtual ~Scene() = default;
+    ANCF_INLINE_VIRTUAL virtual ~Scene();
 
     /// Returns the dimension of space, 2 or 3.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
@@ -325,7 +325,7 @@ protected:
     void check_unattached(const char* call, NodeId node, Field field) const;
 
     /// @param dimension  of space, 2 or 3
-    explicit Scene(int dimension) noexcept : dimension_(dimension) {}
+    explicit Scene(int dimension) noexcept;
 
     /// Adds a node.
     /// @param vectors  r, r_x, r_y, r_z, r_xy and r_xx, each of as many components as space has

@@ -19,6 +19,10 @@
 
 namespace ancf {
 
+ANCF_INLINE Scene::Scene(int dimension) noexcept : dimension_(dimension) {}
+
+ANCF_INLINE Scene::~Scene() = default;
+
 ANCF_INLINE Scene::Scene(const Scene& other)
     : dimension_(other.dimension_),
       initial_(other.initial_),
