@@ -18,6 +18,7 @@
 /// Declares (`extern`) or defines (nothing) what of an element is not in its class's own instance.
 #define ANCF_ELEMENT_INSTANCE(linkage, ...)                                                   \
     linkage template std::unique_ptr<ElementGroup> detail::make_group<__VA_ARGS__>();         \
+    linkage template int detail::append_prototype(ElementGroup&, __VA_ARGS__&&);              \
     linkage template double detail::Evaluator<__VA_ARGS__>::energy(                           \
         const Vector<double, __VA_ARGS__::dofs>&) const noexcept;                             \
     linkage template Vector<double, __VA_ARGS__::dofs> detail::Evaluator<__VA_ARGS__>::force( \
@@ -35,6 +36,10 @@ namespace detail {
 /// Returns an empty group for elements of a type; defined where models are.
 template <class Element>
 [[nodiscard]] std::unique_ptr<ElementGroup> make_group();
+
+/// Adds a prototype to the group of its type and returns its index.
+template <class Element>
+int append_prototype(ElementGroup& group, Element&& element);
 
 template <class Element, class = void>
 struct EvaluatorOf {

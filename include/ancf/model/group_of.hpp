@@ -348,6 +348,13 @@ std::unique_ptr<ElementGroup> make_group() {
     return std::make_unique<GroupOf<Element>>();
 }
 
+template <class Element>
+int append_prototype(ElementGroup& group, Element&& element) {
+    auto& prototypes = static_cast<GroupOf<Element>&>(group).prototypes;
+    prototypes.push_back(std::move(element));
+    return static_cast<int>(prototypes.size()) - 1;
+}
+
 }  // namespace detail
 
 }  // namespace ancf

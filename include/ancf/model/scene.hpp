@@ -404,9 +404,7 @@ template <class Element>
 int Scene::add_prototype(Element element) {
     check_dimension("an element", Element::dimension);
     if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
-    auto& prototypes = static_cast<GroupOf<Element>&>(found_group<Element>()).prototypes;
-    prototypes.push_back(std::move(element));
-    return static_cast<int>(prototypes.size()) - 1;
+    return detail::append_prototype<Element>(found_group<Element>(), std::move(element));
 }
 
 template <class Element>
