@@ -277,6 +277,19 @@ TEST_CASE("Leapfrog: of equations that repeat each other one is left out",
         CHECK(share == Approx(0.5 * force).epsilon(1e-9));
 }
 
+TEST_CASE("Leapfrog: an equation between supports alone is left out too",
+          "[dynamics][leapfrog][constraint]") {
+    Chain scene = soft_chain(), held = soft_chain();
+    held.model.add(Distance<3>(held.first(), Vector3(0.0, 1.0, 0.0), 1.0));
+    ProblemOptions options;
+    options.redundancy = Redundancy::minimum_norm;
+    DynamicProblem problem(held.model, options);
+    REQUIRE(Leapfrog(fixed(0.01)).integrate(problem, until(0.5)).status == Status::converged);
+    REQUIRE(run(scene.model, fixed(0.01), until(0.5)).status == Status::converged);
+    CHECK(distance(scene.model.state().q, held.model.state().q) <= 1e-14);
+    CHECK(held.model.state().multipliers[0] == 0.0);
+}
+
 TEST_CASE("Leapfrog: bars between links rest", "[dynamics][leapfrog][constraint]") {
     Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.3, 0.0}, 2e4);
     for (std::size_t k = 1; k < scene.nodes.size(); ++k)

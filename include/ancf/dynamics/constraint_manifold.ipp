@@ -207,7 +207,7 @@ ANCF_INLINE bool ConstraintManifold::find_push(double t, double h, const Tangent
     push_ = 2.0 * push_ - before_;
     before_ = change_;
     guess_ = from.C;
-    if (middle_.C.size() == guess_.size()) guess_ = 2.0 * guess_ - middle_.C;
+    if (middle_.C.cols() == guess_.cols()) guess_ = 2.0 * guess_ - middle_.C;
     for (int iteration = 0; iteration < 12; ++iteration) {
         there_ = place_now_ + 0.5 * h * rate_;
         add_product(from.C, -2.0 * part, push_, 0, there_);
