@@ -628,6 +628,28 @@ TEST_CASE("Leapfrog: a step into what cannot be evaluated is taken again, shorte
     CHECK(at_once.convergence_failures == 1);
 }
 
+/// A load that has no value once the motion has begun.
+struct Gone {
+    NodeId node;
+
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        if (state.time > 0.0) out.force[1] = nan;
+    }
+};
+
+TEST_CASE("Leapfrog: where the first step fails the multipliers are those of the start",
+          "[dynamics][leapfrog][constraint][failure]") {
+    for (const double step : {0.0, 0.01}) {
+        Chain scene = soft_swing();
+        for (const NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 3.0});
+        const VectorX start = DynamicProblem(scene.model).start().multipliers;
+        scene.model.add(Gone{scene.last()});
+        CHECK(run(scene.model, fixed(step), until(0.5)).status == Status::not_finite);
+        CHECK(distance(scene.model.state().multipliers, start) <= 1e-12);
+    }
+}
+
 TEST_CASE("Leapfrog: a callback stops a run", "[dynamics][leapfrog]") {
     Chain scene = soft_chain();
     Schedule schedule = until(1.0);

@@ -40,7 +40,7 @@ private:
     struct Place {
         VectorX Q, V, s, kick;
     };
-    // With constraints s is tangential, lambda belongs to it, the kick is M^-1 (r + G^T lambda).
+    // With constraints s is tangential, the kick is M^-1 (r + G^T lambda).
     struct Moved : Place {
         VectorX lambda;
         TangentSpace at_Q, at_q;
@@ -281,17 +281,17 @@ ANCF_INLINE bool LeapfrogRun::find_rate(double part, double time, const VectorX&
 
 /// Finds Q and V of the motion at hand for the step that begins.
 ANCF_INLINE bool LeapfrogRun::enter() {
-    manifold_->project(at_.at_q, none_, at_.kick);
+    manifold_->project(at_.at_q, none_, at_.kick, &at_.lambda);
     at_.s = at_.kick;
     // forward: a load may begin here
     if (!find_rate(step_ / 16.0, now_.time, now_.q, now_.v, at_.s, at_.at_q)) return false;
     const double share = step_ * step_ / 12.0;
     at_.V = now_.v - share * s_rate_;
-    at_.lambda = now_.lambda;
+    VectorX lambda = at_.lambda;  // that of the kick stays
     for (int k = 0; k < 2; ++k) {
         at_.Q = now_.q + share * at_.s;
         if (!manifold_->bring(now_.time, at_.at_q, at_.Q, at_.at_Q) ||
-            !rest(now_.time, at_.Q, at_.at_Q, at_.lambda, at_.s))
+            !rest(now_.time, at_.Q, at_.at_Q, lambda, at_.s))
             return false;
     }
     manifold_->project(at_.at_Q, at_.at_Q.rate, at_.V);
