@@ -290,6 +290,21 @@ TEST_CASE("Leapfrog: an equation between supports alone is left out too",
     CHECK(held.model.state().multipliers[0] == 0.0);
 }
 
+TEST_CASE("Leapfrog: who looks on changes no step", "[dynamics][leapfrog][constraint]") {
+    int seen = 0;
+    const auto end = [&](std::vector<double> times) {
+        Chain scene = soft_swing();
+        for (const NodeId node : scene.nodes) scene.model.set_rate(node, Field::r, {0.0, 0.0, 3.0});
+        Schedule schedule = until(4.0);
+        schedule.times = std::move(times);
+        schedule.observe = [&](const Snapshot&) { ++seen; };
+        REQUIRE(run(scene.model, {}, schedule).status == Status::converged);
+        return scene.model.state().q;
+    };
+    CHECK(distance(end({}), end(equal_intervals(0.0, 4.0, 0.1).times)) <= 1e-10);
+    CHECK(seen == 41);
+}
+
 TEST_CASE("Leapfrog: bars between links rest", "[dynamics][leapfrog][constraint]") {
     Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.3, 0.0}, 2e4);
     for (std::size_t k = 1; k < scene.nodes.size(); ++k)

@@ -177,7 +177,7 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     since_ = 0;
     ++report_.jacobians;
     const double before = report_.highest_frequency;
-    const double now = problem_.highest_frequency(now_.time, now_.q, now_.lambda, fastest_);
+    const double now = problem_.highest_frequency(now_.time, now_.q, at_.lambda, fastest_);
     if (now > 0.0) report_.highest_frequency = now;
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
