@@ -389,6 +389,7 @@ ANCF_INLINE MotionPoint LeapfrogRun::between(double time) {
     manifold_->project(here.at_q, here.at_q.rate, at.v);
     here.lambda = none_;
     if (evaluate(time, at.q, none_, here.kick)) (void)complete(at, here, here.kick);
+    report_.fault.reset();  // a step can do without
     return at;
 }
 
