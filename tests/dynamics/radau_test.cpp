@@ -294,32 +294,6 @@ TEST_CASE("Radau IIA: the error of adaptive runs follows the tolerance, at all t
     CHECK(checked == 6);
 }
 
-TEST_CASE("Radau IIA: multipliers after a tiny last step are those of its state",
-          "[dynamics][radau][constraint]") {
-    const int stages = GENERATE(3, 5);
-    const double tolerance = GENERATE(1e-3, 1e-11);
-    const double rest = GENERATE(1e-3, 1e-5, 1e-7, 1e-9);
-    double before = 0.0, inside = 0.0;  // ends of steps
-    Schedule whole = until(0.5);
-    whole.progress = [&](double time, double) {
-        before = std::exchange(inside, time < 0.5 ? time : inside);
-        return true;
-    };
-    Chain scene = soft_swing(true);
-    REQUIRE(run(scene.model, adaptive(stages, tolerance), whole).status == Status::converged);
-    CAPTURE(stages, tolerance, rest, before, inside);
-    Chain shorter = soft_swing(true);
-    double between = 0.0;
-    Schedule schedule = until(before + rest);
-    schedule.times = {before + 0.5 * rest};
-    schedule.observe = [&](const Snapshot& at) { between = at.state.multipliers[0]; };
-    REQUIRE(run(shorter.model, adaptive(stages, tolerance), schedule).status == Status::converged);
-    DynamicProblem problem(shorter.model);
-    const double exact = problem.start().multipliers[0];
-    CHECK(shorter.model.state().multipliers[0] == Approx(exact).epsilon(2e-2));
-    CHECK(between == Approx(exact).epsilon(2e-2));
-}
-
 /// Checks that a scene ends where the Runge-Kutta method takes it.
 /// @param steps   of the Runge-Kutta method
 /// @param margin  largest difference of coordinates

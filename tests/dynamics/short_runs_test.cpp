@@ -91,6 +91,57 @@ TEST_CASE("A run without duration takes no step and shows its start", "[dynamics
     check(ancf::EnergyMomentum());
 }
 
+/// Checks multipliers at the end of a run whose last step is tiny, or the only one, and within it.
+/// @param margin  relative to those of the state at the end
+template <class Integrator>
+void check_multipliers(const Integrator& integrator, double margin) {
+    const auto run = [&](ancf::Scene& model, const ancf::Schedule& schedule) {
+        ancf::DynamicProblem problem(model);
+        ancf::EigenLu solver;
+        REQUIRE(integrator.integrate(problem, solver, schedule).status == Status::converged);
+    };
+    std::vector<double> ends;  // of steps
+    ancf::Schedule whole = until(0.5);
+    whole.progress = [&](double time, double) {
+        ends.push_back(time);
+        return true;
+    };
+    Chain scene = swing();
+    run(scene.model, whole);
+    REQUIRE(ends.size() > 2);
+    const double before = ends[ends.size() - 2];
+    for (const double from : {before, 0.0})
+        for (const double rest : {1e-3, 1e-5, 1e-7, 1e-9}) {
+            CAPTURE(from, rest);
+            Chain longer = swing();
+            ancf::VectorX between;
+            ancf::Schedule schedule = until(from + rest);
+            schedule.times = {from + 0.5 * rest};
+            schedule.observe = [&](const ancf::Snapshot& at) { between = at.state.multipliers; };
+            run(longer.model, schedule);
+            const ancf::VectorX own = ancf::DynamicProblem(longer.model).start().multipliers;
+            CHECK(distance(longer.model.state().multipliers, own) <= margin * own.norm());
+            CHECK(distance(between, own) <= margin * own.norm());
+        }
+}
+
+TEST_CASE("Multipliers at the end of a tiny last step are those of the motion", "[dynamics]") {
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+        CAPTURE(tolerance);
+        ancf::GeneralizedAlphaOptions options;
+        options.tolerance = tolerance;
+        check_multipliers(ancf::GeneralizedAlpha(options), 0.05);
+        ancf::RadauOptions stages;
+        stages.tolerance = tolerance;
+        check_multipliers(ancf::RadauIIA(stages), 0.05);
+        stages.stages = 5;
+        check_multipliers(ancf::RadauIIA(stages), 0.05);
+    }
+    ancf::EnergyMomentumOptions options;
+    options.step = 5e-3;
+    check_multipliers(ancf::EnergyMomentum(options), 0.05);
+}
+
 TEST_CASE("Equal intervals longer than the run still have both ends", "[dynamics]") {
     for (const double interval : {1.0, 1e3, 1e10, 1e300}) {
         CAPTURE(interval);

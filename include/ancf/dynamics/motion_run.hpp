@@ -83,8 +83,9 @@ protected:
     /// shorter: by a factor, or in halves where steps are fixed. False where the run ends.
     [[nodiscard]] bool shortens(const Step& step, Status status, double factor);
 
-    /// Reports a step that was taken; the last one ends where the schedule does. False where it
-    /// ends the run.
+    /// Reports a step that was taken; the last one ends where the schedule does. One that is
+    /// shorter than half of the one before, or of the options' step, ends with the multipliers of
+    /// its state. False where it ends the run.
     [[nodiscard]] bool record(const MotionPoint& from, MotionPoint& to,
                               const Between& between = {});
 
@@ -112,7 +113,9 @@ protected:
     Recorder recorder_;
     Start start_;
     StepGrid grid_;
-    double duration_ = 0.0;  // s, from the start to the schedule's end
+    double duration_ = 0.0;        // s, from the start to the schedule's end
+    double last_width_ = 0.0;      // s, of the last step, at first that of the options
+    bool has_short_step_ = false;  // whether it ended with the multipliers of its state
 };
 
 }  // namespace ancf::detail

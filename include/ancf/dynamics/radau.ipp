@@ -93,7 +93,6 @@ private:
     // of the step before
     Stages acceleration_before_, lambda_before_;
     double width_before_ = 0.0;
-    bool own_lambda_ = false;  // whether the multipliers of now_ are those of its state
 
     // what Newton's method and the choice of steps keep
     MotionPoint linearised_;    // where the tangent of the matrices at hand was evaluated
@@ -209,16 +208,8 @@ ANCF_INLINE void RadauRun::end_step(double width) {
     std::swap(now_, next_);
     std::swap(acceleration_before_, acceleration_);
     std::swap(lambda_before_, lambda_);
-    // those of a short step carry what Newton's method leaves of g, over h^2
-    own_lambda_ = problem_.multipliers() > 0 && 2.0 * width < width_before_;
     width_before_ = width;
     knots_.clear();
-    VectorX acceleration, lambda;
-    if (!own_lambda_) return;
-    ++report_.evaluations;
-    own_lambda_ = problem_.accelerations(now_.time, now_.q, now_.v, acceleration, lambda) ==
-                  Status::converged;
-    if (own_lambda_) now_.lambda = lambda;
 }
 
 /// Solves one step by Newton's method, again with a new tangent where the old one fails.
@@ -464,7 +455,7 @@ ANCF_INLINE MotionPoint RadauRun::between(double time) {
     const std::vector<double> weights =
         lagrange_weights(tableau_.nodes, (time - earlier_.time) / (now_.time - earlier_.time));
     at.lambda = now_.lambda;
-    if (own_lambda_) return at;
+    if (has_short_step_) return at;
     at.lambda.setZero();
     for (std::size_t i = 0; i < stages_; ++i)
         for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
