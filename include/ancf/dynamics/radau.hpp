@@ -32,7 +32,7 @@ struct RadauOptions {
     double min_step = 1e-12;                                    ///< s, of an adaptive run
     double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
     /// Of the coordinates of a stage, relative like tolerance; 0: 0.06 of the tolerance, with five
-    /// stages 0.012, of fixed steps 1e-13.
+    /// stages 0.0125, of fixed steps 1e-13.
     double newton_tolerance = 0.0;
     int max_iterations = 10;    ///< of Newton's method in a step
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step

@@ -119,7 +119,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
       system_(problem, solver, tableau_),
       newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
                         : options.tolerance > 0.0
-                            ? (options.stages > 3 ? 0.012 : 0.06) * options.tolerance
+                            ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
                             : 1e-13),
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
