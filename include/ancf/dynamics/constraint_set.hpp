@@ -98,7 +98,7 @@ private:
     std::vector<ConstraintResult> results_;
     std::vector<char> left_out_;
     ConstraintState local_;
-    double time_ = 0.0;
+    double time_ = 0.0;  // s, with q and v of the last evaluation that had c
     VectorX q_, v_;
     VectorX violation_, rate_, full_rate_, convection_;
 };
