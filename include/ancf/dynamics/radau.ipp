@@ -347,6 +347,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         const double ratio = iterations_ > 1 ? change / before : 0.0;
         // at the round-off of the residual the corrections no longer shrink; in a scene at rest
         // they are round-off of nothing, and tell nothing of the matrices
+        if (change <= nothing) contraction_ = 0.0;
         if (change <= nothing || (ratio >= 1.0 && change <= round_off_)) break;
         if (++since > 1) {
             // a first ratio may flatter: it stands beside that of the step before
