@@ -534,6 +534,34 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
     }
 }
 
+TEST_CASE("buckling: refuses loads that have no potential, takes those whose part is symmetric",
+          "[modal]") {
+    ancf::EigenLu solver;
+    const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0;
+    SECTION("a force that follows a free tip, by which a column flutters") {
+        Scene scene = cantilever(8, 0.01);
+        scene.add(ancf::FollowerForce({8}, {-euler, 0, 0}));
+        CHECK_THROWS_WITH(ancf::buckling_modes(scene, solver), ContainsSubstring("no potential"));
+    }
+    SECTION("a moment in space on a free tip") {
+        Scene scene = cantilever(8, 0.01);
+        scene.add(ancf::Moment({8}, {0, 0, 1}));
+        CHECK_THROWS_WITH(ancf::buckling_modes(scene, solver), ContainsSubstring("no potential"));
+    }
+    SECTION("a force that follows a tip that cannot turn") {
+        // Euler's load of a column clamped at its foot, its head guided: four times the free one's
+        Scene scene = cantilever(8, 0.01);
+        for (const auto slope : {ancf::Field::r_x, ancf::Field::r_y, ancf::Field::r_z})
+            for (const int component : {0, 1, 2})
+                if (slope != ancf::Field::r_x || component != 0) scene.fix({8}, slope, component);
+        scene.add(ancf::FollowerForce({8}, {-euler, 0, 0}));
+        const auto report = ancf::buckling_modes(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        // strain and shear of this slenderness change the load by 4e-4
+        CHECK(report.modes[0].value == Approx(4.0).epsilon(2e-3));
+    }
+}
+
 TEST_CASE("buckling: a narrow torsion beam under a tip load across or along its thin side",
           "[modal]") {
     const auto section = ancf::rectangle(0.002, 0.1);

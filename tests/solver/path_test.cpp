@@ -170,6 +170,30 @@ TEST_CASE("path: a step that leaps over the last factor is shortened", "[path]")
     CHECK(load_at(2.0, truss.position(apex)[1]) == Approx(-1.0).epsilon(1e-7));
 }
 
+TEST_CASE("path: a step that ends at the last factor but for round-off lands", "[path]") {
+    // by engineering strains a straight column shortens in proportion to its load: steps of 0.1,
+    // 0.2, 0.4 and 0.8 end at 1.5 less a unit in the last place
+    using Column =
+        ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>;
+    ancf::Model model;
+    const auto column = ancf::straight_beam<Column>(
+        model, ancf::Material::isotropic(1e9, 0.3, 1000.0), ancf::rectangle(0.05, 0.05), {0, 0, 0},
+        {1, 0, 0}, 8, ancf::CrossSectionOptions::best());
+    model.clamp(column.first());
+    model.add(ancf::Force<3>(column.last(), {-1285.0, 0.0, 0.0}));
+    ancf::EigenLdlt solver;
+    for (const double last : {0.3, 0.7, 1.5, 1.2}) {
+        CAPTURE(last);
+        ancf::Model copy = model;
+        ancf::PathOptions options;
+        options.last_factor = last;
+        const auto report = ancf::follow_path(copy, solver, options);
+        CHECK(report.status == Status::converged);
+        CHECK(report.points.back().factor == last);
+        CHECK(report.points.size() <= 4);
+    }
+}
+
 TEST_CASE("path: it goes on from a limit point", "[path]") {
     const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical);
     Truss truss = make_truss(0.5);
@@ -813,6 +837,19 @@ TEST_CASE("path: a load that moves nothing is called that", "[path][bad-input]")
     report = ancf::follow_path(model, solver);
     CHECK(report.status == Status::singular);
     CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+    // four elements leave round-off in that coordinate, along which 23 limit points were found
+    ancf::Model finer;
+    const auto slender = ancf::straight_beam<
+        ancf::CrossSectionBeam<3, ancf::Geodesic, ancf::LinearShear, ancf::EngineeringMeasure>>(
+        finer, ancf::Material::isotropic(1e9, 0.3, 1000.0), ancf::rectangle(0.05, 0.05), {0, 0, 0},
+        {1, 0, 0}, 4, ancf::CrossSectionOptions::best());
+    finer.clamp(slender.first());
+    finer.add(ancf::Force<3>(slender.last(), {0.0, 0.0, 100.0}));
+    options.component = 1;
+    options.at = {slender.last(), ancf::Field::r};
+    report = ancf::follow_path(finer, solver, options);
+    CHECK(report.status == Status::singular);
+    CHECK(report.critical.empty());
 }
 
 TEST_CASE("path: calls that cannot be meant are refused", "[path][bad-input]") {

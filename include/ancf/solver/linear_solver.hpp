@@ -62,6 +62,9 @@ inline constexpr double default_singular_rcond = 1.5 * std::numeric_limits<doubl
 
 /// Solves A x = b by a factorisation of A.
 ///
+/// A solver belongs to one run at a time, which goes on with the factors that it left: what an
+/// observer or another callback of the run solves takes a solver of its own.
+///
 /// The solvers of this library throw InvalidArgument for a matrix that is not square, compressed
 /// and of their storage, for sizes that differ from those analysed, and for a solve without a
 /// factorisation.

@@ -111,6 +111,32 @@ ANCF_INLINE void require_resting(const Assembly& assembly, const VectorX& q) {
                     constraint.name(), " moves", advice);
 }
 
+/// Throws where the loads' part of B = -K' is not symmetric: such loads have no potential, and the
+/// symmetric part buckles elsewhere or not at all.
+/// @param A  K_0, whose diagonal measures the unknowns.
+ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
+                                   const SparseMatrix& B) {
+    constexpr double round_off = 1e-6;  // of the largest entry
+    const auto& loads = model.loads();
+    if (std::all_of(loads.begin(), loads.end(),
+                    [](const ScaledLoad& load) { return load.load.symmetric(); }))
+        return;
+    VectorX unit = VectorX::Zero(A.cols());
+    for (Eigen::Index k = 0; k < A.cols(); ++k)
+        if (const double own = std::abs(A.coeff(k, k)); own > 0.0) unit[k] = 1.0 / std::sqrt(own);
+    double largest = 0.0, apart = 0.0;
+    for (int j = 0; j < B.cols(); ++j)
+        for (int k = B.outerIndexPtr()[j]; k < B.outerIndexPtr()[j + 1]; ++k) {
+            const int i = B.innerIndexPtr()[k];
+            const double value = B.valuePtr()[k];
+            largest = std::max(largest, std::abs(value) * unit[i] * unit[j]);
+            apart = std::max(apart, std::abs(value - B.coeff(j, i)) * unit[i] * unit[j]);
+        }
+    require(apart <= round_off * largest,
+            "buckling_modes: loads that have no potential, such as FollowerForce and Moment, make "
+            "a tangent that is not symmetric; follow the path, and look at a motion beside it");
+}
+
 /// Factorises A; what a constraint does not account for must not be negative.
 [[nodiscard]] ANCF_INLINE Status factorise(const Assembly& assembly, const SparseMatrix& A,
                                            LinearSolver& solver) {
@@ -220,6 +246,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (const auto fault = deflected.change(unloaded, change))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
+    detail::require_potential(model, unloaded, B);
     if (solver.storage() == Storage::full) detail::symmetrise(B);
     return detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
                                                [](double th, double&) { return 1.0 / th; }),

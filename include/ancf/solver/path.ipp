@@ -274,10 +274,13 @@ private:
         at.negative_pivots = factor.negative_pivots;
         solve_load(at, at.tangent_u);
         at.tangent_f = 1.0;
-        const double length = controlled_ >= 0
-                                  ? at.tangent_u[controlled_]
-                                  : std::sqrt(product(at.tangent_u, at.tangent_u) + psi_ * psi_);
-        idle_ = length == 0.0;
+        constexpr double round_off = 1e-12;  // of the response, to that of all coordinates
+        const double response = product(at.tangent_u, at.tangent_u);
+        const double length =
+            controlled_ >= 0 ? at.tangent_u[controlled_] : std::sqrt(response + psi_ * psi_);
+        idle_ = controlled_ >= 0 ? std::abs(length) * std::sqrt(weights_[controlled_]) <=
+                                       round_off * std::sqrt(response)
+                                 : length == 0.0;
         if (idle_ || !std::isfinite(length)) return Outcome::of(Status::singular);
         at.tangent_u /= length;
         at.tangent_f /= length;
@@ -425,9 +428,13 @@ private:
         }
     }
 
+    // Tells whether a step reaches the last load factor: one that ends just before it lands too, as
+    // what is left would be a step of round-off.
     [[nodiscard]] bool passes(double from, double to) const {
-        const double last = *options_.last_factor;
-        return from != last && (last - from) * (last - to) <= 0.0;  // a path may start at it
+        constexpr double round_off = 1e-12;
+        const double way = *options_.last_factor - from;
+        const double left = *options_.last_factor - to;
+        return way != 0.0 && left / way <= round_off;  // a path may start at it
     }
 
     [[nodiscard]] static bool turns(const Point& a, const Point& b) {

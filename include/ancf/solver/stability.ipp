@@ -10,6 +10,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/convergence.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/solver/stability.hpp>
 #include <ancf/types.hpp>
@@ -55,10 +56,13 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
     return true;
 }
 
-/// Tells whether the energy of the softest displacement, of either sign, is more than round-off.
-/// @param lower  half of the stiffness, with its diagonal and its factors
+/// Tells whether the energy of the softest displacement, of either sign, is more than round-off and
+/// what the residual makes of it: that of a turn by an angle a is a^2 times the residual's moment.
+/// @param lower     half of the stiffness, with its diagonal and its factors
+/// @param residual  of the state
+/// @param lever     what a turn by 1 rad makes of each displacement at most
 ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
-                         const SparseLdlt& factor) {
+                         const SparseLdlt& factor, const VectorX& residual, const VectorX& lever) {
     constexpr int inverse_iterations = 3;
     const auto size = static_cast<int>(diagonal.size());
     VectorX x = unit_scales(lower);
@@ -78,7 +82,26 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
             energy += term;
             terms += std::abs(term);
         }
-    return std::abs(energy) > 16.0 * std::numeric_limits<double>::epsilon() * terms;
+    double angle = 0.0, moment = 0.0;
+    for (int k = 0; k < size; ++k) {
+        angle = std::max(angle, std::abs(x[k]) / lever[k]);
+        moment += std::abs(residual[k]) * lever[k];
+    }
+    return std::abs(energy) >
+           16.0 * std::numeric_limits<double>::epsilon() * terms + angle * angle * moment;
+}
+
+/// Returns what a turn by 1 rad makes of each free coordinate at most: the scene's size of
+/// positions, 1 of slopes, one over that size of r_xx.
+[[nodiscard]] ANCF_INLINE VectorX levers(const Assembly& assembly) {
+    const Numbering& numbering = assembly.numbering();
+    const Layout& layout = assembly.model().layout();
+    const double size = ConvergenceMonitor(assembly.model(), numbering).size();
+    VectorX lever = VectorX::Ones(numbering.free_coordinates());
+    for (int k = 0; k < numbering.coordinates(); ++k)
+        if (const int equation = numbering.equation(k); equation >= 0)
+            lever[equation] = std::pow(size, length_power(layout.field_of(k)));
+    return lever;
 }
 
 /// Returns the node of every free coordinate.
@@ -120,7 +143,9 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
             return Stability::unknown;
         positive = positive && factor.pivot(k) > 0.0;
     }
-    if (!resists(lower, diagonal, factor)) return Stability::unknown;
+    VectorX residual;
+    assembly.residual(residual);
+    if (!resists(lower, diagonal, factor, residual, levers(assembly))) return Stability::unknown;
     if (positive) return Stability::stable;
     return symmetric ? Stability::unstable : Stability::unknown;
 }

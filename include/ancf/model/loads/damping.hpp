@@ -35,7 +35,8 @@ class LinearDamping {
 public:
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
-    /// @param matrix  D, in the order of the coupling; N s/m for positions.
+    /// @param matrix  D, in the order of the coupling; N s/m for positions. Where it is not
+    ///                symmetric take full storage: from its lower half steps converge slowly.
     /// @throws InvalidArgument for a matrix that is not square or not finite.
     LinearDamping(Coupling coupling, MatrixX matrix);
 
