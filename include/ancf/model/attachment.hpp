@@ -50,7 +50,7 @@ public:
 
     /// Tells whether a coordinate belongs to an attached vector.
     [[nodiscard]] bool attached(int coordinate) const noexcept {
-        return !empty() && vector_of_[static_cast<std::size_t>(coordinate)] >= 0;
+        return !empty() && vector_of_[coordinate] >= 0;
     }
 
     /// Returns the parts of the vector that starts at a coordinate: itself unless it is attached.

@@ -17,7 +17,6 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
-#include <cstddef>
 #include <memory>
 #include <string_view>
 
@@ -70,11 +69,11 @@ public:
     [[nodiscard]] const Connection& connection(int index) const {
         detail::require(index >= 0 && index < size(), "Model: there are ", connections.size(),
                         " elements of the type ", name(), ", got index ", index);
-        return connections[static_cast<std::size_t>(index)];
+        return connections[index];
     }
     /// Returns the prototype of an element of the group.
     [[nodiscard]] int prototype_of(int index) const noexcept {
-        return connections[static_cast<std::size_t>(index)].prototype;
+        return connections[index].prototype;
     }
     /// Returns the number of prototypes.
     [[nodiscard]] virtual int prototype_count() const noexcept = 0;

@@ -41,10 +41,10 @@ public:
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
     /// Returns the fields that a node carries.
-    [[nodiscard]] Fields fields(int node) const { return fields_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] Fields fields(int node) const { return fields_[node]; }
 
     /// Returns the index of a node's first coordinate.
-    [[nodiscard]] int first(int node) const { return first_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] int first(int node) const { return first_[node]; }
 
     /// Returns the node of a coordinate.
     [[nodiscard]] int node_of(int coordinate) const {
@@ -81,7 +81,7 @@ public:
     /// one half where they do not say.
     [[nodiscard]] double torsion_share(NodeId node) const noexcept {
         if (node.index < 0 || node.index >= static_cast<int>(shares_.size())) return 0.5;
-        return shares_[static_cast<std::size_t>(node.index)];
+        return shares_[node.index];
     }
 
 private:

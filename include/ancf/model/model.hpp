@@ -190,7 +190,7 @@ void BasicModel<Dimension>::set_gravity(const Argument& gravity, Amplitude ampli
                     "Model::set_gravity: components must be finite, got ",
                     detail::components(gravity));
     std::array<double, 3> components = {};
-    for (int k = 0; k < Dimension; ++k) components[static_cast<std::size_t>(k)] = gravity[k];
+    for (int k = 0; k < Dimension; ++k) components[k] = gravity[k];
     set_gravity_components(components, std::move(amplitude));
 }
 

@@ -307,7 +307,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
     result.stations.full.resize(full);
     result.stations.axial.resize(axial);
     for (int lane = 0; lane < Lanes; ++lane) {
-        const CrossSectionBeam& element = *elements[static_cast<std::size_t>(lane)];
+        const CrossSectionBeam& element = *elements[lane];
         detail::require(element.options_.rule.name() == first.options_.rule.name(),
                         "elements put together must have one rule, got \"",
                         first.options_.rule.name(), "\" and \"", element.options_.rule.name(),

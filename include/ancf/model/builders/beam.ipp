@@ -12,7 +12,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace ancf {
@@ -20,7 +19,7 @@ namespace ancf {
 ANCF_INLINE NodeId Chain::node(int place) const {
     detail::require(place >= 0 && place < static_cast<int>(nodes.size()), "Beam: there are ",
                     nodes.size(), " nodes, got place ", place);
-    return nodes[static_cast<std::size_t>(place)];
+    return nodes[place];
 }
 
 ANCF_INLINE Coupling coupling_of(const Connection& connection, Fields fields) {

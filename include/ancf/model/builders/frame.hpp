@@ -140,13 +140,13 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
     for (std::size_t k = 0; k < members.size(); ++k) {
         const Member& member = members[k];
         check_member(name, k, member, points.size(), profiles.size());
-        const auto& from = points[static_cast<std::size_t>(member.first)];
-        const auto& to = points[static_cast<std::size_t>(member.second)];
+        const auto& from = points[member.first];
+        const auto& to = points[member.second];
         const double apart = member_length(name, k, member, span(between<Dimension>(from, to)));
         const double length = apart / member.elements / (1.0 + strain);
         int prototype = made.find(member.profile, length);
         if (prototype < 0) {
-            const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
+            const Profile& profile = profiles[member.profile];
             prototype = static_cast<int>(prototypes.size());
             prototypes.push_back(Element(profile.material, profile.section, length, options...));
             made.add(member.profile, length, prototype);
@@ -160,16 +160,16 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         first = model.add_prototype(std::move(prototypes[k])) - static_cast<int>(k);
     for (std::size_t k = 0; k < members.size(); ++k) {
         const Member& member = members[k];
-        const auto& from = points[static_cast<std::size_t>(member.first)];
-        const auto& to = points[static_cast<std::size_t>(member.second)];
+        const auto& from = points[member.first];
+        const auto& to = points[member.second];
         Beam<Element>& beam = frame.members.emplace_back();
         beam.prototypes.push_back(first + prototype_of[k]);
         auto slopes = member_slopes(Vector<double, Dimension>(to - from), y_axis);
         for (int i = 0; i < Dimension; ++i) slopes(i, 0) *= 1.0 + strain;
         beam.nodes = add_nodes_between<Dimension>(model, from, to, slopes, member.elements);
         for (int i = 0; i < member.elements; ++i) connect_next(model, beam);
-        model.attach(beam.first(), frame.joints[static_cast<std::size_t>(member.first)]);
-        model.attach(beam.last(), frame.joints[static_cast<std::size_t>(member.second)]);
+        model.attach(beam.first(), frame.joints[member.first]);
+        model.attach(beam.last(), frame.joints[member.second]);
     }
     return frame;
 }
@@ -206,8 +206,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     std::vector<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
-            blocks[static_cast<std::size_t>(joint)].add(
-                profiles[static_cast<std::size_t>(member.profile)]);
+            blocks[joint].add(profiles[member.profile]);
     detail::BodyPrototypes made;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (blocks[k].volume > 0.0)

@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace ancf::detail {
@@ -114,7 +113,7 @@ template <class Scalar>
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 2) % 3;
         const int j = (k + 1) % 3;
-        Block<Scalar>& sine = forms.sines[static_cast<std::size_t>(k)];
+        Block<Scalar>& sine = forms.sines[k];
         for (int l = 0; l < 3; ++l) {
             sine(i, l) = Scalar(0.5) * relative(j, l);
             sine(j, l) = Scalar(-0.5) * relative(i, l);
