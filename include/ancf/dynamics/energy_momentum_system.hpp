@@ -15,7 +15,7 @@
 #include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>

@@ -11,9 +11,8 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/model/group_target.hpp>
+#include <ancf/model/element_group.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 

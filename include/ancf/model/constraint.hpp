@@ -13,7 +13,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/constants.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -176,7 +176,7 @@ namespace detail {
 
 /// The most that a driven angle may change in one step, rad. A joint knows its angle but for whole
 /// turns, so below half a turn a step can only end in the right one. Up to pi/3 its equations are
-/// sines (constraints/turn.hpp), of which one correction finds the turn of a slope: it adds
+/// sines (constraints/frames.hpp), of which one correction finds the turn of a slope: it adds
 /// tan(angle).
 inline constexpr double largest_driven_turn = pi / 3.0;
 

@@ -19,9 +19,7 @@
 #include <ancf/model/group_of.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/model/state.hpp>
-#include <ancf/model/support.hpp>
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 

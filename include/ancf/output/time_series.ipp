@@ -12,7 +12,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/support.hpp>
+#include <ancf/model/state.hpp>
 #include <ancf/output/time_series.hpp>
 
 #include <functional>

@@ -302,7 +302,7 @@ private:
         const VectorX two = assembly_.violation_scale(2.0 * monitor_.size());
         Eigen::Index row = 0;
         for (std::size_t k = 0; k < constraints_.size(); ++k) {
-            double square = 0.0;  // of the sine, which passes pi/3 once (constraints/turn.hpp)
+            double square = 0.0;  // of the sine, which passes pi/3 once (constraints/frames.hpp)
             for (const Eigen::Index end = row + constraints_[k].equations(); row < end; ++row)
                 if (one[row] == two[row]) square += std::pow(assembly_.violation()[row], 2);
             const double angle = constraints_[k].driven_angle(instant_.time);

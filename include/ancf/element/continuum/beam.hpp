@@ -13,7 +13,6 @@
 #include <ancf/element/continuum/evaluation.hpp>
 #include <ancf/element/continuum/kernel.hpp>
 #include <ancf/element/continuum/law.hpp>
-#include <ancf/element/continuum/nodes.hpp>
 #include <ancf/element/continuum/tangent.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>

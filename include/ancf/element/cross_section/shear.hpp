@@ -11,9 +11,7 @@
 
 #pragma once
 
-#include <ancf/element/cross_section/local.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
-#include <ancf/element/cross_section/nodal_forms.hpp>
 #include <ancf/element/cross_section/nodal_tangent.hpp>
 #include <ancf/element/cross_section/pointwise_shear.hpp>
 

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/element/cross_section/local.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/cross_section/shear.hpp>
 #include <ancf/element/cross_section/sparse_jacobian.hpp>

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/planar/nodal.hpp>
 #include <ancf/element/planar/section.hpp>

@@ -14,7 +14,6 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/rate.hpp>

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Builders of frames, lattices and nets: members between joints, without multipliers.
+/// Builders of frames, lattices, nets and lines with corners: members between joints, without
+/// multipliers.
 ///
 /// The ends of members are attached to the joints' nodes (Scene::attach). A joint of a frame has a
 /// stiff affine body of its own: docs/theory-frames.md says why.
@@ -13,8 +14,8 @@
 #include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
@@ -234,6 +235,25 @@ auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     return detail::add_members<Chosen>("net", model, profiles, points, members,
                                        Vector<double, Dimension>(Vector<double, Dimension>::Zero()),
                                        net_options.strain, element...);
+}
+
+/// Adds straight beams through points, each of `elements` elements, joined rigidly at the corners
+/// as frame() does.
+///
+/// The section's y axis of each piece follows reference_slopes() of its direction. The ends of the
+/// line are attached to joints as well: hold and load `joints`.
+/// @return the points' joints, and a member for each two neighbouring points, in order.
+/// @throws InvalidArgument for fewer than two points, points that coincide or no elements.
+template <class Element = void, int Dimension, class... Options>
+auto polyline(BasicModel<Dimension>& model, const Material& material, const Section& section,
+              const std::vector<typename BasicModel<Dimension>::Point>& through, int elements,
+              const Options&... options) {
+    detail::require(through.size() >= 2, "polyline: at least two points are needed, got ",
+                    through.size());
+    std::vector<Member> members;
+    for (int k = 0; k + 1 < static_cast<int>(through.size()); ++k)
+        members.push_back({k, k + 1, 0, elements});
+    return frame<Element>(model, {{material, section}}, through, members, {}, options...);
 }
 
 }  // namespace ancf

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents.
+/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents; and
+/// sections that keep their shape, as Reissner's beam has them.
 ///
 /// Each holds the nodes' positions together and some angles between their frames by bilinear forms
 /// of the frames' axes. Axes are given in global components as they stand when the joint is made;
 /// the joint keeps them fixed in the frames. Equations in m come first, with multipliers in N, then
 /// those of angles (sines and cosines), with multipliers in N m. Sines grow beyond pi/3 until pi
-/// (turn.hpp): no joint holds half a turn off.
+/// (frames.hpp): no joint holds half a turn off.
 
 #pragma once
 
@@ -16,8 +17,8 @@
 #include <ancf/element/vec3.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
@@ -83,7 +84,7 @@ struct Forms;
 
 /// Positions held together (where asked) and angles of two frames held at zero.
 ///
-/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine
+/// The equations are F s_k with bilinear forms s_k. F is that of frames.hpp at a form c, the cosine
 /// of the angle whose sine is |s|, or 1 where there is no such form.
 class FrameJoint {
 public:
@@ -240,6 +241,36 @@ public:
 
 private:
     void hold();
+};
+
+/// The section of a node held in shape: r_y and r_z of unit length and normal to each other;
+/// 3 equations, g = ((r_y.r_y - 1)/2, (r_z.r_z - 1)/2, r_y.r_z).
+///
+/// Bending aside of the slopes shears a section in its plane by E I kappa^2/(2 k G A), which counts
+/// where a beam is bent to a radius of a few of its depths.
+class RigidSection {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    /// Holds the section of a node that carries r_y and r_z.
+    explicit RigidSection(NodeId node) : node_(node) {}
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_y}, {node_, Field::r_z}}; }
+    /// Returns the number of equations.
+    [[nodiscard]] int equations() const { return 3; }
+    /// Returns the word that messages use.
+    [[nodiscard]] std::string name() const;
+
+    /// Writes g, G and g_t.
+    template <class Scalar>
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
+    /// Evaluates it where it stands.
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+
+private:
+    NodeId node_;
 };
 
 }  // namespace ancf

@@ -5,15 +5,15 @@
 /// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
 ///
 /// The angle th of a slope p has dth = (p x dp)/|p|^2. The joint holds F sin psi = 0 with
-/// psi = th_b - th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
+/// psi = th_b - th_a - phi(t) and the factor of frames.hpp, without which psi = pi were a root too.
 
 #pragma once
 
 #include <ancf/element/fields.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
 #include <optional>

@@ -8,8 +8,8 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/planar.hpp>
-#include <ancf/model/constraints/turn.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 

@@ -13,7 +13,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
