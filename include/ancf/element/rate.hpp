@@ -45,33 +45,27 @@ struct Dual {
     template <class T, class = std::enable_if_t<!std::is_same_v<T, Base>>>
     explicit Dual(const Dual<T, Rates>& other) noexcept : value(other.value), rate(other.rate) {}
 
+    /// @{
     /// By the product rule and its like.
     friend Dual operator+(const Dual& a, const Dual& b) noexcept {
         return {a.value + b.value, a.rate + b.rate};
     }
-    /// By the product rule and its like.
     friend Dual operator-(const Dual& a, const Dual& b) noexcept {
         return {a.value - b.value, a.rate - b.rate};
     }
-    /// By the product rule and its like.
     friend Dual operator*(const Dual& a, const Dual& b) noexcept {
         return {a.value * b.value, a.value * b.rate + a.rate * b.value};
     }
-    /// By the product rule and its like.
     friend Dual operator/(const Dual& a, const Dual& b) noexcept {
         const Base quotient = a.value / b.value;
         return {quotient, (a.rate - quotient * b.rate) / b.value};
     }
-    /// By the product rule and its like.
     friend Dual operator-(const Dual& a) noexcept { return {-a.value, -a.rate}; }
-    /// By the product rule and its like.
     Dual& operator+=(const Dual& b) noexcept { return *this = *this + b; }
-    /// By the product rule and its like.
     Dual& operator-=(const Dual& b) noexcept { return *this = *this - b; }
-    /// By the product rule and its like.
     Dual& operator*=(const Dual& b) noexcept { return *this = *this * b; }
-    /// By the product rule and its like.
     Dual& operator/=(const Dual& b) noexcept { return *this = *this / b; }
+    /// @}
 
     /// Returns the square root and its rate.
     friend Dual sqrt(const Dual& a) noexcept {

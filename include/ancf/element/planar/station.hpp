@@ -63,7 +63,7 @@ struct PlanarShape<T, Layout, true> : StationShape<T, Layout::line> {
     /// Takes the weights of a station.
     /// @param length  m, that the parameter of the nodal rates runs through
     static PlanarShape of(const StationShape<T, Layout::line>& shape, double length) noexcept {
-        const auto value = hermite<T>(shape.n2, length), first = hermite_first<T>(shape.n2, length);
+        const auto value = hermite(shape.n2, length), first = hermite_first(shape.n2, length);
         const T scale = shape.n2_x * length;  // dx/ds
         return {shape,
                 {value[0], value[2], value[1], value[3]},

@@ -18,6 +18,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace ancf {
 
@@ -30,19 +31,23 @@ public:
     ///               node carries it, and r_x elsewhere.
     /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
     ///         is not complete.
-    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {});
+    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, b, detail::resting_at(0.0), slope) {}
 
     /// As above, the angle driven.
     /// @param angle  counterclockwise from the direction of a to that of b, rad; added to the
     ///               angle of the start.
     PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
-               std::optional<Field> slope = {});
+               std::optional<Field> slope = {})
+        : PlanarWeld(model, a, &b, std::move(angle), slope) {}
 
     /// A weld to space, at the node's place.
-    explicit PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope = {});
+    explicit PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, detail::resting_at(0.0), slope) {}
 
     /// A driven hinge to space: the node turns by -angle(t).
-    PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {});
+    PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, nullptr, std::move(angle), slope) {}
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const;
@@ -62,6 +67,10 @@ public:
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 private:
+    // Without b it holds a to space.
+    PlanarWeld(const BasicModel<2>& model, NodeId a, const NodeId* b, Motion angle,
+               std::optional<Field> slope);
+
     // F sin psi and its derivatives with respect to psi = th_b - th_a - start - phi; of complex
     // numbers the second is not continued.
     template <class Scalar>

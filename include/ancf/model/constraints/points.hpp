@@ -68,6 +68,8 @@ class PointPair {
 public:
     PointPair(MaterialPoint a, MaterialPoint b);
     PointPair(MaterialPoint a, PointMotion<Dimension> path);
+    /// @param user  for the message where the place is not finite
+    PointPair(MaterialPoint a, const Vector<double, Dimension>& place, const char* user);
 
     [[nodiscard]] Coupling coupling() const;
     [[nodiscard]] std::string names() const;
@@ -143,7 +145,8 @@ public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the place is finite.
-    Pin(MaterialPoint a, const VectorArgument<Dimension>& place);
+    Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
+        : points_(std::move(a), place, "Pin") {}
 
     /// @throws InvalidArgument if both are the same node.
     Pin(MaterialPoint a, MaterialPoint b) : points_(std::move(a), std::move(b)) {}
@@ -183,21 +186,26 @@ public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the length is positive and the place finite.
-    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length);
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length)
+        : Distance(Points(std::move(a), place, "Distance"), length) {}
 
     /// @throws InvalidArgument unless the length is positive, or if both are the same node.
-    Distance(MaterialPoint a, MaterialPoint b, double length);
+    Distance(MaterialPoint a, MaterialPoint b, double length)
+        : Distance(Points(std::move(a), std::move(b)), length) {}
 
     /// @throws InvalidArgument unless the length is positive and the path complete.
-    Distance(MaterialPoint a, PointMotion<Dimension> path, double length);
+    Distance(MaterialPoint a, PointMotion<Dimension> path, double length)
+        : Distance(Points(std::move(a), std::move(path)), length) {}
 
     /// A link whose length follows a motion, m.
     /// @throws InvalidArgument unless the motion is complete, or if both are the same node.
-    Distance(MaterialPoint a, MaterialPoint b, Motion length);
+    Distance(MaterialPoint a, MaterialPoint b, Motion length)
+        : Distance(Points(std::move(a), std::move(b)), std::move(length)) {}
 
     /// A link to a place whose length follows a motion, m.
     /// @throws InvalidArgument unless the place is finite and the motion complete.
-    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length);
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length)
+        : Distance(Points(std::move(a), place, "Distance"), std::move(length)) {}
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
@@ -214,11 +222,12 @@ public:
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
 
 private:
-    Distance(detail::PointPair<Dimension> points, double length);
+    using Points = detail::PointPair<Dimension>;
 
-    static void require_place(const Vector<double, Dimension>& place);
+    Distance(Points points, double length);
+    Distance(Points points, Motion length);
 
-    detail::PointPair<Dimension> points_;
+    Points points_;
     Motion length_;
 };
 
