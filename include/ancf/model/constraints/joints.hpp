@@ -272,19 +272,16 @@ public:
     /// Holds the section of a node that carries r_y and r_z.
     explicit RigidSection(NodeId node) : node_(node) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_y}, {node_, Field::r_z}}; }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 3; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     NodeId node_;

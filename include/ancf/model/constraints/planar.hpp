@@ -49,22 +49,19 @@ public:
     PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {})
         : PlanarWeld(model, a, nullptr, std::move(angle), slope) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const;
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 3; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
 
     /// Returns the angle that it is driven to, rad.
     [[nodiscard]] double driven_angle(double time) const { return angle_.value(time); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     // Without b it holds a to space.

@@ -116,19 +116,16 @@ public:
     /// Drives a component.
     FixedCoordinate(NodeId node, Field field, int component, Motion motion);
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return {at_}; }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     NodeField at_;
@@ -154,19 +151,16 @@ public:
     /// @throws InvalidArgument unless value, rate and acceleration are given.
     Pin(MaterialPoint a, PointMotion<Dimension> path) : points_(std::move(a), std::move(path)) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return Dimension; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     detail::PointPair<Dimension> points_;
@@ -207,19 +201,16 @@ public:
     Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length)
         : Distance(Points(std::move(a), place, "Distance"), std::move(length)) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     using Points = detail::PointPair<Dimension>;
@@ -257,18 +248,15 @@ public:
         }
     }
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return constraint_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return constraint_.equations(); }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
     /// Returns the angle that the constraint itself is driven to, rad.
     [[nodiscard]] double driven_angle(double time) const {
         return detail::driven_angle(constraint_, time);
     }
-
-    /// Writes g, G and g_t.
     template <class Scalar, class Held = Constraint>
     auto terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const
@@ -276,14 +264,13 @@ public:
         constraint_.terms(q, time, out);
         drive(time, out);
     }
-
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         constraint_.evaluate(at, out);
         drive(at.time, out);
         for (const auto& [equation, motion] : motions_)
             out.convection[equation] -= motion.acceleration(at.time);
     }
+    /// @}
 
 private:
     /// Takes f and its rate off g and g_t.
