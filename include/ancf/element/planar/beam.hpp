@@ -129,7 +129,11 @@ public:
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the director d_y, 1: the normal of the centre line plus the shear along the tangent.
-    [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept {
+        const detail::PlanarFrame<double> f = frame(e, xi);
+        const double cosine = director_cosine(f);
+        return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
+    }
 
     /// Returns the position r0 + y d_y of a point of the body, m.
     [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0,
@@ -295,14 +299,6 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
     const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
     forces.moment_z = f.w.s * moment_n - moment_t;
     return forces;
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::directors(
-    const Coordinates& e, double xi) const noexcept {
-    const detail::PlanarFrame<double> f = frame(e, xi);
-    const double cosine = director_cosine(f);
-    return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
 }
 
 template <class Directors, class Shear, class Measure, class Line>
