@@ -54,7 +54,7 @@ class CrossSectionBeam<2, Directors, Shear, Measure, Line>
     : public LineElement<
           CrossSectionBeam<2, Directors, Shear, Measure, Line>,
           detail::PlanarKernel<
-              double, typename detail::PlanarMeasureOf<Measure>::type,
+              typename detail::PlanarMeasureOf<Measure>::type,
               detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
           detail::CrossSectionOptionsOf<Shear, Line>, Line, std::is_same_v<Shear, CubicShear>> {
     using Base = typename CrossSectionBeam::LineElement;
@@ -147,7 +147,7 @@ public:
 private:
     using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
 
-    using Shape = detail::PlanarShape<double, Layout>;
+    using Shape = detail::PlanarShape<Layout>;
     [[nodiscard]] Shape shape(double xi) const noexcept {
         return Shape::of(line_.shape(xi), line_.parameter_length());
     }
@@ -170,10 +170,9 @@ private:
 namespace detail {
 
 /// Returns the part of a section matrix that the plane sees.
-[[nodiscard]] inline PlanarStiffness<double> planar_stiffness(
-    const SectionMatrix<double>& C) noexcept {
+[[nodiscard]] inline PlanarStiffness planar_stiffness(const SectionMatrix<double>& C) noexcept {
     constexpr int axial[3] = {0, 1, 3}, shear[2] = {0, 1};
-    PlanarStiffness<double> result;
+    PlanarStiffness result;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) result.axial[i][j] = C.axial[axial[i]][axial[j]];
     }
