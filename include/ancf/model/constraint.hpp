@@ -79,14 +79,6 @@ template <class T>
 using TermsMember = decltype(some<T>().terms(some<VectorX>(), some<double>(),
                                              std::declval<ConstraintTerms<double>&>()));
 
-}  // namespace detail
-
-/// True if `T` offers what a constraint must.
-template <class T>
-inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
-
-namespace detail {
-
 /// Returns the angle that a constraint is driven to at a time, rad; 0 where it tells none.
 template <class T>
 [[nodiscard]] double driven_angle(const T& constraint, double time) {
@@ -97,6 +89,10 @@ template <class T>
 }
 
 }  // namespace detail
+
+/// True if `T` offers what a constraint must.
+template <class T>
+inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
 
 /// A constraint of any type.
 ///

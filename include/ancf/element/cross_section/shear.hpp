@@ -117,10 +117,6 @@ inline void add_sines(const NodalSines<S>& sines, NodalGradient<S>& n) noexcept 
     add_forms(forms, n);
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// Writes s, s', q, q' of a station from the nodal sines (s_i, s_j, q_i, q_j).
 template <class Shape, class S>
 inline void interpolate_shears(const Shape& shape, const S (&sines)[shear_count],

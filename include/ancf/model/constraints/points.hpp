@@ -44,24 +44,6 @@ namespace detail {
 [[nodiscard]] MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
                                           double length, double xi);
 
-}  // namespace detail
-
-/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation, of fifth
-/// degree where nodes have r_xx.
-/// @param element  index in the model's group of that type.
-/// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
-template <class Element>
-[[nodiscard]] MaterialPoint point_along(const Scene& model, int element, double xi) {
-    static_assert(Element::fields.contains(Field::r | Field::r_x),
-                  "a point along an element needs r and r_x at its nodes");
-    const auto& group = model.group<Element>();
-    constexpr bool quintic = Element::fields.contains(Field::r_xx);
-    return detail::point_of_line(group.connection(element), element, quintic,
-                                 detail::parameter_length(group.element(element)), xi);
-}
-
-namespace detail {
-
 /// The difference d = P_a - P_b of two points, the second of the scene or on a given path.
 template <int Dimension>
 class PointPair {
@@ -100,6 +82,20 @@ private:
 };
 
 }  // namespace detail
+
+/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation, of fifth
+/// degree where nodes have r_xx.
+/// @param element  index in the model's group of that type.
+/// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
+template <class Element>
+[[nodiscard]] MaterialPoint point_along(const Scene& model, int element, double xi) {
+    static_assert(Element::fields.contains(Field::r | Field::r_x),
+                  "a point along an element needs r and r_x at its nodes");
+    const auto& group = model.group<Element>();
+    constexpr bool quintic = Element::fields.contains(Field::r_xx);
+    return detail::point_of_line(group.connection(element), element, quintic,
+                                 detail::parameter_length(group.element(element)), xi);
+}
 
 /// One coordinate held by a multiplier or driven: g = e - f(t), m or 1.
 ///
