@@ -192,11 +192,9 @@ ANCF_INLINE void Scene::check_prototype(const ElementGroup& group, int index) {
 }
 
 ANCF_INLINE void Scene::fix(NodeId node, Fields fields) {
-    for (int k = 0; k < field_count; ++k) {
-        const auto field = static_cast<Field>(k);
-        if (!fields.contains(field)) continue;
-        for (int component = 0; component < dimension_; ++component) fix(node, field, component);
-    }
+    for (int k = 0; k < fields.count(); ++k)
+        for (int component = 0; component < dimension_; ++component)
+            fix(node, fields.at(k), component);
 }
 
 ANCF_INLINE void Scene::fix(NodeId node, Field field, int component) {
@@ -281,21 +279,18 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
     check(joint);
     detail::require(!(vectors == Fields()), "Model::attach: name at least one vector of node ",
                     end.index, " to attach to node ", joint.index, ", got none");
-    for (int k = 0; k < field_count; ++k)
-        if (vectors.contains(static_cast<Field>(k)))
-            check_attachment(end, joint, static_cast<Field>(k));
+    for (int k = 0; k < vectors.count(); ++k) check_attachment(end, joint, vectors.at(k));
     const auto& from = initial_[end.index].vectors;
     InitialNode& to = initial_[joint.index];
     // sums of a user's coordinates: what round-off leaves of an offset is none
     constexpr double round_off = 1e-12;
-    for (int k = 0; k < field_count; ++k) {
-        const auto field = static_cast<Field>(k);
-        if (!vectors.contains(field)) continue;
+    for (int k = 0; k < vectors.count(); ++k) {
+        const Field field = vectors.at(k);
         double vector[3] = {};
         double size = 0.0;  // of what the vector is the difference of
         for (std::size_t i = 0; i < 3; ++i) {
             const double base = field == Field::r ? to.vectors[i] : 0.0;
-            vector[i] = from[3 * static_cast<std::size_t>(k) + i] - base;
+            vector[i] = from[3 * static_cast<std::size_t>(field) + i] - base;
             size = std::max({size, std::abs(base), std::abs(vector[i])});
         }
         for (double& entry : vector)
@@ -416,11 +411,9 @@ ANCF_INLINE void Scene::gather_element(const ElementGroup& group, int index, con
     detail::require(q.size() == layout().size(), "Model::element_coordinates: expected ",
                     layout().size(), " coordinates, got ", q.size());
     for (const NodeId node : {connection.first, connection.second})
-        for (int k = 0; k < field_count; ++k) {
-            const auto field = static_cast<Field>(k);
-            if (!group.fields().contains(field)) continue;
-            const int first = layout().index({node, field});
-            for (int i = 0; i < dimension_; ++i) *e++ = q[first + i];
+        for (int k = 0; k < group.fields().count(); ++k) {
+            const int first = layout().index({node, group.fields().at(k)});
+            e = std::copy_n(q.data() + first, dimension_, e);
         }
 }
 

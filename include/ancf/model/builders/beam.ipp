@@ -25,9 +25,7 @@ ANCF_INLINE NodeId Chain::node(int place) const {
 ANCF_INLINE Coupling coupling_of(const Connection& connection, Fields fields) {
     Coupling coupling;
     for (const NodeId node : {connection.first, connection.second})
-        for (int k = 0; k < field_count; ++k)
-            if (fields.contains(static_cast<Field>(k)))
-                coupling.push_back({node, static_cast<Field>(k)});
+        for (int k = 0; k < fields.count(); ++k) coupling.push_back({node, fields.at(k)});
     return coupling;
 }
 
