@@ -25,7 +25,6 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/element/upright.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/section.hpp>

@@ -26,7 +26,6 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/element/upright.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
