@@ -90,7 +90,7 @@ ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, Li
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiff_[static_cast<std::size_t>(k)] = j < n && system_.innerIndexPtr()[k] < n;
+            stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
 }
 

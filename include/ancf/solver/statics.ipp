@@ -385,7 +385,7 @@ private:
         for (int k = 0; k < free; ++k) {
             const int place =
                 static_cast<int>(std::lower_bound(rows + first[k], rows + first[k + 1], k) - rows);
-            at[static_cast<std::size_t>(k)] = place;
+            at[k] = place;
             diagonal[k] = values[place];
         }
         time_ = step.corrections.empty()
@@ -393,8 +393,7 @@ private:
                     : time_ * std::min(growth, wanted / step.corrections.back());
         while (time_ > shortest && step.iterations < most_iterations(step)) {
             for (int k = 0; k < free; ++k)
-                values[at[static_cast<std::size_t>(k)]] =
-                    diagonal[k] + std::abs(diagonal[k]) / time_;
+                values[at[k]] = diagonal[k] + std::abs(diagonal[k]) / time_;
             if (correct(step) != Status::converged) {
                 time_ /= growth;
                 continue;
