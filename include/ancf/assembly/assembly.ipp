@@ -13,7 +13,6 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>

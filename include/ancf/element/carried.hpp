@@ -15,7 +15,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/transport.hpp>
 #include <ancf/element/vec3.hpp>

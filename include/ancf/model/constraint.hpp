@@ -11,7 +11,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/constants.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>

@@ -18,7 +18,6 @@
 #include <ancf/types.hpp>
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <string_view>
 

@@ -12,7 +12,6 @@
 #include <ancf/vector_argument.hpp>
 
 #include <array>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 

@@ -15,7 +15,6 @@
 #include <ancf/model/state.hpp>
 #include <ancf/output/time_series.hpp>
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>

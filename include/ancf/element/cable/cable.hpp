@@ -27,7 +27,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
 
 namespace ancf {
 

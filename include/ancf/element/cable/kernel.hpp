@@ -11,7 +11,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/element/cable/axial.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>

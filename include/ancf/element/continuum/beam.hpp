@@ -29,12 +29,6 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
-#include <memory>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 namespace ancf {
 
 /// What may be chosen for a ContinuumBeam.

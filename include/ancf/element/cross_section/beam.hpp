@@ -35,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 
 namespace ancf {

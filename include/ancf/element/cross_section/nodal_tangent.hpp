@@ -12,7 +12,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/types.hpp>

@@ -14,7 +14,6 @@
 #include <ancf/element/cross_section_options.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/vec3.hpp>
-#include <ancf/section/stiffness.hpp>
 
 #include <cmath>
 #include <complex>

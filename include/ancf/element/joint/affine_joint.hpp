@@ -21,7 +21,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <memory>
 
 namespace ancf {
 

@@ -34,7 +34,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 
 namespace ancf {

@@ -14,7 +14,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/section/stiffness.hpp>
 
 #include <cmath>
 #include <complex>

@@ -23,8 +23,6 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <memory>
-
 namespace ancf {
 
 /// What may be chosen for a TorsionBeam.

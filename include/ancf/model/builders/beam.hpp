@@ -17,7 +17,6 @@
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
