@@ -13,7 +13,7 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
-#include <ancf/model/constraints/sections.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_solver.hpp>

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include <ancf/model/support.hpp>
+#include <ancf/model/state.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 

@@ -102,7 +102,7 @@ ANCF_INLINE SparseMatrix leading_block(const SparseMatrix& A, int size, Storage 
     block.resizeNonZeros(next.back());
     std::copy(next.begin(), next.end(), block.outerIndexPtr());
     visit([&](int i, int j, double value) {
-        const int slot = next[static_cast<std::size_t>(j)]++;
+        const int slot = next[j]++;
         block.innerIndexPtr()[slot] = i;
         block.valuePtr()[slot] = value;
     });

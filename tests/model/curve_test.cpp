@@ -8,7 +8,7 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
-#include <ancf/model/builders/polyline.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/model.hpp>

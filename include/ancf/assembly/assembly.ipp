@@ -13,7 +13,6 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -92,7 +91,7 @@ ANCF_INLINE void Assembly::list_followed() {
     if (model_.attachments().empty()) return;
     followed_.resize(static_cast<std::size_t>(layout.nodes()));
     for (const AttachedVector& attachment : model_.attachments()) {
-        std::vector<int>& of = followed_[static_cast<std::size_t>(attachment.vector.node.index)];
+        std::vector<int>& of = followed_[attachment.vector.node.index];
         for (const Dependence::Part& part :
              model_.dependence().parts(layout.index(attachment.vector)))
             if (const int node = layout.node_of(part.first);
@@ -122,7 +121,7 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
             if (followed_.empty()) continue;
             blocks.clear();
             for (const NodeId node : {c.first, c.second}) {
-                const auto& others = followed_[static_cast<std::size_t>(node.index)];
+                const auto& others = followed_[node.index];
                 blocks.push_back(node.index);
                 for (const int other : others) blocks.push_back(other);
             }
@@ -149,7 +148,7 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
         slots.plain = true;
         slots.attached = -1;
         for (const int node : slots.node)
-            if (!followed_.empty() && !followed_[static_cast<std::size_t>(node)].empty())
+            if (!followed_.empty() && !followed_[node].empty())
                 slots.attached = static_cast<int>(plan.attached.size());
         if (slots.attached >= 0) {
             detail::AttachedElement& element =
@@ -205,8 +204,7 @@ ANCF_INLINE void Assembly::build_clearing() {
     }
     const int blocks = static_cast<int>(numbering_.block_sizes().size());
     for (int block = 0; block < blocks; ++block)
-        if (block >= nodes || seen[static_cast<std::size_t>(block)] == 0)
-            append(block, 0, cleared_first_);
+        if (block >= nodes || seen[block] == 0) append(block, 0, cleared_first_);
 }
 
 ANCF_INLINE void Assembly::clear_values(const ValueRange* first, const ValueRange* last) {
@@ -218,7 +216,7 @@ ANCF_INLINE void Assembly::element_coordinates(const ElementPlace& place, int* o
     const auto group = static_cast<std::size_t>(place.group);
     detail::element_coordinates(model_.layout(), model_.dimension(),
                                 model_.groups()[group]->fields(),
-                                plans_[group].slots[static_cast<std::size_t>(place.element)], out);
+                                plans_[group].slots[place.element], out);
 }
 
 template <class Visitor>
@@ -408,7 +406,7 @@ ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* bl
     element_coordinates(place, indices.at);
     const auto group = static_cast<std::size_t>(place.group);
     const int dofs = model_.groups()[group]->dofs(), half = dofs / 2;
-    const ElementSlots& slots = plans_[group].slots[static_cast<std::size_t>(place.element)];
+    const ElementSlots& slots = plans_[group].slots[place.element];
     if (slots.attached >= 0) {
         detail::add_attached(target(group, matrix.valuePtr()), slots.attached, block);
         return;
@@ -451,14 +449,14 @@ ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, doubl
                                       const MatrixX& local, SparseMatrix& matrix) const {
     const auto size = static_cast<Eigen::Index>(coordinates.size());
     for (Eigen::Index j = 0; j < size; ++j) {
-        const int column = coordinates[static_cast<std::size_t>(j)];
+        const int column = coordinates[j];
         const int at_column = numbering_.equation(column);
         if (at_column < 0) continue;
         const int b = numbering_.block(column);
         const int offset = pattern_.column_offset(b, at_column - pattern_.first(b));
         int a = -1, base = 0;  // neighbouring rows share them
         for (Eigen::Index i = 0; i < size; ++i) {
-            const int row = coordinates[static_cast<std::size_t>(i)];
+            const int row = coordinates[i];
             const int at_row = numbering_.equation(row);
             if (local(i, j) == 0.0 || at_row < 0) continue;
             if (pattern_.storage() == Storage::lower && at_row < at_column) continue;
@@ -516,8 +514,7 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             if (faulty_load_ < 0 && !(std::isfinite(scale) && detail::all_finite(result.force)))
                 faulty_load_ = place;
             if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
-            for (int i = 0; i < size; ++i)
-                external_[coordinates[static_cast<std::size_t>(i)]] += scale * result.force[i];
+            for (int i = 0; i < size; ++i) external_[coordinates[i]] += scale * result.force[i];
             if (request == Request::force || result.stiffness.size() == 0) return;
             add_matrix(coordinates, -scale, result.stiffness, tangent_);
             if (request == Request::tangent_and_damping)
@@ -605,13 +602,11 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
             faulty_constraint_ = static_cast<int>(k);
         for (Eigen::Index i = 0; i < size; ++i)
             for (int e = 0; e < equations; ++e)
-                constraint_[coordinates[static_cast<std::size_t>(i)]] +=
-                    result.jacobian(e, i) * local.multipliers[e];
+                constraint_[coordinates[i]] += result.jacobian(e, i) * local.multipliers[e];
         for (Eigen::Index i = 0; i < size; ++i)
             for (int e = 0; e < equations; ++e) {
-                const int power = constraint_powers_[k][static_cast<std::size_t>(i)];
-                double& most = steepest_[static_cast<std::size_t>(first + e)]
-                                        [static_cast<std::size_t>(power + 1)];
+                const int power = constraint_powers_[k][i];
+                double& most = steepest_[first + e][power + 1];
                 most = std::max(most, std::abs(result.jacobian(e, i)));
             }
         if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
@@ -628,14 +623,13 @@ ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
 }
 
 ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const ConstraintResult& result) {
-    const std::vector<int>& coordinates =
-        constraint_coordinates_[static_cast<std::size_t>(constraint)].acted();
+    const std::vector<int>& coordinates = constraint_coordinates_[constraint].acted();
     const int own = numbering_.constraint_block(constraint);
     const int size = static_cast<int>(coordinates.size());
     add_matrix(coordinates, 1.0, result.stiffness, tangent_);
     double* values = tangent_.valuePtr();
     for (int j = 0; j < size; ++j) {
-        const int coordinate = coordinates[static_cast<std::size_t>(j)];
+        const int coordinate = coordinates[j];
         const int equation = numbering_.equation(coordinate);
         if (equation < 0) continue;
         const int node = numbering_.block(coordinate);
@@ -681,12 +675,12 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const
 
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
     if (fault.element >= 0)
-        return detail::joined(
-            {"element ",
-             model_.exchange() == nullptr ? fault.element
-                                          : model_.exchange()->element(fault.group, fault.element),
-             " of the type ", model_.groups()[static_cast<std::size_t>(fault.group)]->name(),
-             " is ", to_string(fault.status)});
+        return detail::joined({"element ",
+                               model_.exchange() == nullptr
+                                   ? fault.element
+                                   : model_.exchange()->element(fault.group, fault.element),
+                               " of the type ", model_.groups()[fault.group]->name(), " is ",
+                               to_string(fault.status)});
     if (faulty_load_ >= 0)
         return detail::joined({"the force of load ", faulty_load_, " is not finite"});
     if (faulty_constraint_ >= 0) {

@@ -13,7 +13,6 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
-#include <cstddef>
 #include <vector>
 
 namespace ancf {
@@ -43,7 +42,7 @@ public:
     [[nodiscard]] int size() const noexcept { return first_.back(); }
 
     /// Returns the first row of a block.
-    [[nodiscard]] int first(int block) const { return first_[static_cast<std::size_t>(block)]; }
+    [[nodiscard]] int first(int block) const { return first_[block]; }
 
     /// Returns the first row of every block.
     [[nodiscard]] const int* first_rows() const noexcept { return first_.data(); }
@@ -51,9 +50,7 @@ public:
     [[nodiscard]] const int* heights() const noexcept { return height_.data(); }
 
     /// Returns the index of the first value of a block column; the number of blocks gives the end.
-    [[nodiscard]] int first_value(int block) const {
-        return start_[static_cast<std::size_t>(block)];
-    }
+    [[nodiscard]] int first_value(int block) const { return start_[block]; }
 
     /// Returns a matrix of this pattern with zero values.
     [[nodiscard]] SparseMatrix matrix() const;
@@ -69,7 +66,7 @@ public:
     /// Returns how far the values of column `column` of a block lie from its first column's,
     /// for a row counted within the row block: value index = base + column_offset + row.
     [[nodiscard]] int column_offset(int block, int column) const {
-        const int height = height_[static_cast<std::size_t>(block)];
+        const int height = height_[block];
         return storage_ == Storage::full ? column * height
                                          : column * (height - 1) - column * (column - 1) / 2;
     }

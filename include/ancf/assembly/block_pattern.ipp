@@ -53,7 +53,7 @@ ANCF_INLINE BlockPattern::BlockPattern(const std::vector<int>& sizes,
             if (k > first && rows[k] == rows[k - 1]) continue;
             neighbours_.push_back(rows[k]);
             neighbour_offset_.push_back(height_[column]);
-            height_[column] += sizes[static_cast<std::size_t>(rows[k])];
+            height_[column] += sizes[rows[k]];
         }
         neighbour_first_[column + 1] = static_cast<int>(neighbours_.size());
         const std::int64_t width = sizes[column];
@@ -96,8 +96,7 @@ ANCF_INLINE int BlockPattern::base(int row_block, int column_block) const {
     const auto found = std::lower_bound(begin, end, row_block);
     detail::require(found != end && *found == row_block, "BlockPattern: blocks ", row_block,
                     " and ", column_block, " are not coupled");
-    return start_[column] +
-           neighbour_offset_[static_cast<std::size_t>(found - neighbours_.begin())];
+    return start_[column] + neighbour_offset_[found - neighbours_.begin()];
 }
 
 }  // namespace ancf

@@ -36,17 +36,13 @@ public:
     [[nodiscard]] int coordinates() const noexcept { return static_cast<int>(equation_.size()); }
 
     /// Returns the equation of a coordinate, -1 where a support holds it or it is attached.
-    [[nodiscard]] int equation(int coordinate) const noexcept {
-        return equation_[static_cast<std::size_t>(coordinate)];
-    }
+    [[nodiscard]] int equation(int coordinate) const noexcept { return equation_[coordinate]; }
 
     /// Returns the equations of all coordinates.
     [[nodiscard]] const int* equations() const noexcept { return equation_.data(); }
 
     /// Returns the node, and so the block, of a coordinate.
-    [[nodiscard]] int block(int coordinate) const noexcept {
-        return block_[static_cast<std::size_t>(coordinate)];
-    }
+    [[nodiscard]] int block(int coordinate) const noexcept { return block_[coordinate]; }
 
     /// Returns the block of a constraint.
     [[nodiscard]] int constraint_block(int constraint) const noexcept {

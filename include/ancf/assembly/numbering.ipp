@@ -24,7 +24,7 @@ ANCF_INLINE Numbering::Numbering(const Scene& model) {
         detail::require(first >= 0, "a support holds ", to_string(support.field), " of node ",
                         support.node.index,
                         ", which carries no such vector: no element there has one");
-        equation_[static_cast<std::size_t>(first + support.component)] = -1;
+        equation_[first + support.component] = -1;
     }
     sizes_.assign(static_cast<std::size_t>(nodes_), 0);
     for (int node = 0; node < nodes_; ++node)
@@ -37,7 +37,7 @@ ANCF_INLINE Numbering::Numbering(const Scene& model) {
                 held_.push_back(k);
             } else {
                 equation_[at] = free_++;
-                ++sizes_[static_cast<std::size_t>(node)];
+                ++sizes_[node];
             }
         }
     for (const AnyConstraint& constraint : model.constraints()) {

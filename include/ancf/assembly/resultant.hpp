@@ -14,7 +14,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 

@@ -51,7 +51,7 @@ public:
     static void visit_nodes(const detail::Records<Connection>& connections, const ElementRun& run,
                             const Followed& followed, const Visitor& visit) {
         for (int k = run.first; k < run.last; ++k) {
-            const Connection& connection = connections[static_cast<std::size_t>(k)];
+            const Connection& connection = connections[k];
             for (const NodeId id : {connection.first, connection.second}) {
                 const auto node = static_cast<std::size_t>(id.index);
                 visit(node);

@@ -23,7 +23,7 @@ ANCF_INLINE bool DenseLu::factorize() {
         Eigen::Index pivot = j;
         for (Eigen::Index i = j + 1; i < rows; ++i)
             if (std::abs(factors(i, j)) > std::abs(factors(pivot, j))) pivot = i;
-        order[static_cast<std::size_t>(j)] = static_cast<int>(pivot);
+        order[j] = static_cast<int>(pivot);
         for (Eigen::Index k = 0; pivot != j && k < rows; ++k)
             std::swap(factors(j, k), factors(pivot, k));
         const double diagonal = factors(j, j);
@@ -38,7 +38,7 @@ ANCF_INLINE bool DenseLu::factorize() {
 
 ANCF_INLINE void DenseLu::solve(VectorX& x) const {
     const Eigen::Index rows = x.size();
-    for (Eigen::Index j = 0; j < rows; ++j) std::swap(x[j], x[order[static_cast<std::size_t>(j)]]);
+    for (Eigen::Index j = 0; j < rows; ++j) std::swap(x[j], x[order[j]]);
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = j + 1; i < rows; ++i) x[i] -= factors(i, j) * x[j];
     for (Eigen::Index j = rows - 1; j >= 0; --j) {
@@ -83,14 +83,13 @@ ANCF_INLINE ConstraintManifold::ConstraintManifold(DynamicProblem& problem) : pr
     if (m == 0) return;
     const SparseMatrix rows = problem.constraints().transposed_jacobian();
     std::vector<char> acted(static_cast<std::size_t>(n), 0);
-    for (int e = 0; e < entries(rows); ++e)
-        acted[static_cast<std::size_t>(rows.innerIndexPtr()[e])] = 1;
+    for (int e = 0; e < entries(rows); ++e) acted[rows.innerIndexPtr()[e]] = 1;
     place_.assign(static_cast<std::size_t>(n), -1);
     const Numbering& numbering = problem.numbering();
     for (int coordinate = 0; coordinate < numbering.coordinates(); ++coordinate) {
         const int equation = numbering.equation(coordinate);
-        if (equation < 0 || acted[static_cast<std::size_t>(equation)] == 0) continue;
-        place_[static_cast<std::size_t>(equation)] = static_cast<int>(active_.size());
+        if (equation < 0 || acted[equation] == 0) continue;
+        place_[equation] = static_cast<int>(active_.size());
         active_.push_back(equation);
         coordinates_.push_back(coordinate);
     }
@@ -101,7 +100,7 @@ ANCF_INLINE ConstraintManifold::ConstraintManifold(DynamicProblem& problem) : pr
     block_.resize(k, k);
     VectorX unit = VectorX::Zero(n), column, part;
     for (Eigen::Index j = 0; j < k; ++j) {
-        const int equation = active_[static_cast<std::size_t>(j)];
+        const int equation = active_[j];
         unit[equation] = 1.0;
         problem.solve_mass(unit, column);
         unit[equation] = 0.0;

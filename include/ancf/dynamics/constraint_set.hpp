@@ -16,7 +16,6 @@
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -83,9 +82,7 @@ public:
     [[nodiscard]] std::string describe(int equation) const;
 
 private:
-    [[nodiscard]] bool left_out(int equation) const {
-        return left_out_[static_cast<std::size_t>(equation)] != 0;
-    }
+    [[nodiscard]] bool left_out(int equation) const { return left_out_[equation] != 0; }
 
     // Calls visit(constraint, result, its coordinates, its first equation).
     template <class Visitor>

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ancf::detail {
 
@@ -41,7 +40,7 @@ ANCF_INLINE ConstraintSet::ConstraintSet(const Scene& model, const Numbering& nu
 
 ANCF_INLINE void ConstraintSet::leave_out(const std::vector<int>& equations) {
     std::fill(left_out_.begin(), left_out_.end(), char{0});
-    for (const int equation : equations) left_out_[static_cast<std::size_t>(equation)] = 1;
+    for (const int equation : equations) left_out_[equation] = 1;
 }
 
 ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v,
@@ -105,8 +104,7 @@ ANCF_INLINE VectorX ConstraintSet::magnitude(const VectorX& x) const {
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
         for (Eigen::Index j = 0; j < result.jacobian.cols(); ++j)
             for (Eigen::Index i = 0; i < result.jacobian.rows(); ++i)
-                out[first + i] +=
-                    std::abs(result.jacobian(i, j)) * x[at[static_cast<std::size_t>(j)]];
+                out[first + i] += std::abs(result.jacobian(i, j)) * x[at[j]];
     });
     return out;
 }
@@ -162,7 +160,7 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
         for (std::size_t j = 0; j < at.size(); ++j) {
             const int equation = numbering_.equation(at[j]);
             if (equation < 0) continue;
-            const int column = columns[static_cast<std::size_t>(equation)];
+            const int column = columns[equation];
             for (int i = 0; i < result.jacobian.rows(); ++i)
                 if (!left_out(first + i))
                     rows(first + i, column) += result.jacobian(i, static_cast<Eigen::Index>(j));
@@ -196,7 +194,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
             coordinates_[k].carry(result.stiffness);
             const double weight = mu[first_[k] + e];
             for (Eigen::Index j = 0; j < size; ++j) {
-                const int coordinate = at[static_cast<std::size_t>(j)];
+                const int coordinate = at[j];
                 const int equation = numbering_.equation(coordinate);
                 if (equation < 0) continue;
                 const int node = numbering_.block(coordinate);
@@ -204,7 +202,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
                 values[pattern.base(own, node) + offset + e] += row[j];
                 if (weight == 0.0) continue;
                 for (Eigen::Index i = 0; i < size; ++i) {
-                    const int to = at[static_cast<std::size_t>(i)];
+                    const int to = at[i];
                     if (numbering_.equation(to) < 0 || result.stiffness(i, j) == 0.0) continue;
                     const int block = numbering_.block(to);
                     values[pattern.base(block, node) + offset + numbering_.equation(to) -

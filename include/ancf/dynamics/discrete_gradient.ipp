@@ -65,8 +65,7 @@ ANCF_INLINE void turned_force(TurnedStep& step, StepForce& out) {
     }
     step.spin = out.modes.spin_of(moment);
     for (int k = 0; k < step.vectors(); ++k) {
-        step.add(out.force, k,
-                 out.modes.weight_of(k) * cross(step.spin, step.at[static_cast<std::size_t>(k)]));
+        step.add(out.force, k, out.modes.weight_of(k) * cross(step.spin, step.at[k]));
     }
 }
 
@@ -125,7 +124,7 @@ ANCF_INLINE void add_turn_tangent(const TurnedStep& step, const Vector<double, 3
                 Vector<double, 3> turned = step.half.symmetric(step.vector(rate, k));
                 for (int b = first_axis; b < 3; ++b)
                     turned += by_turn[b] * step.vector(turned_rate[b], k);
-                moment -= 0.5 * cross(step.arm[static_cast<std::size_t>(k)], turned);
+                moment -= 0.5 * cross(step.arm[k], turned);
                 for (int i = 0; i < dimension; ++i) column[dimension * k + i] = turned[i];
             }
             // x moves by half a unit: the inertia and the arms with it
@@ -135,9 +134,7 @@ ANCF_INLINE void add_turn_tangent(const TurnedStep& step, const Vector<double, 3
             moment -= 0.5 * weight * cross(unit, cross(step.spin, x)) + cross(x, arm);
             const Vector<double, 3> spin = out.modes.spin_of(moment);
             for (int k = 0; k < vectors; ++k) {
-                step.add(
-                    column, k,
-                    out.modes.weight_of(k) * cross(spin, step.at[static_cast<std::size_t>(k)]));
+                step.add(column, k, out.modes.weight_of(k) * cross(spin, step.at[k]));
                 if (out.modes.is_position(m) && out.modes.is_position(k))
                     step.add(column, k, -arm / step.positions);
             }

@@ -15,7 +15,7 @@
 #include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -60,9 +60,7 @@ private:
     void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
     void evaluate_constraint(std::size_t k, int first, const VectorX& q1, const VectorX& lambda,
                              ConstraintResult& middle, ConstraintResult& end) const;
-    [[nodiscard]] bool is_left_out(int equation) const {
-        return left_out_[static_cast<std::size_t>(equation)] != 0;
-    }
+    [[nodiscard]] bool is_left_out(int equation) const { return left_out_[equation] != 0; }
     void add_block(const std::vector<int>& at, const MatrixX& block, double scale);
     void add_inertia(const VectorX& v1);
     void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,

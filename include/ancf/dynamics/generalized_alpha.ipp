@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -90,7 +89,7 @@ ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, Li
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiff_[static_cast<std::size_t>(k)] = j < n && system_.innerIndexPtr()[k] < n;
+            stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
 }
 

@@ -172,7 +172,7 @@ ANCF_INLINE void rotate(SparseRow& upper, SparseRow& lower) {
 /// Turns a row into a triangular factor whose row j, where there is one, begins in column j.
 ANCF_INLINE void insert(std::vector<SparseRow>& factor, SparseRow row) {
     while (!row.columns.empty()) {
-        SparseRow& upper = factor[static_cast<std::size_t>(row.columns[0])];
+        SparseRow& upper = factor[row.columns[0]];
         if (upper.columns.empty()) {
             std::swap(upper, row);
         } else if (row.values[0] == 0.0) {
@@ -195,20 +195,20 @@ ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& columns, const V
         for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
             const double value = entry.value() * scales[entry.row()] / std::sqrt(square);
             if (entry.value() == 0.0) continue;
-            coordinates[static_cast<std::size_t>(entry.row())].columns.push_back(j);
-            coordinates[static_cast<std::size_t>(entry.row())].values.push_back(value);
+            coordinates[entry.row()].columns.push_back(j);
+            coordinates[entry.row()].values.push_back(value);
         }
     }
     // in the order of their first equations: a row then ends soon in an empty row of the factor
     std::vector<SparseRow> factor(static_cast<std::size_t>(equations));
     for (int j = 0; j < equations; ++j)
         for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
-            SparseRow& row = coordinates[static_cast<std::size_t>(entry.row())];
+            SparseRow& row = coordinates[entry.row()];
             if (!row.columns.empty() && row.columns[0] == j) insert(factor, std::exchange(row, {}));
         }
     std::vector<int> dependent;
     for (int j = 0; j < equations; ++j) {
-        SparseRow& row = factor[static_cast<std::size_t>(j)];
+        SparseRow& row = factor[j];
         if (!row.columns.empty() && std::abs(row.values[0]) > tolerance) continue;
         dependent.push_back(j);
         if (row.columns.empty()) continue;

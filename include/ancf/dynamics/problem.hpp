@@ -19,7 +19,6 @@
 #include <ancf/error.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/model/state.hpp>
-#include <ancf/model/support.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 

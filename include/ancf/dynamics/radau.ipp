@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

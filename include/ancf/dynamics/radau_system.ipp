@@ -27,7 +27,7 @@ ANCF_LAZY RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver& 
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiff_[static_cast<std::size_t>(k)] = j < n && system_.innerIndexPtr()[k] < n;
+            stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
     for (std::size_t k = 1; k < tableau.modes.size(); ++k)
         complex_solvers_.push_back(complex_solver_for(solver, system_));

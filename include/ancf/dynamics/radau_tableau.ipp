@@ -54,8 +54,8 @@ namespace ancf::detail {
     // of (4), each coefficient over that of the highest power
     std::vector<double> coefficients(static_cast<std::size_t>(stages) + 1, 1.0);
     for (int j = stages - 1; j >= 0; --j)  // ratio of the coefficients of j and j + 1
-        coefficients[static_cast<std::size_t>(j)] = -coefficients[static_cast<std::size_t>(j) + 1] *
-                                                    (j + 1) * (2 * stages - 1 - j) / (stages - j);
+        coefficients[j] = -coefficients[static_cast<std::size_t>(j) + 1] * (j + 1) *
+                          (2 * stages - 1 - j) / (stages - j);
     std::vector<Complex> zeros;
     for (int k = 0; k < stages; ++k) zeros.push_back(2.0 * stages * std::pow(Complex(0.4, 0.9), k));
     for (int iteration = 0; iteration < 500; ++iteration) {  // of Durand and Kerner
@@ -164,17 +164,14 @@ ANCF_INLINE RadauTableau radau_tableau(int stages) {
         MatrixX result = MatrixX::Zero(stages, stages);
         for (int i = 0; i < stages; ++i)
             for (int j = 0; j < stages; ++j)
-                for (int k = 0; k < stages; ++k)
-                    result(i, j) += a[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] *
-                                    a[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)];
+                for (int k = 0; k < stages; ++k) result(i, j) += a[i][k] * a[k][j];
         return result;
     };
     tableau.square = squared(W);
     tableau.double_integral = squared(A);
     tableau.inverse.resize(stages, stages);
     for (int i = 0; i < stages; ++i)
-        for (int j = 0; j < stages; ++j)
-            tableau.inverse(i, j) = W[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+        for (int j = 0; j < stages; ++j) tableau.inverse(i, j) = W[i][j];
 
     std::vector<std::vector<Complex>> T(size);  // the kept columns, then their conjugates
     for (const Complex& eigenvalue : radau_eigenvalues(stages)) {

@@ -31,7 +31,7 @@ public:
 
     /// Returns W of a coordinate.
     [[nodiscard]] double weight(int coordinate) const {
-        return vectors_[static_cast<std::size_t>(coordinate / dimension_)].weight;
+        return vectors_[coordinate / dimension_].weight;
     }
 
     /// Returns the turn of the rigid motion that fits a change best.
@@ -48,19 +48,13 @@ public:
                                  double* out) const;
 
     /// Returns a nodal vector; of positions relative to their centroid.
-    [[nodiscard]] const Vector<double, 3>& vector(int k) const {
-        return vectors_[static_cast<std::size_t>(k)].value;
-    }
+    [[nodiscard]] const Vector<double, 3>& vector(int k) const { return vectors_[k].value; }
 
     /// Returns W of the components of a nodal vector.
-    [[nodiscard]] double weight_of(int k) const {
-        return vectors_[static_cast<std::size_t>(k)].weight;
-    }
+    [[nodiscard]] double weight_of(int k) const { return vectors_[k].weight; }
 
     /// Tells whether a nodal vector is a position.
-    [[nodiscard]] bool is_position(int k) const {
-        return vectors_[static_cast<std::size_t>(k)].position;
-    }
+    [[nodiscard]] bool is_position(int k) const { return vectors_[k].position; }
 
     /// Returns mu of the forces W (mu x x) that have a moment and no resultant.
     [[nodiscard]] Vector<double, 3> spin_of(const Vector<double, 3>& moment) const {

@@ -5,8 +5,7 @@
 /// Directors carried along the tangent.
 ///
 /// Each node's director n_i = unit(P a_i) is carried by the smallest rotation from the node's
-/// tangent to the station's; between the two carried directors the angle takes its course
-/// (angle_course.hpp):
+/// tangent to the station's; between the two carried directors the angle takes its course:
 ///
 ///     n(xi) = cos(psi) N_i + sin(psi) t x N_i,    phi the angle from N_i to N_j about t.
 ///
@@ -16,8 +15,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
-#include <ancf/element/angle_course.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/transport.hpp>
 #include <ancf/element/vec3.hpp>
@@ -26,6 +23,54 @@
 #include <complex>
 
 namespace ancf::detail {
+
+/// The angle phi from one node's carried director to the other's is linear: at xi the director has
+/// turned by psi = xi phi.
+struct LinearAngle {
+    static constexpr bool linear = true;  ///< whether psi is in proportion to phi
+};
+
+/// The angle is that of the vectors' linear interpolation: tan psi = xi sin phi/(1 - xi + xi cos
+/// phi). Derivation: docs/theory-directors.md, "The course of the angle".
+struct ChordAngle {
+    static constexpr bool linear = false;  ///< whether psi is in proportion to phi
+};
+
+/// psi at a station with its derivatives.
+template <class S>
+struct AngleCourse {
+    S value;    ///< psi
+    S rate;     ///< psi_x at a fixed phi
+    S share;    ///< psi_phi
+    S share_x;  ///< psi_phi,x
+    S bend;     ///< psi_phi,phi
+    S bend_x;   ///< psi_phi,phi,x
+    S change;   ///< psi_phi,phi,phi
+};
+
+/// Returns psi of ChordAngle with its derivatives.
+/// @param part,part_x  xi and its derivative along x
+/// @param turn         phi
+template <class S>
+inline AngleCourse<S> chord_course(const S& part, const S& part_x, const S& turn) noexcept {
+    using std::atan;
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const S cosine = cos(turn), sine = sin(turn), rest = 1.0 - part;
+    const S along = rest + part * cosine, across = part * sine;
+    const S square = along * along + across * across, inverse = 1.0 / square;
+    const S skew = part * rest * inverse, k = skew * sine, slant = (2.0 * part - 1.0) * inverse;
+    AngleCourse<S> psi;
+    psi.value = 2.0 * atan(S(across / (sqrt(square) + along)));
+    psi.rate = part_x * inverse * sine;
+    psi.share = part * inverse * (part + rest * cosine);
+    psi.share_x = part_x * inverse * (cosine + 2.0 * k * sine);
+    psi.bend = slant * k;
+    psi.bend_x = part_x * inverse * ((8.0 * k * k - 1.0) * sine + 6.0 * k * cosine);
+    psi.change = slant * skew * (cosine + 4.0 * k * sine);
+    return psi;
+}
 
 /// A director at a node: n = unit(a - (a.t) t), c = t x n. Its spin about the tangent is the form
 /// th = c.da/nu - al c.dg/|g|.

@@ -23,27 +23,23 @@ inline constexpr int line_parts = 7;
 }  // namespace detail
 
 /// Weights of (r_i, r_x,i, r_j, r_x,j) in the centre line r0(x), or in one of its derivatives.
-template <class Scalar = double>
-using HermiteWeights = std::array<Scalar, 4>;
+using HermiteWeights = std::array<double, 4>;
 
 /// Returns the weights of r0; those of the slopes are lengths, m.
-template <class Scalar>
-[[nodiscard]] constexpr HermiteWeights<Scalar> hermite(Scalar xi, Scalar length) noexcept {
+[[nodiscard]] constexpr HermiteWeights hermite(double xi, double length) noexcept {
     return {1.0 - xi * xi * (3.0 - 2.0 * xi), length * xi * (1.0 - xi) * (1.0 - xi),
             xi * xi * (3.0 - 2.0 * xi), length * xi * xi * (xi - 1.0)};
 }
 
 /// Returns the weights of dr0/dx; those of the positions are 1/m.
-template <class Scalar>
-[[nodiscard]] constexpr HermiteWeights<Scalar> hermite_first(Scalar xi, Scalar length) noexcept {
-    const Scalar bubble = 6.0 * xi * (1.0 - xi) / length;
+[[nodiscard]] constexpr HermiteWeights hermite_first(double xi, double length) noexcept {
+    const double bubble = 6.0 * xi * (1.0 - xi) / length;
     return {-bubble, (1.0 - xi) * (1.0 - 3.0 * xi), bubble, xi * (3.0 * xi - 2.0)};
 }
 
 /// Returns the weights of d2r0/dx2; those of the positions are 1/m^2, those of the slopes 1/m.
-template <class Scalar>
-[[nodiscard]] constexpr HermiteWeights<Scalar> hermite_second(Scalar xi, Scalar length) noexcept {
-    const Scalar line = (6.0 - 12.0 * xi) / (length * length);
+[[nodiscard]] constexpr HermiteWeights hermite_second(double xi, double length) noexcept {
+    const double line = (6.0 - 12.0 * xi) / (length * length);
     return {-line, (6.0 * xi - 4.0) / length, line, (6.0 * xi - 2.0) / length};
 }
 

@@ -15,8 +15,6 @@
 #include <ancf/section/moments.hpp>
 #include <ancf/types.hpp>
 
-#include <array>
-
 namespace ancf {
 
 /// How the inertia of turning sections is spread: int rho (y r_y + z r_z)^2 dV.

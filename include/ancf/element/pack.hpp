@@ -171,32 +171,26 @@ public:
     /// Sets the value of a lane.
     void set(int k, double value) noexcept { detail::set_lane<Lanes>(v_, k, value); }
 
+    /// @{
     /// Lane by lane.
     friend Pack operator+(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ + b.v_});
     }
-    /// Lane by lane.
     friend Pack operator-(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ - b.v_});
     }
-    /// Lane by lane.
     friend Pack operator*(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ * b.v_});
     }
-    /// Lane by lane.
     friend Pack operator/(const Pack& a, const Pack& b) noexcept {
         return Pack(Stored{a.v_ / b.v_});
     }
-    /// Lane by lane.
     friend Pack operator-(const Pack& a) noexcept { return Pack(Stored{-a.v_}); }
-    /// Lane by lane.
     Pack& operator+=(const Pack& b) noexcept { return *this = *this + b; }
-    /// Lane by lane.
     Pack& operator-=(const Pack& b) noexcept { return *this = *this - b; }
-    /// Lane by lane.
     Pack& operator*=(const Pack& b) noexcept { return *this = *this * b; }
-    /// Lane by lane.
     Pack& operator/=(const Pack& b) noexcept { return *this = *this / b; }
+    /// @}
 
     /// Returns the square root of every lane.
     friend Pack sqrt(const Pack& a) noexcept {

@@ -38,8 +38,7 @@ ANCF_INLINE Quadrature gauss_quadrature(int points) {
             x -= value / slope;
         }
         if (2 * k + 1 == points) x = 0.0;
-        quadrature[static_cast<std::size_t>(k)] = {0.5 * (1.0 + x),
-                                                   1.0 / ((1.0 - x * x) * slope * slope)};
+        quadrature[k] = {0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)};
     }
     return quadrature;
 }

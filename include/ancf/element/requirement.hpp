@@ -49,6 +49,18 @@ using ElementMembers =
     std::void_t<ElementSizes<Element>, ElementEvaluation<Element>, ElementForce<Element>,
                 ElementInertia<Element>, ElementLimits<Element>>;
 
+template <class Element>
+using ParameterLength = decltype(some<Element>().parameter_length());
+
+/// Returns the range of an element's parameter; elements without a say in it are straight.
+template <class Element>
+[[nodiscard]] double parameter_length(const Element& element) {
+    if constexpr (offers<ParameterLength, Element>)
+        return element.parameter_length();
+    else
+        return element.length();
+}
+
 }  // namespace detail
 
 /// True if `Element` meets the requirement, d standing for its dimension and n for its dofs:
@@ -87,21 +99,5 @@ constexpr bool require_element() noexcept {
                   "length() const;");
     return true;
 }
-
-namespace detail {
-
-template <class Element>
-using ParameterLength = decltype(some<Element>().parameter_length());
-
-/// Returns the range of an element's parameter; elements without a say in it are straight.
-template <class Element>
-[[nodiscard]] double parameter_length(const Element& element) {
-    if constexpr (offers<ParameterLength, Element>)
-        return element.parameter_length();
-    else
-        return element.length();
-}
-
-}  // namespace detail
 
 }  // namespace ancf

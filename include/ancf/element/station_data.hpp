@@ -78,18 +78,6 @@ template <class Line = CubicLine>
     return shape;
 }
 
-namespace detail {
-
-/// Returns which group the energy term of strains i and j of one block belongs to.
-constexpr StrainGroup axial_group(int i, int j) noexcept {
-    return i == 0 && j == 0 ? StrainGroup::axial : StrainGroup::bending;
-}
-constexpr StrainGroup shear_group(int i, int j) noexcept {
-    return i == 0 && j == 0 ? StrainGroup::shear : StrainGroup::torsion;
-}
-
-}  // namespace detail
-
 /// Returns the section matrix times the station's weight of each term's group and a length.
 [[nodiscard]] inline SectionMatrix<double> station_stiffness(const SectionStiffness& section,
                                                              const RuleStation& station,
@@ -97,13 +85,14 @@ constexpr StrainGroup shear_group(int i, int j) noexcept {
     SectionMatrix<double> result;
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            result.axial[i][j] =
-                section.axial(i, j) * length * station.weight(detail::axial_group(i, j));
+            const StrainGroup group = i + j == 0 ? StrainGroup::axial : StrainGroup::bending;
+            result.axial[i][j] = section.axial(i, j) * length * station.weight(group);
         }
     }
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            const double weight = length * station.weight(detail::shear_group(i, j));
+            const StrainGroup group = i + j == 0 ? StrainGroup::shear : StrainGroup::torsion;
+            const double weight = length * station.weight(group);
             result.shear_y[i][j] = section.shear_y(i, j) * weight;
             result.shear_z[i][j] = section.shear_z(i, j) * weight;
         }

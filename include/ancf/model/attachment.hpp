@@ -11,9 +11,8 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/model/group_target.hpp>
+#include <ancf/model/element_group.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
@@ -50,7 +49,7 @@ public:
 
     /// Tells whether a coordinate belongs to an attached vector.
     [[nodiscard]] bool attached(int coordinate) const noexcept {
-        return !empty() && vector_of_[static_cast<std::size_t>(coordinate)] >= 0;
+        return !empty() && vector_of_[coordinate] >= 0;
     }
 
     /// Returns the parts of the vector that starts at a coordinate: itself unless it is attached.

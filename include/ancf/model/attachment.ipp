@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/element_group.hpp>
@@ -27,7 +26,7 @@ ANCF_INLINE Dependence::Dependence(const Layout& layout,
     for (const AttachedVector& attachment : attachments) {
         const int first = layout.index(attachment.vector);
         for (int k = 0; k < dimension_; ++k)
-            vector_of_[static_cast<std::size_t>(first + k)] = static_cast<int>(firsts_.size());
+            vector_of_[first + k] = static_cast<int>(firsts_.size());
         firsts_.push_back(first);
         first_part_.push_back(static_cast<int>(parts_.size()));
         for (std::size_t k = 0; k < attachment.factors.size(); ++k)
@@ -57,18 +56,17 @@ ANCF_INLINE bool Dependence::resolve() {
     for (std::size_t k = 0; k < firsts_.size(); ++k) {
         first_part_[k] = static_cast<int>(parts_.size());
         for (int p = first_given[k]; p < first_given[k + 1]; ++p) {
-            const Part part = given[static_cast<std::size_t>(p)];
+            const Part part = given[p];
             if (!attached(part.first)) {
                 add(k, part.first, part.factor);
                 continue;
             }
             resolved = false;
-            const auto of =
-                static_cast<std::size_t>(vector_of_[static_cast<std::size_t>(part.first)]);
+            const auto of = static_cast<std::size_t>(vector_of_[part.first]);
             const bool done = of < k;  // in this pass
             const std::vector<int>& from = done ? first_part_ : first_given;
             for (int own = from[of]; own < from[of + 1]; ++own) {
-                const Part next = (done ? parts_ : given)[static_cast<std::size_t>(own)];
+                const Part next = (done ? parts_ : given)[own];
                 add(k, next.first, part.factor * next.factor);
             }
         }
@@ -86,8 +84,8 @@ ANCF_INLINE void Dependence::list_followers(int coordinates) {
     followers_.resize(parts_.size());
     for (std::size_t k = 0; k < firsts_.size(); ++k)
         for (int p = first_part_[k]; p < first_part_[k + 1]; ++p) {
-            const auto of = static_cast<std::size_t>(parts_[static_cast<std::size_t>(p)].first);
-            followers_[static_cast<std::size_t>(next[of]++)] = static_cast<int>(k);
+            const auto of = static_cast<std::size_t>(parts_[p].first);
+            followers_[next[of]++] = static_cast<int>(k);
         }
 }
 
@@ -97,9 +95,8 @@ ANCF_INLINE detail::Records<Dependence::Part> Dependence::parts(int first) const
         all.push_back({first, 1.0});
         return all;
     }
-    const auto of = static_cast<std::size_t>(vector_of_[static_cast<std::size_t>(first)]);
-    for (int p = first_part_[of]; p < first_part_[of + 1]; ++p)
-        all.push_back(parts_[static_cast<std::size_t>(p)]);
+    const auto of = static_cast<std::size_t>(vector_of_[first]);
+    for (int p = first_part_[of]; p < first_part_[of + 1]; ++p) all.push_back(parts_[p]);
     return all;
 }
 
@@ -111,15 +108,14 @@ ANCF_INLINE void Dependence::complete(VectorX& coordinates, int first) const {
     if (empty()) return;
     const auto of = static_cast<std::size_t>(first);
     for (int k = first_follower_[of]; k < first_follower_[of + 1]; ++k)
-        complete_one(coordinates,
-                     static_cast<std::size_t>(followers_[static_cast<std::size_t>(k)]));
+        complete_one(coordinates, static_cast<std::size_t>(followers_[k]));
 }
 
 ANCF_INLINE void Dependence::complete_one(VectorX& coordinates, std::size_t attached) const {
     for (int i = 0; i < dimension_; ++i) {
         double sum = 0.0;
         for (int p = first_part_[attached]; p < first_part_[attached + 1]; ++p) {
-            const Part& part = parts_[static_cast<std::size_t>(p)];
+            const Part& part = parts_[p];
             sum += part.factor * coordinates[part.first + i];
         }
         coordinates[firsts_[attached] + i] = sum;
@@ -131,7 +127,7 @@ ANCF_INLINE void Dependence::carry(VectorX& forces) const {
         for (int i = 0; i < dimension_; ++i) {
             double& force = forces[firsts_[k] + i];
             for (int p = first_part_[k]; p < first_part_[k + 1]; ++p) {
-                const Part& part = parts_[static_cast<std::size_t>(p)];
+                const Part& part = parts_[p];
                 forces[part.first + i] += part.factor * force;
             }
             force = 0.0;
@@ -175,7 +171,7 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
         for (int k = 0; k < dimension; ++k) acted_.push_back(first + k);
     for (std::size_t row = 0; row < firsts.size(); ++row)
         for (int p = followed.first_part[row]; p < followed.first_part[row + 1]; ++p) {
-            const FollowedVectors::Part& part = followed.parts[static_cast<std::size_t>(p)];
+            const FollowedVectors::Part& part = followed.parts[p];
             for (int k = 0; k < dimension; ++k)
                 transfer_.push_back({static_cast<int>(row) * dimension + k,
                                      part.vector * dimension + k, part.factor});
@@ -244,7 +240,7 @@ void multiply_columns(const FollowedVectors& vectors, const double* tangent, int
                       double* out) {
     for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
         for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
-            const FollowedVectors::Part& part = vectors.parts[static_cast<std::size_t>(k)];
+            const FollowedVectors::Part& part = vectors.parts[k];
             double* const to = out + part.vector * Dimension * rows;
             for (int i = 0; i < Dimension * rows; ++i) to[i] += part.factor * tangent[i];
         }
@@ -257,7 +253,7 @@ template <int Dimension>
 void multiply_transposed(const FollowedVectors& vectors, const double* column, double* out) {
     for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
         for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
-            const FollowedVectors::Part& part = vectors.parts[static_cast<std::size_t>(k)];
+            const FollowedVectors::Part& part = vectors.parts[k];
             double* const to = out + part.vector * Dimension;
             for (int i = 0; i < Dimension; ++i) to[i] += part.factor * column[i];
         }
@@ -277,7 +273,7 @@ void add_transformed(const AttachedElement& element, const GroupTarget& target,
     int place[most];  // within the node's block, -1 where held
     for (int vector = 0; vector < count; ++vector) {
         const auto of = static_cast<std::size_t>(vector);
-        const int node = element.blocks[static_cast<std::size_t>(element.block_of[of])];
+        const int node = element.blocks[element.block_of[of]];
         for (int i = 0; i < Dimension; ++i) {
             const int equation = target.equation[vectors.firsts[of] + i];
             place[vector * Dimension + i] = equation < 0 ? -1 : equation - target.first_row[node];
@@ -291,11 +287,10 @@ void add_transformed(const AttachedElement& element, const GroupTarget& target,
         if (own < 0) continue;
         std::fill_n(column, Dimension * count, 0.0);
         multiply_transposed<Dimension>(vectors, half + q * rows, column);
-        const int block = element.block_of[static_cast<std::size_t>(q / Dimension)];
-        const int offset =
-            target.column_offset(element.blocks[static_cast<std::size_t>(block)], own);
+        const int block = element.block_of[q / Dimension];
+        const int offset = target.column_offset(element.blocks[block], own);
         for (int vector = 0; vector < count; ++vector) {
-            const int other = element.block_of[static_cast<std::size_t>(vector)];
+            const int other = element.block_of[vector];
             const int base = element.base[static_cast<std::size_t>(other) * blocks +
                                           static_cast<std::size_t>(block)];
             if (base < 0) continue;

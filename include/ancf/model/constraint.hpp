@@ -11,9 +11,8 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/constants.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>
@@ -79,14 +78,6 @@ template <class T>
 using TermsMember = decltype(some<T>().terms(some<VectorX>(), some<double>(),
                                              std::declval<ConstraintTerms<double>&>()));
 
-}  // namespace detail
-
-/// True if `T` offers what a constraint must.
-template <class T>
-inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
-
-namespace detail {
-
 /// Returns the angle that a constraint is driven to at a time, rad; 0 where it tells none.
 template <class T>
 [[nodiscard]] double driven_angle(const T& constraint, double time) {
@@ -97,6 +88,10 @@ template <class T>
 }
 
 }  // namespace detail
+
+/// True if `T` offers what a constraint must.
+template <class T>
+inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers, T>;
 
 /// A constraint of any type.
 ///
@@ -176,7 +171,7 @@ namespace detail {
 
 /// The most that a driven angle may change in one step, rad. A joint knows its angle but for whole
 /// turns, so below half a turn a step can only end in the right one. Up to pi/3 its equations are
-/// sines (constraints/turn.hpp), of which one correction finds the turn of a slope: it adds
+/// sines (constraints/frames.hpp), of which one correction finds the turn of a slope: it adds
 /// tan(angle).
 inline constexpr double largest_driven_turn = pi / 3.0;
 

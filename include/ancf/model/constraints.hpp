@@ -10,4 +10,3 @@
 #include <ancf/model/constraints/motion.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/constraints/points.hpp>
-#include <ancf/model/constraints/sections.hpp>

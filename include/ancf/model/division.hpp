@@ -8,7 +8,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/model/layout.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/model/scene.hpp>
 
 #include <functional>

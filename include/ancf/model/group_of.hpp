@@ -135,9 +135,7 @@ public:
     double add(const ElementRun& run, const GroupTarget& target) const override;
 
 private:
-    [[nodiscard]] const Element& prototype(int k) const {
-        return prototypes[static_cast<std::size_t>(k)];
-    }
+    [[nodiscard]] const Element& prototype(int k) const { return prototypes[k]; }
     [[nodiscard]] static Coordinates copied(const double* e) {
         Coordinates own;
         std::copy_n(e, Element::dofs, own.data());
@@ -206,7 +204,7 @@ double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) c
     double energy = 0.0;
     const bool plain = target.increment == nullptr && target.before == nullptr;
     const auto equal = [&](int first) {
-        const Connection* const part = &connections[static_cast<std::size_t>(first)];
+        const Connection* const part = &connections[first];
         return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
             return other.prototype == part->prototype;
         });
@@ -327,9 +325,7 @@ double GroupOf<Element>::add_pack(int first, const GroupTarget& target) const {
     Matrix<double, half> blocks[Lanes];
     for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) {
-            const auto stores = [&](const ElementSlots& one) {
-                return one.base[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] >= 0;
-            };
+            const auto stores = [&](const ElementSlots& one) { return one.base[a][b] >= 0; };
             if (std::none_of(slots, slots + Lanes, stores)) continue;
             for (int j = 0; j < half; ++j)
                 for (int i = 0; i < half; ++i)

@@ -2,20 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Where each vector of each node stands in the coordinates of a model, and how a torque at a node
-/// divides between its slopes.
+/// Nodes and the vectors at them: where each stands in the coordinates of a model, and how a torque
+/// at a node divides between its slopes.
 
 #pragma once
 
 #include <ancf/element/fields.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/records.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace ancf {
+
+/// A node of a model, as `Model::add_node` returned it.
+struct NodeId {
+    int index = -1;  ///< place in the model; -1: none
+
+    /// Compares two nodes.
+    friend constexpr bool operator==(NodeId a, NodeId b) noexcept { return a.index == b.index; }
+    /// Compares two nodes.
+    friend constexpr bool operator!=(NodeId a, NodeId b) noexcept { return a.index != b.index; }
+};
+
+/// One vector of nodal coordinates.
+struct NodeField {
+    NodeId node;  ///< where
+    Field field;  ///< which vector
+};
+
+/// The vectors that a load or a constraint acts on, in the order of its local coordinates.
+using Coupling = std::vector<NodeField>;
+
+namespace detail {
+
+/// The dimension of the models that a load or a constraint belongs to; 0 for any.
+template <class T, class = void>
+struct dimension_of : std::integral_constant<int, 0> {};
+
+template <class T>
+struct dimension_of<T, std::enable_if_t<(T::dimension > 0)>>
+    : std::integral_constant<int, T::dimension> {};
+
+}  // namespace detail
 
 /// The order of coordinates: node by node, the fields that the node carries, their components.
 class Layout {
@@ -41,10 +72,10 @@ public:
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
     /// Returns the fields that a node carries.
-    [[nodiscard]] Fields fields(int node) const { return fields_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] Fields fields(int node) const { return fields_[node]; }
 
     /// Returns the index of a node's first coordinate.
-    [[nodiscard]] int first(int node) const { return first_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] int first(int node) const { return first_[node]; }
 
     /// Returns the node of a coordinate.
     [[nodiscard]] int node_of(int coordinate) const {
@@ -81,7 +112,7 @@ public:
     /// one half where they do not say.
     [[nodiscard]] double torsion_share(NodeId node) const noexcept {
         if (node.index < 0 || node.index >= static_cast<int>(shares_.size())) return 0.5;
-        return shares_[static_cast<std::size_t>(node.index)];
+        return shares_[node.index];
     }
 
 private:

@@ -19,7 +19,6 @@
 #pragma once
 
 #include <ancf/model/layout.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
 #include <memory>

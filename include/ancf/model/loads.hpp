@@ -7,5 +7,4 @@
 #pragma once
 
 #include <ancf/model/loads/forces.hpp>
-#include <ancf/model/loads/frames.hpp>
 #include <ancf/model/loads/moments.hpp>

@@ -12,7 +12,6 @@
 #include <ancf/vector_argument.hpp>
 
 #include <array>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -20,15 +19,32 @@ namespace ancf {
 
 namespace detail {
 
-/// Returns the rate r_xy, 1/m, by which r_y turns as r_x does, at a constant angle between them.
-/// @param slopes     columns r_x, r_y
+/// Returns the vectors of a node in the order of Field, three numbers each.
+///
+/// The rate r_xy, in the plane alone, is that by which r_y turns as r_x does, at a constant angle
+/// between them.
+/// @param slopes     columns r_x, r_y (and r_z)
 /// @param curvature  r_xx, 1/m
-[[nodiscard]] inline Vector<double, 2> turning_rate(const Matrix<double, 2>& slopes,
-                                                    const Vector<double, 2>& curvature) {
-    const double square = slopes(0, 0) * slopes(0, 0) + slopes(1, 0) * slopes(1, 0);
-    const double turn = slopes(0, 0) * curvature[1] - slopes(1, 0) * curvature[0];
-    if (turn == 0.0) return {0.0, 0.0};
-    return {-turn / square * slopes(1, 1), turn / square * slopes(0, 1)};
+template <int Dimension>
+[[nodiscard]] std::array<double, 3 * field_count> node_vectors(
+    const Vector<double, Dimension>& position, const Matrix<double, Dimension>& slopes,
+    const Vector<double, Dimension>& curvature) {
+    constexpr int r_xx = 3 * static_cast<int>(Field::r_xx),
+                  r_xy = 3 * static_cast<int>(Field::r_xy);
+    std::array<double, 3 * field_count> vectors = {};
+    for (int i = 0; i < Dimension; ++i) {
+        vectors[i] = position[i];
+        for (int k = 0; k < Dimension; ++k) vectors[3 * (1 + k) + i] = slopes(i, k);
+        vectors[r_xx + i] = curvature[i];
+    }
+    if constexpr (Dimension == 2) {
+        const double square = slopes(0, 0) * slopes(0, 0) + slopes(1, 0) * slopes(1, 0);
+        const double turn = slopes(0, 0) * curvature[1] - slopes(1, 0) * curvature[0];
+        if (turn == 0.0) return vectors;
+        vectors[r_xy] = -turn / square * slopes(1, 1);
+        vectors[r_xy + 1] = turn / square * slopes(0, 1);
+    }
+    return vectors;
 }
 
 }  // namespace detail
@@ -103,21 +119,13 @@ public:
     /// @throws InvalidArgument unless it is finite, where the node does not carry it, and where it
     ///         is attached to another node.
     void set_value(NodeId node, Field field, const Argument& value) {
-        check_finite("set_value", node, field, value);
-        check_unattached("set_value", node, field);
-        const int first = coordinate(node, field);
-        set_vector(state().q, first, value);
-        dependence().complete(state().q, first);
+        set_vector("set_value", state().q, node, field, value);
     }
 
     /// Sets the rate of one vector of a node.
     /// @throws InvalidArgument as set_value().
     void set_rate(NodeId node, Field field, const Argument& rate) {
-        check_finite("set_rate", node, field, rate);
-        check_unattached("set_rate", node, field);
-        const int first = coordinate(node, field);
-        set_vector(state().v, first, rate);
-        dependence().complete(state().v, first);
+        set_vector("set_rate", state().v, node, field, rate);
     }
 
     /// Returns the position of a node, m.
@@ -142,14 +150,16 @@ private:
         for (int k = 0; k < Dimension; ++k) result[k] = of[first + k];
         return result;
     }
-    void set_vector(VectorX& of, int first, const Point& vector) const {
+    void set_vector(const char* call, VectorX& of, NodeId node, Field field,
+                    const Point& vector) const {
+        detail::require(detail::all_finite(vector), "Model::", call, ": ", to_string(field),
+                        " of node ", node.index, " must be finite, got ",
+                        detail::components(vector));
+        check_unattached(call, node, field);
+        const int first = coordinate(node, field);
         check_state(of, layout());
         for (int k = 0; k < Dimension; ++k) of[first + k] = vector[k];
-    }
-    static void check_finite(const char* call, NodeId node, Field field, const Point& value) {
-        detail::require(detail::all_finite(value), "Model::", call, ": ", to_string(field),
-                        " of node ", node.index, " must be finite, got ",
-                        detail::components(value));
+        dependence().complete(of, first);
     }
 };
 
@@ -168,20 +178,7 @@ NodeId BasicModel<Dimension>::add_node(const Argument& position, const Slopes& s
     detail::require(detail::all_finite(curvature),
                     "Model::add_node: the curvature must be finite, got ",
                     detail::components(curvature));
-    std::array<double, 3 * field_count> vectors = {};
-    for (int i = 0; i < Dimension; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        vectors[at] = position[i];
-        for (int k = 0; k < Dimension; ++k)
-            vectors[at + 3 * static_cast<std::size_t>(1 + k)] = slopes(i, k);
-        vectors[at + 3 * static_cast<std::size_t>(Field::r_xx)] = curvature[i];
-    }
-    if constexpr (Dimension == 2) {
-        const Point rate = detail::turning_rate(slopes, curvature);
-        vectors[3 * static_cast<std::size_t>(Field::r_xy)] = rate[0];
-        vectors[3 * static_cast<std::size_t>(Field::r_xy) + 1] = rate[1];
-    }
-    return add_initial_node(vectors);
+    return add_initial_node(detail::node_vectors<Dimension>(position, slopes, curvature));
 }
 
 template <int Dimension>
@@ -190,7 +187,7 @@ void BasicModel<Dimension>::set_gravity(const Argument& gravity, Amplitude ampli
                     "Model::set_gravity: components must be finite, got ",
                     detail::components(gravity));
     std::array<double, 3> components = {};
-    for (int k = 0; k < Dimension; ++k) components[static_cast<std::size_t>(k)] = gravity[k];
+    for (int k = 0; k < Dimension; ++k) components[k] = gravity[k];
     set_gravity_components(components, std::move(amplitude));
 }
 

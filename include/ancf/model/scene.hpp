@@ -19,14 +19,11 @@
 #include <ancf/model/group_of.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/model/state.hpp>
-#include <ancf/model/support.hpp>
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -274,9 +271,7 @@ public:
     /// Returns the masses at nodes.
     [[nodiscard]] const detail::Records<PointMass>& masses() const noexcept { return masses_; }
     /// Returns a component of the acceleration of gravity, m/s^2.
-    [[nodiscard]] double gravity_component(int k) const {
-        return gravity_[static_cast<std::size_t>(k)];
-    }
+    [[nodiscard]] double gravity_component(int k) const { return gravity_[k]; }
     /// Returns the factor of gravity at an instant.
     [[nodiscard]] double gravity_scale(const Instant& instant) const {
         return gravity_amplitude_ ? gravity_amplitude_(instant.time) : instant.ramp;
@@ -412,7 +407,7 @@ Element& Scene::prototype(int index) {
     auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
     check_prototype(group, index);
     ++revision_.properties;
-    return group.prototypes[static_cast<std::size_t>(index)];
+    return group.prototypes[index];
 }
 
 template <class Element>
@@ -421,7 +416,7 @@ int Scene::make_own_prototype(int element) {
     const int shared = group.connection(element).prototype;
     if (has_own_prototype(group, element)) return shared;
     const int own = add_prototype(Element(group.element(element)));
-    group.connections[static_cast<std::size_t>(element)].prototype = own;
+    group.connections[element].prototype = own;
     return own;
 }
 

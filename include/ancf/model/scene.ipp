@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
@@ -84,9 +83,7 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
     detail::require(held.nodes.size() == initial_.size() && held.elements.size() == groups_.size(),
                     "Scene::part: expected ", initial_.size(), " nodes and ", groups_.size(),
                     " groups, got ", held.nodes.size(), " and ", held.elements.size());
-    const auto has = [&](NodeId node) {
-        return held.nodes[static_cast<std::size_t>(node.index)] != 0;
-    };
+    const auto has = [&](NodeId node) { return held.nodes[node.index] != 0; };
     std::unique_ptr<Scene> part(new Scene(dimension_));
     part->initial_ = initial_;
     for (std::size_t k = 0; k < initial_.size(); ++k) {
@@ -111,10 +108,9 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
                         " follows node ", attachment.to.index, ", which is no part");
         part->append(attachment);
     }
-    for (const int k : held.loads) part->loads_.push_back(loads_[static_cast<std::size_t>(k)]);
-    for (const int k : held.constraints)
-        part->constraints_.push_back(constraints_[static_cast<std::size_t>(k)]);
-    for (const int k : held.masses) part->masses_.push_back(masses_[static_cast<std::size_t>(k)]);
+    for (const int k : held.loads) part->loads_.push_back(loads_[k]);
+    for (const int k : held.constraints) part->constraints_.push_back(constraints_[k]);
+    for (const int k : held.masses) part->masses_.push_back(masses_[k]);
     part->gravity_ = gravity_;
     part->gravity_amplitude_ = gravity_amplitude_;
     part->exchange_ = std::move(exchange);
@@ -133,8 +129,7 @@ ANCF_INLINE std::unique_ptr<Scene> Scene::part(
         first.push_back(first.back() + constraint.equations());
     Eigen::Index next = 0;
     for (const int k : held.constraints)
-        for (int i = first[static_cast<std::size_t>(k)]; i < first[static_cast<std::size_t>(k) + 1];
-             ++i)
+        for (int i = first[k]; i < first[static_cast<std::size_t>(k) + 1]; ++i)
             to.multipliers[next++] = from.multipliers[i];
     return part;
 }
@@ -176,7 +171,7 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
                     prototypes, " prototypes, got index ", prototype);
     group->connections.push_back({prototype, first, second});
     for (const NodeId node : {first, second}) {
-        Fields& fields = initial_[static_cast<std::size_t>(node.index)].fields;
+        Fields& fields = initial_[node.index].fields;
         fields = fields | group->fields();
     }
     stale_ = true;
@@ -196,11 +191,9 @@ ANCF_INLINE void Scene::check_prototype(const ElementGroup& group, int index) {
 }
 
 ANCF_INLINE void Scene::fix(NodeId node, Fields fields) {
-    for (int k = 0; k < field_count; ++k) {
-        const auto field = static_cast<Field>(k);
-        if (!fields.contains(field)) continue;
-        for (int component = 0; component < dimension_; ++component) fix(node, field, component);
-    }
+    for (int k = 0; k < fields.count(); ++k)
+        for (int component = 0; component < dimension_; ++component)
+            fix(node, fields.at(k), component);
 }
 
 ANCF_INLINE void Scene::fix(NodeId node, Field field, int component) {
@@ -215,30 +208,30 @@ ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Ampli
     Support support{
         node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
     if (const int place = support_of(node, field, component); place >= 0)
-        supports_[static_cast<std::size_t>(place)] = std::move(support);
+        supports_[place] = std::move(support);
     else
         append(std::move(support));
     ++revision_.scene;
 }
 
 ANCF_INLINE int Scene::support_of(NodeId node, Field field, int component) const noexcept {
-    int place = initial_[static_cast<std::size_t>(node.index)].last_support;
-    for (; place >= 0; place = support_before_[static_cast<std::size_t>(place)]) {
-        const Support& support = supports_[static_cast<std::size_t>(place)];
+    int place = initial_[node.index].last_support;
+    for (; place >= 0; place = support_before_[place]) {
+        const Support& support = supports_[place];
         if (support.field == field && support.component == component) break;
     }
     return place;
 }
 
 ANCF_INLINE void Scene::append(Support support) {
-    InitialNode& node = initial_[static_cast<std::size_t>(support.node.index)];
+    InitialNode& node = initial_[support.node.index];
     support_before_.push_back(node.last_support);
     node.last_support = static_cast<int>(supports_.size());
     supports_.push_back(std::move(support));
 }
 
 ANCF_INLINE void Scene::append(const AttachedVector& attachment) {
-    InitialNode& node = initial_[static_cast<std::size_t>(attachment.vector.node.index)];
+    InitialNode& node = initial_[attachment.vector.node.index];
     attachment_before_.push_back(node.last_attachment);
     node.last_attachment = static_cast<int>(attachments_.size());
     attachments_.push_back(attachment);
@@ -246,7 +239,7 @@ ANCF_INLINE void Scene::append(const AttachedVector& attachment) {
 
 ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
     check(node);
-    const Fields carried = initial_[static_cast<std::size_t>(node.index)].fields;
+    const Fields carried = initial_[node.index].fields;
     detail::require(!(carried == Fields()), "Model::clamp: node ", node.index,
                     " carries no vectors yet; connect its elements first");
     for (const Field field : {Field::r, Field::r_x, Field::r_y, Field::r_z}) {
@@ -261,8 +254,7 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
     std::vector<Support> before;
     std::swap(before, supports_);
     support_before_.clear();
-    for (const Support& support : before)
-        initial_[static_cast<std::size_t>(support.node.index)].last_support = -1;
+    for (const Support& support : before) initial_[support.node.index].last_support = -1;
     for (Support& support : before)
         if (support.node != node || support.field != field) append(std::move(support));
     ++revision_.scene;
@@ -270,7 +262,7 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
 
 ANCF_INLINE void Scene::attach(NodeId end, NodeId joint) {
     check(end);
-    const Fields carried = initial_[static_cast<std::size_t>(end.index)].fields;
+    const Fields carried = initial_[end.index].fields;
     detail::require(carried.contains(Field::r), "Model::attach: node ", end.index,
                     " carries no vectors yet; connect its elements first");
     Fields vectors = Field::r;
@@ -286,21 +278,18 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
     check(joint);
     detail::require(!(vectors == Fields()), "Model::attach: name at least one vector of node ",
                     end.index, " to attach to node ", joint.index, ", got none");
-    for (int k = 0; k < field_count; ++k)
-        if (vectors.contains(static_cast<Field>(k)))
-            check_attachment(end, joint, static_cast<Field>(k));
-    const auto& from = initial_[static_cast<std::size_t>(end.index)].vectors;
-    InitialNode& to = initial_[static_cast<std::size_t>(joint.index)];
+    for (int k = 0; k < vectors.count(); ++k) check_attachment(end, joint, vectors.at(k));
+    const auto& from = initial_[end.index].vectors;
+    InitialNode& to = initial_[joint.index];
     // sums of a user's coordinates: what round-off leaves of an offset is none
     constexpr double round_off = 1e-12;
-    for (int k = 0; k < field_count; ++k) {
-        const auto field = static_cast<Field>(k);
-        if (!vectors.contains(field)) continue;
+    for (int k = 0; k < vectors.count(); ++k) {
+        const Field field = vectors.at(k);
         double vector[3] = {};
         double size = 0.0;  // of what the vector is the difference of
         for (std::size_t i = 0; i < 3; ++i) {
             const double base = field == Field::r ? to.vectors[i] : 0.0;
-            vector[i] = from[3 * static_cast<std::size_t>(k) + i] - base;
+            vector[i] = from[3 * static_cast<std::size_t>(field) + i] - base;
             size = std::max({size, std::abs(base), std::abs(vector[i])});
         }
         for (double& entry : vector)
@@ -322,9 +311,8 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
 ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) const {
     const char* const name = to_string(field);
     detail::require(length_power(field) >= 0, "Model::attach: ", name, " follows no other vector");
-    detail::require(initial_[static_cast<std::size_t>(end.index)].fields.contains(field),
-                    "Model::attach: node ", end.index, " carries no ", name,
-                    "; connect its elements first");
+    detail::require(initial_[end.index].fields.contains(field), "Model::attach: node ", end.index,
+                    " carries no ", name, "; connect its elements first");
     check_unattached("attach", end, field);
     for (int of = 0; of < field_count; ++of)
         if (const AttachedVector* const other = attachment_of(end, static_cast<Field>(of)))
@@ -347,7 +335,7 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
 
 ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v) const {
     // Cramer's rule; in the plane with a third slope normal to it
-    const double* const slopes = initial_[static_cast<std::size_t>(node.index)].vectors.data() + 3;
+    const double* const slopes = initial_[node.index].vectors.data() + 3;
     double g[9];
     std::copy_n(slopes, 9, g);
     if (dimension_ == 2) {
@@ -374,9 +362,9 @@ ANCF_INLINE void Scene::check_unattached(const char* call, NodeId node, Field fi
 
 ANCF_INLINE const AttachedVector* Scene::attachment_of(NodeId node, Field field) const noexcept {
     if (node.index < 0 || node.index >= nodes()) return nullptr;
-    int place = initial_[static_cast<std::size_t>(node.index)].last_attachment;
-    for (; place >= 0; place = attachment_before_[static_cast<std::size_t>(place)]) {
-        const AttachedVector& attachment = attachments_[static_cast<std::size_t>(place)];
+    int place = initial_[node.index].last_attachment;
+    for (; place >= 0; place = attachment_before_[place]) {
+        const AttachedVector& attachment = attachments_[place];
         if (attachment.vector.field == field) return &attachment;
     }
     return nullptr;
@@ -422,11 +410,9 @@ ANCF_INLINE void Scene::gather_element(const ElementGroup& group, int index, con
     detail::require(q.size() == layout().size(), "Model::element_coordinates: expected ",
                     layout().size(), " coordinates, got ", q.size());
     for (const NodeId node : {connection.first, connection.second})
-        for (int k = 0; k < field_count; ++k) {
-            const auto field = static_cast<Field>(k);
-            if (!group.fields().contains(field)) continue;
-            const int first = layout().index({node, field});
-            for (int i = 0; i < dimension_; ++i) *e++ = q[first + i];
+        for (int k = 0; k < group.fields().count(); ++k) {
+            const int first = layout().index({node, group.fields().at(k)});
+            e = std::copy_n(q.data() + first, dimension_, e);
         }
 }
 
@@ -457,8 +443,7 @@ ANCF_INLINE void Scene::refresh() const {
             const int to = layout_.index(at);
             if (to < 0) continue;
             const int from = own && node < before.nodes() ? before.index(at) : -1;
-            const double* const vector =
-                initial_[static_cast<std::size_t>(node)].vectors.data() + 3 * k;
+            const double* const vector = initial_[node].vectors.data() + 3 * k;
             for (int i = 0; i < dimension_; ++i) {
                 state_.q[to + i] = from >= 0 ? old.q[from + i] : vector[i];
                 if (from >= 0) state_.v[to + i] = old.v[from + i];
@@ -482,8 +467,7 @@ ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
             double own[2];
             group->torsion_stiffness(connection.prototype, own);
             for (const NodeId node : {connection.first, connection.second})
-                for (std::size_t k = 0; k < 2; ++k)
-                    stiffness[static_cast<std::size_t>(node.index)][k] += own[k];
+                for (std::size_t k = 0; k < 2; ++k) stiffness[node.index][k] += own[k];
         }
     std::vector<double> shares;
     shares.reserve(stiffness.size());

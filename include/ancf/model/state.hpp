@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Where a scene is: coordinates, velocities, multipliers and time.
+/// Where a scene is: coordinates, velocities, multipliers and time. What of it is held or driven.
 
 #pragma once
 
+#include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
 #include <functional>
@@ -27,6 +28,24 @@ using Amplitude = std::function<double(double)>;
 struct Instant {
     double time = 0.0;  ///< argument of every Amplitude: s; in statics the load factor
     double ramp = 1.0;  ///< scale of the loads without an Amplitude: 1; in statics the load factor
+};
+
+/// One held or driven component of a nodal vector, which so is no unknown.
+struct Support {
+    NodeId node;             ///< where
+    Field field;             ///< which vector
+    int component;           ///< from 0
+    Amplitude value;         ///< the coordinate over time; empty: it stays where it stands
+    Amplitude rate;          ///< first derivative; dynamics needs it where value is given
+    Amplitude acceleration;  ///< second derivative; dynamics needs it where value is given
+};
+
+/// What a clamp holds of a node.
+enum class Clamp {
+    full,       ///< position and slopes; with r_x as well as r_y held the shear strain is zero
+                ///< there, see docs/theory.md, "Section forces". Nothing of the curvature r_xx
+    free_slope  ///< the same but r_x: the clamp of the paper's cantilevers. Of TorsionBeam, whose
+                ///< frame turns with r_x, it is a hinge
 };
 
 }  // namespace ancf

@@ -17,8 +17,6 @@
 
 #include <cstddef>
 #include <iosfwd>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {

@@ -22,7 +22,6 @@
 #include <sstream>
 #include <string>
 #include <system_error>
-#include <utility>
 
 namespace ancf {
 

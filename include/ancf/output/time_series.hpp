@@ -12,7 +12,7 @@
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/transmitted_forces.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/model/state.hpp>
 #include <ancf/output/csv.hpp>

@@ -12,11 +12,9 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/support.hpp>
+#include <ancf/model/state.hpp>
 #include <ancf/output/time_series.hpp>
 
-#include <cstddef>
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -52,7 +50,7 @@ ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, int constrain
     detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
                     "TimeSeries: there are ", constraints.size(), " constraints, got index ",
                     constraint, "; for a support give the DynamicProblem instead");
-    const AnyConstraint& held = constraints[static_cast<std::size_t>(constraint)];
+    const AnyConstraint& held = constraints[constraint];
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
     detail::require(found, "TimeSeries: ", held.name(), " does not hold node ", node.index);
@@ -82,9 +80,8 @@ ANCF_INLINE VectorX TimeSeries::constraint_force(int constraint, const State& st
     const int dimension = model_.dimension();
     const auto& constraints = model_.constraints();
     int first = 0;
-    for (int k = 0; k < constraint; ++k)
-        first += constraints[static_cast<std::size_t>(k)].equations();
-    const AnyConstraint& held = constraints[static_cast<std::size_t>(constraint)];
+    for (int k = 0; k < constraint; ++k) first += constraints[k].equations();
+    const AnyConstraint& held = constraints[constraint];
     std::vector<int> coordinates;  // of all its vectors
     for (const NodeField& at : held.coupling())
         for (int i = 0; i < dimension; ++i)
@@ -100,8 +97,7 @@ ANCF_INLINE VectorX TimeSeries::constraint_force(int constraint, const State& st
     held.evaluate(at, out);
     const VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
     VectorX force = VectorX::Zero(state.q.size());
-    for (Eigen::Index k = 0; k < size; ++k)
-        force[coordinates[static_cast<std::size_t>(k)]] += exerted[k];
+    for (Eigen::Index k = 0; k < size; ++k) force[coordinates[k]] += exerted[k];
     return force;
 }
 

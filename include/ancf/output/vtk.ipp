@@ -117,8 +117,7 @@ ANCF_INLINE void write_legacy(std::ostream& out, const Surface& surface, double 
     int first = 0;
     for (const int end : ends) {
         out << end - first;
-        for (; first < end; ++first)
-            out << ' ' << surface.corners()[static_cast<std::size_t>(first)];
+        for (; first < end; ++first) out << ' ' << surface.corners()[first];
         out << '\n';
     }
     out << "POINT_DATA " << surface.points().size() << "\nFIELD results " << surface.arrays().size()

@@ -12,7 +12,6 @@
 #include <ancf/types.hpp>
 
 #include <array>
-#include <cstddef>
 
 namespace ancf {
 
@@ -109,11 +108,9 @@ template <int Count>
     Matrix<double, Count> matrix;
     for (int i = 0; i < Count; ++i)
         for (int j = 0; j < Count; ++j) {
-            const auto& p = monomials[static_cast<std::size_t>(i)];
-            const auto& q = monomials[static_cast<std::size_t>(j)];
-            matrix(i, j) =
-                factor *
-                table[static_cast<std::size_t>(p[0] + q[0])][static_cast<std::size_t>(p[1] + q[1])];
+            const auto& p = monomials[i];
+            const auto& q = monomials[j];
+            matrix(i, j) = factor * table[p[0] + q[0]][p[1] + q[1]];
         }
     return matrix;
 }

@@ -12,7 +12,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 
 namespace ancf {
 
@@ -54,12 +53,9 @@ ANCF_INLINE Moments translated(const Moments& moments, double dy, double dz) noe
             double sum = 0.0;
             for (int a = 0; a <= i; ++a)
                 for (int b = 0; b <= j; ++b)
-                    sum +=
-                        detail::binomial[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)] *
-                        detail::binomial[static_cast<std::size_t>(j)][static_cast<std::size_t>(b)] *
-                        detail::power(dy, i - a) * detail::power(dz, j - b) *
-                        old[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-            table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = sum;
+                    sum += detail::binomial[i][a] * detail::binomial[j][b] *
+                           detail::power(dy, i - a) * detail::power(dz, j - b) * old[a][b];
+            table[i][j] = sum;
         }
     return detail::from_table(table);
 }

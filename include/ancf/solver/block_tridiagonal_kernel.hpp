@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -126,7 +125,7 @@ private:
         const int* outer = matrix.outer + first;
         const Scalar* values = matrix.values;
         Scalar* below = panel + square_size;
-        if (layout.dense[static_cast<std::size_t>(block)] != 0) {
+        if (layout.dense[block] != 0) {
             // Column j starts at row j; what is read before it lands above the diagonal, unused.
             for (int j = 0; j < N; ++j) {
                 const Scalar* column = values + outer[j] - j;

@@ -10,7 +10,6 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
-#include <cstddef>
 #include <vector>
 
 namespace ancf::detail {
@@ -22,9 +21,7 @@ struct BlockLayout {
     int width = 0;                  ///< of the panels, not less than any block
 
     [[nodiscard]] int blocks() const noexcept { return static_cast<int>(starts.size()) - 1; }
-    [[nodiscard]] int start(int block) const noexcept {
-        return starts[static_cast<std::size_t>(block)];
-    }
+    [[nodiscard]] int start(int block) const noexcept { return starts[block]; }
     [[nodiscard]] int size(int block) const noexcept { return start(block + 1) - start(block); }
 };
 

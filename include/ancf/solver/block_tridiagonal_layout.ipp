@@ -25,7 +25,7 @@ ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& lower, int rows) {
         while (last > outer[column] && inner[last - 1] >= rows) --last;
         end = std::max(end, column + 1);
         if (last > outer[column]) end = std::max(end, inner[last - 1] + 1);
-        ends[static_cast<std::size_t>(column)] = end;
+        ends[column] = end;
     }
     return ends;
 }
@@ -38,12 +38,12 @@ ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& lower, int rows) {
         const int first = starts.back();
         int end = reach;
         if (end <= first) {  // nothing before couples with what follows: a new chain
-            const int own = ends[static_cast<std::size_t>(first)];
+            const int own = ends[first];
             end = first + 1;
-            while (end < own && ends[static_cast<std::size_t>(end)] == own) ++end;
+            while (end < own && ends[end] == own) ++end;
             if (end == own) end = first + (own - first + 1) / 2;  // dense: two halves
         }
-        reach = ends[static_cast<std::size_t>(end - 1)];
+        reach = ends[end - 1];
         starts.push_back(end);
     }
     return starts;
@@ -83,7 +83,7 @@ ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vecto
             const int* column = outer + layout.start(block) + j;
             dense = column[1] - column[0] == 2 * width - j;
         }
-        layout.dense[static_cast<std::size_t>(block)] = dense ? 1 : 0;
+        layout.dense[block] = dense ? 1 : 0;
     }
     return layout;
 }
@@ -92,7 +92,7 @@ ANCF_INLINE bool stays_within(const SparseMatrix& lower, const BlockLayout& layo
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     for (int block = 0; block < layout.blocks(); ++block) {
-        if (layout.dense[static_cast<std::size_t>(block)] != 0) continue;
+        if (layout.dense[block] != 0) continue;
         const int end = layout.start(std::min(block + 2, layout.blocks()));
         for (int column = layout.start(block); column < layout.start(block + 1); ++column)
             for (int slot = outer[column]; slot < outer[column + 1]; ++slot)

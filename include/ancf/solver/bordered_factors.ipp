@@ -58,7 +58,7 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
     for (int column = 0; column < size; ++column) {
         for (int slot = outer[column]; slot < outer[column + 1]; ++slot) {
             const int row = inner[slot];
-            if (row == column) diagonal_[static_cast<std::size_t>(row)] = slot;
+            if (row == column) diagonal_[row] = slot;
             if (row >= chain_ && column >= chain_) {
                 corner_.push_back({row - chain_, column - chain_, slot});
             } else if (row >= chain_) {
@@ -99,7 +99,7 @@ bool BorderedFactors<Scalar>::has_pattern(const SparseMatrix& matrix) const {
 template <class Scalar>
 int BorderedFactors<Scalar>::border_of(const Scalar* values) const {
     for (int i = 0; i < chain_; ++i) {
-        const int slot = diagonal_[static_cast<std::size_t>(i)];
+        const int slot = diagonal_[i];
         if (slot < 0 || magnitude(values[slot]) == 0.0) return chain_ + border_ - i;
     }
     return border_;
@@ -217,7 +217,7 @@ bool BorderedFactors<Scalar>::proves_right(const Scalar* values) {
     for (std::size_t column = 0; column < probe_.size(); ++column) {
         const double x = known(column);
         for (int slot = outer[column]; slot < outer[column + 1]; ++slot)
-            probe_[static_cast<std::size_t>(pattern_.innerIndexPtr()[slot])] += values[slot] * x;
+            probe_[pattern_.innerIndexPtr()[slot]] += values[slot] * x;
     }
     solve(probe_.data());
     for (std::size_t i = 0; i < probe_.size(); ++i)

@@ -47,9 +47,8 @@ void BasicEigenComplexLu<Ordering>::analyze(const SparseMatrix& pattern) {
     for (int j = 0; j < pattern.cols(); ++j)
         for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
             const int i = pattern.innerIndexPtr()[k];
-            columns[static_cast<std::size_t>(j)].emplace_back(i, k);
-            if (storage_ == Storage::lower && i != j)
-                columns[static_cast<std::size_t>(i)].emplace_back(j, k);
+            columns[j].emplace_back(i, k);
+            if (storage_ == Storage::lower && i != j) columns[i].emplace_back(j, k);
         }
     typename Factors::Matrix& matrix = factors_->matrix;
     matrix.resize(pattern.rows(), pattern.cols());
@@ -83,13 +82,13 @@ Status BasicEigenComplexLu<Ordering>::factorize(const std::vector<std::complex<d
     std::fill(own.inverse.begin(), own.inverse.end(), 0.0);
     std::complex<double>* entries = own.matrix.valuePtr();
     const auto row = [&](Eigen::Index k) -> double& {
-        return own.inverse[static_cast<std::size_t>(own.matrix.innerIndexPtr()[k])];
+        return own.inverse[own.matrix.innerIndexPtr()[k]];
     };
     for (Eigen::Index j = 0; j < own.matrix.cols(); ++j)
         for (Eigen::Index k = own.matrix.outerIndexPtr()[j]; k < own.matrix.outerIndexPtr()[j + 1];
              ++k) {
-            const int place = own.from[static_cast<std::size_t>(k)];
-            entries[k] = values[static_cast<std::size_t>(place)];
+            const int place = own.from[k];
+            entries[k] = values[place];
             row(k) = std::max(row(k), own.magnitudes.valuePtr()[place] * scales[j]);
         }
     for (double& inverse : own.inverse) inverse = inverse > 0.0 ? 1.0 / inverse : 1.0;
@@ -103,8 +102,7 @@ template <class Ordering>
 void BasicEigenComplexLu<Ordering>::solve(ComplexVectorX& b) const {
     detail::require(factors_ != nullptr, name(), ": solve without a factorisation");
     if (b.size() == 0) return;
-    for (Eigen::Index i = 0; i < b.size(); ++i)
-        b[i] *= factors_->inverse[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= factors_->inverse[i];
     const ComplexVectorX x = factors_->lu.solve(b);
     b = x;
 }

@@ -44,7 +44,7 @@ struct FreeComponent {
     std::vector<int> places(static_cast<std::size_t>(matrix.cols()), -1);
     for (int j = 0; j < matrix.cols(); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
-            if (matrix.innerIndexPtr()[k] == j) places[static_cast<std::size_t>(j)] = k;
+            if (matrix.innerIndexPtr()[k] == j) places[j] = k;
     return places;
 }
 
@@ -52,9 +52,7 @@ struct FreeComponent {
 [[nodiscard]] ANCF_INLINE VectorX free_springs(const Records<FreeComponent>& all, double part,
                                                SparseMatrix& matrix) {
     const std::vector<int> places = diagonal_places(matrix);
-    const auto entry = [&](const FreeComponent& c) {
-        return places[static_cast<std::size_t>(c.equation)];
-    };
+    const auto entry = [&](const FreeComponent& c) { return places[c.equation]; };
     double stiffest[3] = {0.0, 0.0, 0.0};
     const auto unit_of = [](const FreeComponent& c) { return length_power(c.field) + 1; };
     for (const FreeComponent& c : all) {

@@ -62,17 +62,17 @@ template <class Sum>
     for (int column = 0; column < matrix.outerSize(); ++column) {
         Sum mirrored;
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
-            sums[static_cast<std::size_t>(entry.row())].add_product(-entry.value(), x[column]);
+            sums[entry.row()].add_product(-entry.value(), x[column]);
             if (storage == Storage::lower && entry.row() != column)
                 mirrored.add_product(-entry.value(), x[entry.row()]);
         }
-        Sum& own = sums[static_cast<std::size_t>(column)];
+        Sum& own = sums[column];
         own.add_product(mirrored.high, 1.0);
         own.add_product(mirrored.low, 1.0);
     }
     VectorX result(b.size());
     for (Eigen::Index row = 0; row < b.size(); ++row) {
-        Sum& sum = sums[static_cast<std::size_t>(row)];
+        Sum& sum = sums[row];
         sum.add_product(b[row], 1.0);
         result[row] = sum.high + sum.low;
     }

@@ -45,9 +45,7 @@ public:
     [[nodiscard]] int fill() const noexcept { return static_cast<int>(row_.size()); }
 
     /// Returns the pivot of a row of the matrix.
-    [[nodiscard]] double pivot(int row) const {
-        return pivots_[static_cast<std::size_t>(place_[static_cast<std::size_t>(row)])];
-    }
+    [[nodiscard]] double pivot(int row) const { return pivots_[place_[row]]; }
 
     /// Solves A x = b in place.
     void solve(VectorX& x) const;

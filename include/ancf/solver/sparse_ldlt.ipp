@@ -21,8 +21,7 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
         for (const MatrixEntry& entry : from) ++next[static_cast<std::size_t>(entry.*key) + 1];
         for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
         Records<MatrixEntry> to(from.size());
-        for (const MatrixEntry& entry : from)
-            to[next[static_cast<std::size_t>(entry.*key)]++] = entry;
+        for (const MatrixEntry& entry : from) to[next[entry.*key]++] = entry;
         return to;
     };
     Records<MatrixEntry> all = sorted(sorted(entries, &MatrixEntry::row), &MatrixEntry::column);
@@ -98,15 +97,15 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
     const auto size = static_cast<int>(matrix.cols());
     for (int j = 0; j < size; ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
-            const int a = blocks[static_cast<std::size_t>(matrix.innerIndexPtr()[k])];
-            const int b = blocks[static_cast<std::size_t>(j)];
+            const int a = blocks[matrix.innerIndexPtr()[k]];
+            const int b = blocks[j];
             if (a == b) continue;
-            std::vector<int>& of_a = neighbours[static_cast<std::size_t>(a)];
+            std::vector<int>& of_a = neighbours[a];
             std::size_t found = of_a.size();  // most likely among the last
             while (found > 0 && of_a[found - 1] != b) --found;
             if (found > 0) continue;
             of_a.push_back(b);
-            neighbours[static_cast<std::size_t>(b)].push_back(a);
+            neighbours[b].push_back(a);
         }
     return neighbours;
 }
@@ -134,12 +133,12 @@ ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
     const std::vector<int> sequence = minimum_degree(coupled_blocks(lower, blocks_));
     std::vector<std::vector<int>> rows(sequence.size());
     for (std::size_t row = 0; row < blocks_.size(); ++row)
-        rows[static_cast<std::size_t>(blocks_[row])].push_back(static_cast<int>(row));
+        rows[blocks_[row]].push_back(static_cast<int>(row));
     order_.clear();
     place_.assign(blocks_.size(), -1);
     for (const int block : sequence)
-        for (const int row : rows[static_cast<std::size_t>(block)]) {
-            place_[static_cast<std::size_t>(row)] = static_cast<int>(order_.size());
+        for (const int row : rows[block]) {
+            place_[row] = static_cast<int>(order_.size());
             order_.push_back(row);
         }
 }
@@ -149,10 +148,10 @@ ANCF_INLINE void SparseLdlt::permute(const int* outer) {
     const auto visit = [&](const auto& entry) {
         for (int j = 0; j < size(); ++j)
             for (int k = outer[j]; k < outer[j + 1]; ++k) {
-                const int i = inner_[static_cast<std::size_t>(k)];
+                const int i = inner_[k];
                 if (i < j) continue;
-                const int a = place_[static_cast<std::size_t>(i)];
-                const int b = place_[static_cast<std::size_t>(j)];
+                const int a = place_[i];
+                const int b = place_[j];
                 entry(std::min(a, b), static_cast<std::size_t>(std::max(a, b)), k);
             }
     };
@@ -177,7 +176,7 @@ ANCF_INLINE void SparseLdlt::analyze() {
     first_.assign(order_.size() + 1, 0);
     int* const parent = parent_.data();
     for (int k = 0; k < rows; ++k) {
-        seen[static_cast<std::size_t>(k)] = k;
+        seen[k] = k;
         for (std::size_t e = upper_first_.data()[k]; e < upper_first_.data()[k + 1]; ++e)
             for (int i = upper_row_[e]; seen.data()[i] != k; i = parent[i]) {
                 if (parent[i] < 0) parent[i] = k;

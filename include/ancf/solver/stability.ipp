@@ -109,7 +109,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     std::vector<int> blocks(static_cast<std::size_t>(numbering.free_coordinates()));
     for (int k = 0; k < numbering.coordinates(); ++k)
         if (const int equation = numbering.equation(k); equation >= 0)
-            blocks[static_cast<std::size_t>(equation)] = numbering.block(k);
+            blocks[equation] = numbering.block(k);
     return blocks;
 }
 

@@ -302,7 +302,7 @@ private:
         const VectorX two = assembly_.violation_scale(2.0 * monitor_.size());
         Eigen::Index row = 0;
         for (std::size_t k = 0; k < constraints_.size(); ++k) {
-            double square = 0.0;  // of the sine, which passes pi/3 once (constraints/turn.hpp)
+            double square = 0.0;  // of the sine, which passes pi/3 once (constraints/frames.hpp)
             for (const Eigen::Index end = row + constraints_[k].equations(); row < end; ++row)
                 if (one[row] == two[row]) square += std::pow(assembly_.violation()[row], 2);
             const double angle = constraints_[k].driven_angle(instant_.time);
@@ -385,7 +385,7 @@ private:
         for (int k = 0; k < free; ++k) {
             const int place =
                 static_cast<int>(std::lower_bound(rows + first[k], rows + first[k + 1], k) - rows);
-            at[static_cast<std::size_t>(k)] = place;
+            at[k] = place;
             diagonal[k] = values[place];
         }
         time_ = step.corrections.empty()
@@ -393,8 +393,7 @@ private:
                     : time_ * std::min(growth, wanted / step.corrections.back());
         while (time_ > shortest && step.iterations < most_iterations(step)) {
             for (int k = 0; k < free; ++k)
-                values[at[static_cast<std::size_t>(k)]] =
-                    diagonal[k] + std::abs(diagonal[k]) / time_;
+                values[at[k]] = diagonal[k] + std::abs(diagonal[k]) / time_;
             if (correct(step) != Status::converged) {
                 time_ /= growth;
                 continue;

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -165,7 +164,7 @@ bool Subspace<Dense>::reduce(int count) {
     Dense sorted(rank, rank);
     values.resize(rank);
     for (Eigen::Index k = 0; k < rank; ++k) {
-        const Eigen::Index from = order[static_cast<std::size_t>(k)];
+        const Eigen::Index from = order[k];
         values[k] = reduced.eigenvalues()[from];
         sorted.col(k) = reduced.eigenvectors().col(from);
     }

@@ -447,14 +447,14 @@ ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord
 ANCF_INLINE std::vector<double> Turning::chord_forces(const VectorX& residual) const {
     std::vector<double> forces(3 * chords_.size());
     for (int component = 0; component < dimension_; ++component) {
-        const Component& of = components_[static_cast<std::size_t>(component)];
+        const Component& of = components_[component];
         VectorX pull = VectorX::Zero(of.count);
         const auto at = [&](int node) {
-            const int i = of.unknown[static_cast<std::size_t>(node)];
+            const int i = of.unknown[node];
             return i >= 0 ? pull[i] : 0.0;
         };
         for (int node = 0; node < layout_.nodes(); ++node)
-            if (const int i = of.unknown[static_cast<std::size_t>(node)]; i >= 0)
+            if (const int i = of.unknown[node]; i >= 0)
                 pull[i] = residual[numbering_.equation(layout_.first(node) + component)];
         if (of.count > 0) of.factors.solve(pull);
         for (std::size_t c = 0; c < chords_.size(); ++c)
@@ -473,7 +473,7 @@ ANCF_INLINE void Turning::factorize() {
 /// distance from the linear sum, for parts that nothing holds.
 ANCF_INLINE void Turning::factorize(int component) {
     constexpr double tether = 1e-9;  // beside chords of weight 1
-    Component& of = components_[static_cast<std::size_t>(component)];
+    Component& of = components_[component];
     of.unknown.assign(static_cast<std::size_t>(layout_.nodes()), -1);
     detail::Records<detail::MatrixEntry> entries;
     std::vector<int> blocks;
@@ -482,11 +482,11 @@ ANCF_INLINE void Turning::factorize(int component) {
             numbering_.equation(layout_.first(node) + component) >= 0) {
             entries.push_back({of.count, of.count, tether});
             blocks.push_back(of.count);
-            of.unknown[static_cast<std::size_t>(node)] = of.count++;
+            of.unknown[node] = of.count++;
         }
     for (const auto& chord : chords_) {
-        const int i = of.unknown[static_cast<std::size_t>(chord[0])];
-        const int j = of.unknown[static_cast<std::size_t>(chord[1])];
+        const int i = of.unknown[chord[0]];
+        const int j = of.unknown[chord[1]];
         for (const int k : {i, j})
             if (k >= 0) entries.push_back({k, k, 1.0});
         if (i >= 0 && j >= 0) entries.push_back({std::max(i, j), std::min(i, j), -1.0});
@@ -552,12 +552,12 @@ ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX
 
 /// Moves a component of the positions towards what the chords want.
 ANCF_INLINE void Turning::shift(int component, const std::vector<double>& wanted, VectorX& q) {
-    const Component& of = components_[static_cast<std::size_t>(component)];
+    const Component& of = components_[component];
     if (of.count == 0) return;
     VectorX pull = VectorX::Zero(of.count);
     for (std::size_t c = 0; c < chords_.size(); ++c) {
-        const int i = of.unknown[static_cast<std::size_t>(chords_[c][0])];
-        const int j = of.unknown[static_cast<std::size_t>(chords_[c][1])];
+        const int i = of.unknown[chords_[c][0]];
+        const int j = of.unknown[chords_[c][1]];
         const double by =
             wanted[c * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(component)];
         if (i >= 0) pull[i] -= by;
@@ -565,8 +565,7 @@ ANCF_INLINE void Turning::shift(int component, const std::vector<double>& wanted
     }
     of.factors.solve(pull);
     for (int node = 0; node < layout_.nodes(); ++node)
-        if (const int i = of.unknown[static_cast<std::size_t>(node)]; i >= 0)
-            q[layout_.first(node) + component] += pull[i];
+        if (const int i = of.unknown[node]; i >= 0) q[layout_.first(node) + component] += pull[i];
 }
 
 }  // namespace ancf

@@ -43,8 +43,7 @@ public:
         rows_ = ancf::detail::row_scales(magnitudes_, columns_);
         for (int j = 0; j < size(); ++j)
             for (int k = outer()[j]; k < outer()[j + 1]; ++k)
-                values_[static_cast<std::size_t>(k)] =
-                    values[k] * (rows_[inner()[k]] * columns_[j]);
+                values_[k] = values[k] * (rows_[inner()[k]] * columns_[j]);
         return true;
     }
 

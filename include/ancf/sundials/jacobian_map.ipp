@@ -19,7 +19,7 @@ ANCF_INLINE void JacobianMap::append(const SparseMatrix& pattern, int column, in
     for (int k = pattern.outerIndexPtr()[column]; k < pattern.outerIndexPtr()[column + 1]; ++k) {
         const int row = pattern.innerIndexPtr()[k];
         if (row < from || row >= to) continue;
-        place[static_cast<std::size_t>(k)] = static_cast<sunindextype>(inner_.size());
+        place[k] = static_cast<sunindextype>(inner_.size());
         inner_.push_back(static_cast<sunindextype>(row) + shift);
     }
 }
@@ -74,8 +74,8 @@ ANCF_INLINE void JacobianMap::fill(const JacobianParts& parts, double c, suninde
     const double* damping = parts.damping != nullptr ? parts.damping->valuePtr() : nullptr;
     if (form_ == Form::index3)
         for (int j = 0; j < n_; ++j) {
-            values[outer_[static_cast<std::size_t>(j)]] = c;
-            values[outer_[static_cast<std::size_t>(n_ + j)]] = -1.0;
+            values[outer_[j]] = c;
+            values[outer_[n_ + j]] = -1.0;
         }
     for (std::size_t k = 0; k < motion_.size(); ++k) {
         values[motion_[k]] = tangent[k];

@@ -13,7 +13,6 @@
 #include <ancf/element/cable/evaluation.hpp>
 #include <ancf/element/cable/kernel.hpp>
 #include <ancf/element/cable/natural.hpp>
-#include <ancf/element/cable/nodes.hpp>
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
@@ -28,7 +27,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
 
 namespace ancf {
 

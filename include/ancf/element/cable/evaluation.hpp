@@ -9,7 +9,6 @@
 #include <ancf/element/cable/axial.hpp>
 #include <ancf/element/cable/kernel.hpp>
 #include <ancf/element/cable/natural.hpp>
-#include <ancf/element/cable/nodes.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>

@@ -88,8 +88,7 @@ Vector<Scalar, Dimension> Cable<Dimension, Measure>::position(const Vector<Scala
     const auto shape = hermite(xi, line_.parameter_length());
     Vector<Scalar, Dimension> place = Vector<Scalar, Dimension>::Zero();
     for (int a = 0; a < 4; ++a)
-        place += Scalar(shape[static_cast<std::size_t>(a)]) *
-                 e.template segment<Dimension>(Dimension * a);
+        place += Scalar(shape[a]) * e.template segment<Dimension>(Dimension * a);
     if (y == 0.0 && z == 0.0) return place;
     const Matrix<Scalar, Dimension> frame = section_frame<Scalar>(tangent(e, xi));
     place += Scalar(y) * frame.col(1);

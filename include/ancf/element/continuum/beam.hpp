@@ -13,7 +13,6 @@
 #include <ancf/element/continuum/evaluation.hpp>
 #include <ancf/element/continuum/kernel.hpp>
 #include <ancf/element/continuum/law.hpp>
-#include <ancf/element/continuum/nodes.hpp>
 #include <ancf/element/continuum/tangent.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
@@ -29,12 +28,6 @@
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
-
-#include <cmath>
-#include <memory>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

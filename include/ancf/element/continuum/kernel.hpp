@@ -13,7 +13,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/continuum/law.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/types.hpp>
 

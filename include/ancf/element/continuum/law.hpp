@@ -16,7 +16,6 @@
 #include <ancf/types.hpp>
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 
 namespace ancf {
@@ -140,9 +139,7 @@ inline Moments lumped(const Moments& moments) noexcept {
     const double z = moments.z / moments.area;
     MomentTable table{};
     for (int i = 0; i <= 4; ++i)
-        for (int j = 0; i + j <= 4; ++j)
-            table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                moments.area * power(y, i) * power(z, j);
+        for (int j = 0; i + j <= 4; ++j) table[i][j] = moments.area * power(y, i) * power(z, j);
     return from_table(table);
 }
 
@@ -153,7 +150,7 @@ void ContinuumLaw<Dimension>::add(double factor, const PointStiffness& stiffness
     const auto moment = [&](int i, int j, int k, int l) {
         const int y = (i == 1) + (j == 1) + (k == 1) + (l == 1);
         const int z = (i == 2) + (j == 2) + (k == 2) + (l == 2);
-        return factor * table[static_cast<std::size_t>(y)][static_cast<std::size_t>(z)];
+        return factor * table[y][z];
     };
     for (int i = 0; i < Dimension; ++i)
         for (int j = i; j < Dimension; ++j) {
@@ -161,8 +158,7 @@ void ContinuumLaw<Dimension>::add(double factor, const PointStiffness& stiffness
                 for (int l = k; l < Dimension; ++l)
                     axial(pair(i, j), pair(k, l)) += stiffness.normal * moment(i, j, k, l);
             for (int c = 0; c < slopes; ++c)
-                shear(pair(i, j), c) +=
-                    stiffness.shear[static_cast<std::size_t>(c)] * moment(i, j, 0, 0);
+                shear(pair(i, j), c) += stiffness.shear[c] * moment(i, j, 0, 0);
             coupling(pair(i, j)) += stiffness.coupling * moment(i, j, 0, 0);
         }
     normal += factor * stiffness.normal * moments.area;

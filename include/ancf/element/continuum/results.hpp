@@ -9,7 +9,7 @@
 #pragma once
 
 #include <ancf/element/continuum/beam.hpp>
-#include <ancf/element/upright.hpp>
+#include <ancf/element/line_element.hpp>
 
 namespace ancf {
 

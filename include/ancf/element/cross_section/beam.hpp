@@ -25,7 +25,6 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/element/upright.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/moments.hpp>
 #include <ancf/section/section.hpp>
@@ -36,7 +35,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 
 namespace ancf {
@@ -127,7 +125,9 @@ public:
     /// @param e,v  nodal coordinates and their rates
     template <int...>
     [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
-        const Coordinates& e, const Coordinates& v) const noexcept;
+        const Coordinates& e, const Coordinates& v) const noexcept {
+        return detail::damped(*this, e, v, kernel_.rate_coupling(e, v));
+    }
 
     /// Several elements evaluated at once, one in each lane: `energy`, `force` and `evaluate` of
     /// Vector<Pack<Lanes>, dofs>.
@@ -188,7 +188,9 @@ public:
     /// the diagonal material of [Dufva2006, Eq. 29]: shear stresses contain their correction
     /// factors.
     [[nodiscard]] Vector<double, 6> stress(const Coordinates& e, double xi, double y = 0.0,
-                                           double z = 0.0) const noexcept;
+                                           double z = 0.0) const noexcept {
+        return moduli_.cwiseProduct(green_strain(e, xi, y, z));
+    }
 
     /// Returns what the section transmits: resultants of the first Piola-Kirchhoff traction F S
     /// e_x.
@@ -201,11 +203,21 @@ public:
     /// Returns the directors d_y, d_z (columns), 1: the slopes' unit projections plus the shear
     /// along the tangent.
     template <class S>
-    [[nodiscard]] Matrix<S, 3, 2> directors(const Vector<S, dofs>& e, double xi) const noexcept;
+    [[nodiscard]] Matrix<S, 3, 2> directors(const Vector<S, dofs>& e, double xi) const noexcept {
+        const Place<S> at = place(e, xi);
+        Matrix<S, 3, 2> directors;
+        directors << detail::to_vector(at.director(0)), detail::to_vector(at.director(1));
+        return directors;
+    }
 
     /// Returns the derivative of the directors, d_y above d_z, by e.
     [[nodiscard]] Matrix<double, 6, dofs> directors_jacobian(const Coordinates& e,
-                                                             double xi) const noexcept;
+                                                             double xi) const noexcept {
+        const Place<double> at = place(e, xi);
+        Matrix<double, 6, dofs> jacobian;
+        jacobian << director_jacobian(at, 0), director_jacobian(at, 1);
+        return jacobian;
+    }
 
     /// Returns the position r0 + y d_y + z d_z of a point of the body, m.
     template <class S>
@@ -307,7 +319,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
     result.stations.full.resize(full);
     result.stations.axial.resize(axial);
     for (int lane = 0; lane < Lanes; ++lane) {
-        const CrossSectionBeam& element = *elements[static_cast<std::size_t>(lane)];
+        const CrossSectionBeam& element = *elements[lane];
         detail::require(element.options_.rule.name() == first.options_.rule.name(),
                         "elements put together must have one rule, got \"",
                         first.options_.rule.name(), "\" and \"", element.options_.rule.name(),
@@ -318,14 +330,6 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::together(
         detail::put_lane(result.transverse, lane, element.kernel_.transverse);
     }
     return result;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <int...>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::viscous(
-    const Coordinates& e, const Coordinates& v) const noexcept
-    -> Evaluation<detail::Rate<double>, dofs> {
-    return detail::damped(*this, e, v, kernel_.rate_coupling(e, v));
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>

@@ -13,7 +13,6 @@
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
-#include <ancf/element/cross_section/nodal_forms.hpp>
 #include <ancf/element/cross_section/nodal_tangent.hpp>
 #include <ancf/element/cross_section/shear.hpp>
 #include <ancf/element/cross_section/sparse_jacobian.hpp>

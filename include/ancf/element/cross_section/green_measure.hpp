@@ -16,7 +16,6 @@
 
 #include <ancf/element/cross_section/sparse_jacobian.hpp>
 #include <ancf/element/invariants.hpp>
-#include <ancf/element/station_data.hpp>
 
 namespace ancf {
 

@@ -15,7 +15,6 @@
 #include <ancf/element/cross_section/shear.hpp>
 #include <ancf/element/cross_section/station.hpp>
 #include <ancf/element/cross_section/transverse.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/station_data.hpp>

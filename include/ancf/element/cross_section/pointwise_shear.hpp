@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include <ancf/element/cross_section/local.hpp>
+#include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/station_data.hpp>
 #include <ancf/element/vec3.hpp>
 

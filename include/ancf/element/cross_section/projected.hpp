@@ -10,9 +10,128 @@
 
 #pragma once
 
-#include <ancf/element/cross_section/director.hpp>
-#include <ancf/element/cross_section/local.hpp>
+#include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/invariants.hpp>
+#include <ancf/element/vec3.hpp>
+
+#include <cmath>
+#include <complex>
+
+namespace ancf::detail {
+
+/// Frame, rates and ratios of one director at a station: the direction of a slope a projected on
+/// the plane normal to the tangent of the centre line.
+///
+/// With t = p/|p| and n = unit(a - (a.t) t) the frame is (t, n, c = t x n). A variation and the
+/// derivative along x act on it by the same formula, so three rates (kap, chi, om) describe the
+/// latter. Derivation: docs/theory.md, "The frame of a director".
+template <class S>
+struct DirectorFrame {
+    Vec3<S> t, n, c;    ///< unit tangent, director, binormal
+    S lam;              ///< |p|
+    S inv_lam, inv_nu;  ///< 1/|p|, 1/|a - (a.t) t|
+    S al;               ///< (a.t)/nu: tangent of the shear angle of the slope
+    S eta, kap, chi;    ///< (t, n, c) . p1/lam: growth of |p|, curvatures, 1/m
+    S a_t, mu, om;      ///< t.a1/nu, n.a1/nu - al kap, c.a1/nu - al chi: om is the twist rate, 1/m
+    S zeta;             ///< al (eta + mu) - a_t
+};
+
+/// Returns the frame of the director (p, a), p1 and a1 their derivatives along x.
+template <class S>
+inline DirectorFrame<S> director_frame(const Vec3<S>& p, const Vec3<S>& p1, const Vec3<S>& a,
+                                       const Vec3<S>& a1) noexcept {
+    using std::sqrt;
+    DirectorFrame<S> f;
+    f.lam = sqrt(dot(p, p));
+    f.inv_lam = 1.0 / f.lam;
+    f.t = f.inv_lam * p;
+    const S along = dot(a, f.t);
+    const Vec3<S> across = a - along * f.t;
+    f.inv_nu = 1.0 / sqrt(dot(across, across));
+    f.n = f.inv_nu * across;
+    f.c = cross(f.t, f.n);
+    f.al = along * f.inv_nu;
+    f.eta = dot(f.t, p1) * f.inv_lam;
+    f.kap = dot(f.n, p1) * f.inv_lam;
+    f.chi = dot(f.c, p1) * f.inv_lam;
+    f.a_t = dot(f.t, a1) * f.inv_nu;
+    f.mu = dot(f.n, a1) * f.inv_nu - f.al * f.kap;
+    f.om = dot(f.c, a1) * f.inv_nu - f.al * f.chi;
+    f.zeta = f.al * (f.eta + f.mu) - f.a_t;
+    return f;
+}
+
+/// The second variation of U_k kap + U_c chi + U_o om plus U_th times that of the frame's spin th,
+/// as a quadratic form of the scaled variations, components in (t, n, c):
+///
+///     u = R^T dp/lam, v = R^T dp1/lam, A = R^T da/nu, B = R^T da1/nu.
+///
+///
+/// Symmetric parts only: the skew part of the spin's second variation cancels between two
+/// directors.
+template <class S>
+struct DirectorHessian {
+    S uu[3][3];  ///< symmetric, filled
+    S vu[3][3];  ///< rows v, columns u
+    S Au[3][3];  ///< rows A, columns u
+    S AA[3][3];  ///< symmetric, filled
+    S vA_nc;     ///< the entries of vA that are not zero
+    S vA_ct, vA_cn, vA_cc;
+    S B_o, B_al;  ///< U_o, al U_o. B_t u_c, B_n A_c, B_c A_n have -U_o; B_n u_c, B_c u_n al U_o
+};
+
+/// Returns the second variation for the given weights.
+template <class S>
+inline void director_hessian(const DirectorFrame<S>& f, const S& U_k, const S& U_c, const S& U_o,
+                             const S& U_th, DirectorHessian<S>& h) noexcept {
+    const S& al = f.al;
+    const S& kap = f.kap;
+    const S& chi = f.chi;
+    const S& om = f.om;
+    const S W = U_c - al * U_o;
+    const S one_al = 1.0 + al * al;
+    const S al_kap_eta = al * kap - f.eta;
+    const S g_t = al * chi * U_o - kap * U_k - chi * U_c;
+    const S om_n = al * om - chi;
+    const S g_n = om_n * U_o - f.eta * U_k;
+    const S G = chi * U_k - kap * U_c - f.mu * U_o + U_th;
+    const S g_c = al_kap_eta * U_c + f.zeta * U_o - al * (chi * U_k + U_th);
+    h.uu[0][0] = -2.0 * g_t;
+    h.uu[0][1] = h.uu[1][0] = f.eta * U_k - g_n + chi * one_al * U_o;
+    h.uu[0][2] = h.uu[2][0] = al * chi * U_k - g_c - W * al_kap_eta;
+    h.uu[1][1] = g_t - kap * U_k + U_o * (one_al * om + al * om_n);
+    h.uu[1][2] = h.uu[2][1] = al * g_c - chi * U_k + U_o * (al * f.zeta - al_kap_eta) - 0.5 * U_th;
+    h.uu[2][2] = g_t - al * (g_n + al_kap_eta * U_k) - one_al * (chi * U_c + om * U_o);
+    h.vu[0][0] = h.vu[1][1] = S(0.0);
+    h.vu[0][1] = h.vu[1][0] = -U_k;
+    h.vu[0][2] = h.vu[2][0] = -W;
+    h.vu[1][2] = al * W;
+    h.vu[2][1] = -one_al * U_o;
+    h.vu[2][2] = -al * U_k;
+    h.Au[0][0] = chi * U_o;
+    h.Au[0][1] = (om - al * chi) * U_o;
+    h.Au[0][2] = -G - al_kap_eta * U_o;
+    h.Au[1][0] = -al * chi * U_o;
+    h.Au[1][1] = -2.0 * al * om * U_o;
+    h.Au[1][2] = al * G - f.zeta * U_o;
+    h.Au[2][0] = kap * U_c - chi * U_k - al * kap * U_o;
+    h.Au[2][1] = al * G - (f.zeta - kap) * U_o + f.eta * U_c;
+    h.Au[2][2] = (al * om + om_n) * U_o + al_kap_eta * U_k + al * chi * U_c;
+    h.AA[0][0] = S(0.0);
+    h.AA[0][1] = h.AA[1][0] = chi * U_o;
+    h.AA[0][2] = h.AA[2][0] = kap * U_o;
+    h.AA[1][1] = 2.0 * om * U_o;
+    h.AA[1][2] = h.AA[2][1] = f.mu * U_o - G;
+    h.AA[2][2] = -2.0 * om * U_o - kap * U_k - chi * U_c;
+    h.vA_nc = -W;
+    h.vA_ct = -U_o;
+    h.vA_cn = al * U_o;
+    h.vA_cc = U_k;
+    h.B_o = U_o;
+    h.B_al = al * U_o;
+}
+
+}  // namespace ancf::detail
 
 namespace ancf {
 

@@ -135,12 +135,6 @@ Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
-Vector<double, 6> CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::stress(
-    const Coordinates& e, double xi, double y, double z) const noexcept {
-    return moduli_.cwiseProduct(green_strain(e, xi, y, z));
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
 SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::section_forces(
     const Coordinates& e, double xi) const noexcept {
     using namespace detail;
@@ -165,16 +159,6 @@ SectionForces CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::sect
     const Vec3<double> c = cross(t, n);
     return {dot(force, t),  dot(force, n),  dot(force, c),
             dot(moment, t), dot(moment, n), dot(moment, c)};
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::directors(
-    const Vector<S, dofs>& e, double xi) const noexcept -> Matrix<S, 3, 2> {
-    const Place<S> at = place(e, xi);
-    Matrix<S, 3, 2> directors;
-    directors << detail::to_vector(at.director(0)), detail::to_vector(at.director(1));
-    return directors;
 }
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
@@ -248,15 +232,6 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::director_jaco
         jacobian.template middleCols<3>(coordinate_start<dofs>(line_vector(x))) +=
             at.shape.p[x] * by_p;
     jacobian.template leftCols<3>() -= at.shape.p[0] * by_p;
-    return jacobian;
-}
-
-template <int Dimension, class Directors, class Shear, class Measure, class Line>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::directors_jacobian(
-    const Coordinates& e, double xi) const noexcept -> Matrix<double, 6, dofs> {
-    const Place<double> at = place(e, xi);
-    Matrix<double, 6, dofs> jacobian;
-    jacobian << director_jacobian(at, 0), director_jacobian(at, 1);
     return jacobian;
 }
 

@@ -11,9 +11,7 @@
 
 #pragma once
 
-#include <ancf/element/cross_section/local.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
-#include <ancf/element/cross_section/nodal_forms.hpp>
 #include <ancf/element/cross_section/nodal_tangent.hpp>
 #include <ancf/element/cross_section/pointwise_shear.hpp>
 
@@ -118,10 +116,6 @@ inline void add_sines(const NodalSines<S>& sines, NodalGradient<S>& n) noexcept 
     const NodalForm<S>* const forms[] = {&sines[0], &sines[1], &sines[2], &sines[3]};
     add_forms(forms, n);
 }
-
-}  // namespace detail
-
-namespace detail {
 
 /// Writes s, s', q, q' of a station from the nodal sines (s_i, s_j, q_i, q_j).
 template <class Shape, class S>

@@ -30,13 +30,12 @@ constexpr unsigned block_closure(unsigned pattern) noexcept {
     return closure;
 }
 
-constexpr int bit_count(unsigned bits) noexcept {
-    int count = 0;
-    for (; bits != 0; bits &= bits - 1) ++count;
-    return count;
+/// The lowest bit of a pattern that is not empty.
+constexpr int lowest_bit(unsigned bits) noexcept {
+    int k = 0;
+    while ((bits >> k & 1U) == 0) ++k;
+    return k;
 }
-
-constexpr int lowest_bit(unsigned bits) noexcept { return bit_count((bits & (~bits + 1U)) - 1U); }
 
 /// Returns the sum of a[k] b[k] over the bits of a pattern that is not empty.
 template <unsigned Pattern, class A, class B>

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/element/cross_section/local.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/cross_section/shear.hpp>
 #include <ancf/element/cross_section/sparse_jacobian.hpp>
@@ -21,18 +20,6 @@
 #include <ancf/element/station_data.hpp>
 
 namespace ancf::detail {
-
-/// Everything that a station's derivatives are made of.
-template <class S, class Directors, class Shear, class Measure>
-struct StationState {
-    typename Directors::template Frames<S> frames;
-    typename Shear::template Station<S> shear;
-    Invariants<S> w;
-    S strain[strain_count];  ///< less the reference
-    S stress[strain_count];  ///< times weight and length
-    S U[invariant_count];    ///< written by station_gradient
-    StrainJacobian<S> J;     ///< written by station_gradient
-};
 
 /// Writes strains and stresses of the section; returns the energy.
 template <class Measure, class Data, class S>
@@ -44,32 +31,6 @@ inline S section_energy(const Data& data, const Invariants<S>& w, S (&strain)[st
     S twice = strain[0] * stresses[0];
     for (int k = 1; k < strain_count; ++k) twice += strain[k] * stresses[k];
     return 0.5 * twice;
-}
-
-/// Writes invariants, strains and stresses; returns the energy.
-template <class T, class S, class Directors, class Shear, class Measure>
-ANCF_NOINLINE S station_state(const StationData<T>& data, const NodalVectors<S>& nodes,
-                              const S (&shears)[shear_count],
-                              StationState<S, Directors, Shear, Measure>& at) noexcept {
-    LocalVectors<S> local;
-    interpolate(data.shape, nodes, local);
-    Directors::frames(local, at.frames);
-    Directors::invariants(at.frames, at.w);
-    Shear::shears(data.shape, shears, local, at.shear, at.w);
-    return section_energy<Measure>(data, at.w, at.strain, at.stress);
-}
-
-/// Adds the gradient of the energy to the nodes.
-template <class T, class S, class Directors, class Shear, class Measure>
-ANCF_NOINLINE void station_gradient(const StationData<T>& data,
-                                    StationState<S, Directors, Shear, Measure>& at,
-                                    NodalGradient<S>& nodal) noexcept {
-    Measure::jacobian(at.w, typename Measure::template Rates<S>(at.w), at.J);
-    energy_gradient<Measure>(at.J, at.stress, at.U);
-    LocalGradient<S> local;
-    Directors::gradient(at.frames, at.U, local.vector);
-    Shear::gradient(data.shape, at.shear, at.U, local);
-    add_to_nodes(data.shape, local, nodal);
 }
 
 /// Writes the Hessian with respect to the invariants: symmetric, filled. Nodal shears take the
@@ -95,19 +56,6 @@ ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
     mirror(0);
 }
 
-/// Adds the Hessian of the energy to the nodes, after station_gradient.
-template <class T, class S, class Directors, class Shear, class Measure>
-void station_hessian(const StationData<T>& data,
-                     const StationState<S, Directors, Shear, Measure>& at,
-                     NodalHessian<S>& nodal) noexcept {
-    InvariantHessian<S> D;
-    invariant_hessian<Measure, Shear::nodal>(data, at.w, at.J, at.stress, D);
-    LocalHessian<S> local;
-    Directors::hessian(at.frames, at.w, at.U, D, local);
-    if constexpr (!Shear::nodal) Shear::hessian(at.shear, at.U, local);
-    add_to_nodes<Shear::nodal>(data.shape, local, nodal);
-}
-
 /// What a walk over the stations of an element does, for directors that are functions of six local
 /// vectors.
 template <class Directors, class Shear, class Measure>
@@ -118,8 +66,17 @@ struct LocalFormulation {
     using Gradient = NodalGradient<S>;
     template <class S>
     using Hessian = NodalHessian<S>;
+    /// Everything that a station's derivatives are made of.
     template <class S>
-    using State = StationState<S, Directors, Shear, Measure>;
+    struct State {
+        typename Directors::template Frames<S> frames;
+        typename Shear::template Station<S> shear;
+        Invariants<S> w;
+        S strain[strain_count];  ///< less the reference
+        S stress[strain_count];  ///< times weight and length
+        S U[invariant_count];    ///< written by gradient
+        StrainJacobian<S> J;     ///< written by gradient
+    };
 
     /// What is evaluated at the nodes.
     template <class S>
@@ -141,21 +98,40 @@ struct LocalFormulation {
         }
     }
 
+    /// Writes invariants, strains and stresses; returns the energy.
     template <class T, class P>
-    static P state(const StationData<T>& data, const NodalVectors<P>& vectors,
-                   const Lanes<P>& lanes, State<P>& at) noexcept {
-        return station_state(data, vectors, lanes.shears, at);
+    ANCF_NOINLINE static P state(const StationData<T>& data, const NodalVectors<P>& vectors,
+                                 const Lanes<P>& lanes, State<P>& at) noexcept {
+        LocalVectors<P> local;
+        interpolate(data.shape, vectors, local);
+        Directors::frames(local, at.frames);
+        Directors::invariants(at.frames, at.w);
+        Shear::shears(data.shape, lanes.shears, local, at.shear, at.w);
+        return section_energy<Measure>(data, at.w, at.strain, at.stress);
     }
 
+    /// Adds the gradient of the energy to the nodes.
     template <class T, class P>
-    static void gradient(const StationData<T>& data, State<P>& at, Gradient<P>& sums) noexcept {
-        station_gradient(data, at, sums);
+    ANCF_NOINLINE static void gradient(const StationData<T>& data, State<P>& at,
+                                       Gradient<P>& sums) noexcept {
+        Measure::jacobian(at.w, typename Measure::template Rates<P>(at.w), at.J);
+        energy_gradient<Measure>(at.J, at.stress, at.U);
+        LocalGradient<P> local;
+        Directors::gradient(at.frames, at.U, local.vector);
+        Shear::gradient(data.shape, at.shear, at.U, local);
+        add_to_nodes(data.shape, local, sums);
     }
 
+    /// Adds the Hessian of the energy to the nodes, after gradient().
     template <class T, class P>
     static void hessian(const StationData<T>& data, const State<P>& at,
                         Hessian<P>& blocks) noexcept {
-        station_hessian(data, at, blocks);
+        InvariantHessian<P> D;
+        invariant_hessian<Measure, Shear::nodal>(data, at.w, at.J, at.stress, D);
+        LocalHessian<P> local;
+        Directors::hessian(at.frames, at.w, at.U, D, local);
+        if constexpr (!Shear::nodal) Shear::hessian(at.shear, at.U, local);
+        add_to_nodes<Shear::nodal>(data.shape, local, blocks);
     }
 
     /// Adds what the nodal scalars mean for the gradient.

@@ -12,10 +12,8 @@
 #include <ancf/element/cross_section/nodal.hpp>
 #include <ancf/element/cross_section/nodal_tangent.hpp>
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/rate.hpp>
 #include <ancf/element/vec3.hpp>
-#include <ancf/section/stiffness.hpp>
 
 #include <cmath>
 #include <complex>

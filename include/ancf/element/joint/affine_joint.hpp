@@ -13,7 +13,6 @@
 #pragma once
 
 #include <ancf/element/compiled_element.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/rate.hpp>
@@ -22,7 +21,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <memory>
 
 namespace ancf {
 

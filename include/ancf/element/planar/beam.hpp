@@ -26,7 +26,6 @@
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/element/station_data.hpp>
-#include <ancf/element/upright.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
@@ -35,7 +34,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 
 namespace ancf {
@@ -54,7 +52,7 @@ class CrossSectionBeam<2, Directors, Shear, Measure, Line>
     : public LineElement<
           CrossSectionBeam<2, Directors, Shear, Measure, Line>,
           detail::PlanarKernel<
-              double, typename detail::PlanarMeasureOf<Measure>::type,
+              typename detail::PlanarMeasureOf<Measure>::type,
               detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
           detail::CrossSectionOptionsOf<Shear, Line>, Line, std::is_same_v<Shear, CubicShear>> {
     using Base = typename CrossSectionBeam::LineElement;
@@ -129,7 +127,11 @@ public:
     [[nodiscard]] SectionForces section_forces(const Coordinates& e, double xi) const noexcept;
 
     /// Returns the director d_y, 1: the normal of the centre line plus the shear along the tangent.
-    [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] Vector<double, 2> directors(const Coordinates& e, double xi) const noexcept {
+        const detail::PlanarFrame<double> f = frame(e, xi);
+        const double cosine = director_cosine(f);
+        return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
+    }
 
     /// Returns the position r0 + y d_y of a point of the body, m.
     [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0,
@@ -143,7 +145,7 @@ public:
 private:
     using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
 
-    using Shape = detail::PlanarShape<double, Layout>;
+    using Shape = detail::PlanarShape<Layout>;
     [[nodiscard]] Shape shape(double xi) const noexcept {
         return Shape::of(line_.shape(xi), line_.parameter_length());
     }
@@ -166,10 +168,9 @@ private:
 namespace detail {
 
 /// Returns the part of a section matrix that the plane sees.
-[[nodiscard]] inline PlanarStiffness<double> planar_stiffness(
-    const SectionMatrix<double>& C) noexcept {
+[[nodiscard]] inline PlanarStiffness planar_stiffness(const SectionMatrix<double>& C) noexcept {
     constexpr int axial[3] = {0, 1, 3}, shear[2] = {0, 1};
-    PlanarStiffness<double> result;
+    PlanarStiffness result;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) result.axial[i][j] = C.axial[axial[i]][axial[j]];
     }
@@ -295,14 +296,6 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
     const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
     forces.moment_z = f.w.s * moment_n - moment_t;
     return forces;
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::directors(
-    const Coordinates& e, double xi) const noexcept {
-    const detail::PlanarFrame<double> f = frame(e, xi);
-    const double cosine = director_cosine(f);
-    return {cosine * f.n[0] + f.w.s * f.t[0], cosine * f.n[1] + f.w.s * f.t[1]};
 }
 
 template <class Directors, class Shear, class Measure, class Line>

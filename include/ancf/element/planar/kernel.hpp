@@ -10,7 +10,6 @@
 #pragma once
 
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/planar/nodal.hpp>
 #include <ancf/element/planar/section.hpp>
@@ -36,35 +35,36 @@ struct TransverseTerm {
 
 /// Constant data of a planar element and its evaluation.
 /// @tparam Layout  a PlanarLayout
-template <class T, class Measure, class Layout>
+template <class Measure, class Layout>
 struct PlanarKernel {
     static constexpr int dimension = 2, dofs = Layout::dofs;
     template <class S>
     using Nodes = PlanarNodes<S, Layout>;
 
-    std::vector<PlanarStation<T, Layout>> stations;
-    Records<AxialStationData<T, Layout::line>> axial;
-    T transverse_stiffness;        ///< of e_yy times the length, N m
-    T transverse_length = T(0.0);  ///< l, m, that the parameter of nodal rates runs through
-    T transverse_reference[Layout::shears];  ///< nodal e_yy, and rates, of the stress-free state
+    std::vector<PlanarStation<Layout>> stations;
+    Records<AxialStationData<double, Layout::line>> axial;
+    double transverse_stiffness;     ///< of e_yy times the length, N m
+    double transverse_length = 0.0;  ///< l, m, that the parameter of nodal rates runs through
+    double
+        transverse_reference[Layout::shears];  ///< nodal e_yy, and rates, of the stress-free state
     TransverseStrain transverse_measure = TransverseStrain::green;
 
     /// Makes e the stress-free state: its strains are the ones subtracted from now on.
     void set_reference(const Vector<double, dofs>& e) noexcept {
         const Nodes<double> nodes(e);
-        for (PlanarStation<T, Layout>& station : stations) {
+        for (PlanarStation<Layout>& station : stations) {
             PlanarFrame<double> f;
             planar_frame(station.shape, nodes, f);
             double strains[planar_strain_count];
             Measure::strains(f.w, strains);
             for (int k = 0; k < planar_strain_count; ++k) station.reference[k] = strains[k];
         }
-        for (AxialStationData<T, Layout::line>& station : axial) {
+        for (AxialStationData<double, Layout::line>& station : axial) {
             station.reference = 0.0;
             station.reference = planar_axial(station, nodes).strain;
         }
         Transverse<double> terms;
-        for (T& reference : transverse_reference) reference = 0.0;
+        for (double& reference : transverse_reference) reference = 0.0;
         double strains[Layout::shears];
         transverse_strains(nodes, terms, strains);
         for (int m = 0; m < Layout::shears; ++m) transverse_reference[m] = strains[m];
@@ -118,7 +118,7 @@ struct PlanarKernel {
 
         const Nodes<Dual<S>> line(course(before, change));
         PlanarSums<S, Layout> predicted;
-        for (const PlanarStation<T, Layout>& station : stations) {
+        for (const PlanarStation<Layout>& station : stations) {
             PlanarFrame<Dual<S>> frame;
             Dual<S> strains[planar_strain_count], course_stress[planar_strain_count];
             planar_state<Measure>(station, line, frame, strains, course_stress);
@@ -126,7 +126,7 @@ struct PlanarKernel {
             for (int k = 0; k < planar_strain_count; ++k) stress[k] = arrived(course_stress[k]);
             add_planar_station<true, Measure>(station, nodes, predicted, stress);
         }
-        for (const AxialStationData<T, Layout::line>& station : axial) {
+        for (const AxialStationData<double, Layout::line>& station : axial) {
             const S stress = arrived(planar_axial(station, line).stress);
             add_planar_axial<true>(station, nodes, predicted, &stress);
         }
@@ -156,9 +156,9 @@ private:
 
     template <bool Second, class S>
     void walk(const Nodes<S>& nodes, PlanarSums<S, Layout>& sums) const noexcept {
-        for (const PlanarStation<T, Layout>& station : stations)
+        for (const PlanarStation<Layout>& station : stations)
             add_planar_station<Second, Measure>(station, nodes, sums);
-        for (const AxialStationData<T, Layout::line>& station : axial)
+        for (const AxialStationData<double, Layout::line>& station : axial)
             add_planar_axial<Second>(station, nodes, sums);
     }
 

@@ -13,8 +13,8 @@
 #pragma once
 
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/rate.hpp>
 
 #include <cmath>
 #include <complex>

@@ -14,7 +14,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
-#include <ancf/section/stiffness.hpp>
 
 #include <cmath>
 #include <complex>
@@ -162,15 +161,14 @@ struct PlanarMeasureOf<EngineeringMeasure> {
 };
 
 /// The section matrix in the plane, times the station's weight and length.
-template <class T>
 struct PlanarStiffness {
-    T axial[3][3];  ///< of (e1, e2, e3)
-    T shear[2][2];  ///< of (e4, e5)
+    double axial[3][3];  ///< of (e1, e2, e3)
+    double shear[2][2];  ///< of (e4, e5)
 };
 
 /// Writes f = C e.
-template <class T, class S>
-inline void planar_stress(const PlanarStiffness<T>& C, const S* e,
+template <class S>
+inline void planar_stress(const PlanarStiffness& C, const S* e,
                           S (&f)[planar_strain_count]) noexcept {
     ANCF_UNROLL
     for (int i = 0; i < 3; ++i)

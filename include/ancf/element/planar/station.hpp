@@ -23,10 +23,11 @@
 namespace ancf::detail {
 
 /// The weights of a planar station: of the line, and of the nodal shears.
-template <class T, class Layout, bool Rates = Layout::rates>
-struct PlanarShape : StationShape<T, Layout::line> {
+template <class Layout, bool Rates = Layout::rates>
+struct PlanarShape : StationShape<double, Layout::line> {
     /// Takes the weights of a station; shear is linear, so they are all there.
-    static PlanarShape of(const StationShape<T, Layout::line>& shape, double /*length*/) noexcept {
+    static PlanarShape of(const StationShape<double, Layout::line>& shape,
+                          double /*length*/) noexcept {
         return {shape};
     }
 
@@ -47,24 +48,24 @@ struct PlanarShape : StationShape<T, Layout::line> {
     }
 
     /// Returns the weight of a nodal shear.
-    [[nodiscard]] T weight(int m) const noexcept { return m == 0 ? T(1.0 - this->n2) : this->n2; }
+    [[nodiscard]] double weight(int m) const noexcept { return m == 0 ? 1.0 - this->n2 : this->n2; }
     /// Returns the weight of a nodal shear in the rate.
-    [[nodiscard]] T rate_weight(int m) const noexcept {
-        return m == 0 ? T(-this->n2_x) : this->n2_x;
+    [[nodiscard]] double rate_weight(int m) const noexcept {
+        return m == 0 ? -this->n2_x : this->n2_x;
     }
 };
 
 /// Shears with their rates at the nodes: Hermite's cubic.
-template <class T, class Layout>
-struct PlanarShape<T, Layout, true> : StationShape<T, Layout::line> {
-    T n[4];    ///< weights of s_i, s_j and their rates
-    T n_x[4];  ///< the same in the rate along the arc length
+template <class Layout>
+struct PlanarShape<Layout, true> : StationShape<double, Layout::line> {
+    double n[4];    ///< weights of s_i, s_j and their rates
+    double n_x[4];  ///< the same in the rate along the arc length
 
     /// Takes the weights of a station.
     /// @param length  m, that the parameter of the nodal rates runs through
-    static PlanarShape of(const StationShape<T, Layout::line>& shape, double length) noexcept {
-        const auto value = hermite<T>(shape.n2, length), first = hermite_first<T>(shape.n2, length);
-        const T scale = shape.n2_x * length;  // dx/ds
+    static PlanarShape of(const StationShape<double, Layout::line>& shape, double length) noexcept {
+        const auto value = hermite(shape.n2, length), first = hermite_first(shape.n2, length);
+        const double scale = shape.n2_x * length;  // dx/ds
         return {shape,
                 {value[0], value[2], value[1], value[3]},
                 {scale * first[0], scale * first[2], scale * first[1], scale * first[3]}};
@@ -88,22 +89,22 @@ struct PlanarShape<T, Layout, true> : StationShape<T, Layout::line> {
     }
 
     /// Returns the weight of a nodal shear.
-    [[nodiscard]] T weight(int m) const noexcept { return n[m]; }
+    [[nodiscard]] double weight(int m) const noexcept { return n[m]; }
     /// Returns the weight of a nodal shear in the rate.
-    [[nodiscard]] T rate_weight(int m) const noexcept { return n_x[m]; }
+    [[nodiscard]] double rate_weight(int m) const noexcept { return n_x[m]; }
 };
 
 /// A station of the planar element.
-template <class T, class Layout>
+template <class Layout>
 struct PlanarStation {
-    PlanarShape<T, Layout> shape;
-    T reference[planar_strain_count];  ///< strains of the stress-free state, subtracted
-    PlanarStiffness<T> stiffness;
+    PlanarShape<Layout> shape;
+    double reference[planar_strain_count];  ///< strains of the stress-free state, subtracted
+    PlanarStiffness stiffness;
 };
 
 /// Returns a component of the sum of nodal vectors by weights of the line.
-template <class T, class S, int Line, int Vectors>
-[[nodiscard]] inline S planar_line(const T (&weights)[Line], const S (&v)[Vectors][2],
+template <class S, int Line, int Vectors>
+[[nodiscard]] inline S planar_line(const double (&weights)[Line], const S (&v)[Vectors][2],
                                    int k) noexcept {
     S sum = weights[0] * v[0][k];
     ANCF_UNROLL
@@ -120,8 +121,8 @@ struct PlanarFrame {
     PlanarInvariants<S> w;
 };
 
-template <class T, class S, class Layout>
-inline void planar_frame(const PlanarShape<T, Layout>& shape, const PlanarNodes<S, Layout>& nodes,
+template <class S, class Layout>
+inline void planar_frame(const PlanarShape<Layout>& shape, const PlanarNodes<S, Layout>& nodes,
                          PlanarFrame<S>& f) noexcept {
     using std::sqrt;
     ANCF_UNROLL
@@ -153,8 +154,8 @@ struct PlanarSums {
 
 /// Adds a station's Hessian.
 /// @param b_p,b_p1  rows of d lam and d kap by p, and of d kap by p1
-template <class Measure, class T, class S, class Layout>
-inline void add_planar_hessian(const PlanarStation<T, Layout>& data, const PlanarFrame<S>& f,
+template <class Measure, class S, class Layout>
+inline void add_planar_hessian(const PlanarStation<Layout>& data, const PlanarFrame<S>& f,
                                const S (&stress)[planar_strain_count],
                                const S (&U)[planar_invariant_count], const S (&b_p)[2][2],
                                const S (&b_p1)[2], PlanarSums<S, Layout>& sums) noexcept {
@@ -175,7 +176,7 @@ inline void add_planar_hessian(const PlanarStation<T, Layout>& data, const Plana
     const S tt = 2.0 * f.w.kap * scale, tn = 2.0 * f.eta * scale;
     const S nn = f.inv_lam * U[pw_lam] - 2.0 * f.w.kap * scale;
     const auto& shape = data.shape;
-    T n[Layout::shears], n_x[Layout::shears];
+    double n[Layout::shears], n_x[Layout::shears];
     for (int m = 0; m < Layout::shears; ++m) {
         n[m] = shape.weight(m);
         n_x[m] = shape.rate_weight(m);
@@ -218,8 +219,8 @@ inline void add_planar_hessian(const PlanarStation<T, Layout>& data, const Plana
 }
 
 /// Writes a station's geometry, strains and stresses.
-template <class Measure, class T, class S, class Layout>
-inline void planar_state(const PlanarStation<T, Layout>& data, const PlanarNodes<S, Layout>& nodes,
+template <class Measure, class S, class Layout>
+inline void planar_state(const PlanarStation<Layout>& data, const PlanarNodes<S, Layout>& nodes,
                          PlanarFrame<S>& f, S (&strains)[planar_strain_count],
                          S (&stress)[planar_strain_count]) noexcept {
     planar_frame(data.shape, nodes, f);
@@ -232,8 +233,8 @@ inline void planar_state(const PlanarStation<T, Layout>& data, const PlanarNodes
 
 /// Adds a station's energy and gradient; `Second` adds the Hessian as well.
 /// @param predicted  stresses to take instead of its own; null: its own
-template <bool Second, class Measure, class T, class S, class Layout>
-inline void add_planar_station(const PlanarStation<T, Layout>& data,
+template <bool Second, class Measure, class S, class Layout>
+inline void add_planar_station(const PlanarStation<Layout>& data,
                                const PlanarNodes<S, Layout>& nodes, PlanarSums<S, Layout>& sums,
                                const S* predicted = nullptr) noexcept {
     PlanarFrame<S> f;
@@ -272,8 +273,8 @@ struct PlanarAxial {
     S strain, stress;
 };
 
-template <class T, class S, class Layout>
-[[nodiscard]] inline PlanarAxial<S> planar_axial(const AxialStationData<T, Layout::line>& data,
+template <class S, class Layout>
+[[nodiscard]] inline PlanarAxial<S> planar_axial(const AxialStationData<double, Layout::line>& data,
                                                  const PlanarNodes<S, Layout>& nodes) noexcept {
     PlanarAxial<S> at;
     for (int k = 0; k < 2; ++k) at.p[k] = planar_line(data.p, nodes.v, k);
@@ -283,8 +284,8 @@ template <class T, class S, class Layout>
 }
 
 /// Adds an axial station, as add_planar_station() does.
-template <bool Second, class T, class S, class Layout>
-inline void add_planar_axial(const AxialStationData<T, Layout::line>& data,
+template <bool Second, class S, class Layout>
+inline void add_planar_axial(const AxialStationData<double, Layout::line>& data,
                              const PlanarNodes<S, Layout>& nodes, PlanarSums<S, Layout>& sums,
                              const S* predicted = nullptr) noexcept {
     const PlanarAxial<S> at = planar_axial(data, nodes);

@@ -23,8 +23,6 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <memory>
-
 namespace ancf {
 
 /// What may be chosen for a TorsionBeam.
@@ -121,10 +119,8 @@ private:
 template <class S>
 detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
                                            detail::Invariants<S>& w) const noexcept {
-    detail::TorsionNodes<S> nodes;
-    detail::torsion_nodes(e, nodes);
     detail::CarriedFrame<S> f;
-    detail::torsion_frame(line_.shape(xi), nodes, f, w);
+    detail::torsion_frame(line_.shape(xi), detail::TorsionNodes<S>(e), f, w);
     return f;
 }
 

@@ -88,8 +88,7 @@ ANCF_LAZY bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
         if (!(g.norm() > smallest && a.norm() > smallest)) return false;
         if (!(cross(g, a).norm() > smallest * g.norm() * a.norm())) return false;
     }
-    detail::TorsionNodes<double> nodes;
-    detail::torsion_nodes(e, nodes);
+    const detail::TorsionNodes<double> nodes(e);
     for (const detail::TorsionStation& station : kernel_.stations) {
         detail::Vec3<double> p{};
         for (int a = 0; a < 3; ++a) detail::add(p, station.shape.p[a], nodes.vector[a]);
@@ -130,8 +129,7 @@ ANCF_LAZY SectionForces TorsionBeam::section_forces(const Coordinates& e,
 ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     const Coordinates& e, double xi, double y, double z) const noexcept {
     using namespace detail;
-    TorsionNodes<double> nodes;
-    torsion_nodes(e, nodes);
+    const TorsionNodes<double> nodes(e);
     const StationShape<double> shape = line_.shape(xi);
     TorsionState<double> at;
     torsion_state(shape, nodes, at);

@@ -14,7 +14,6 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/carried.hpp>
 #include <ancf/element/carried_hessian.hpp>
-#include <ancf/element/dual.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/invariants.hpp>
 #include <ancf/element/rate.hpp>
@@ -110,6 +109,18 @@ template <class S>
 struct TorsionNodes {
     Vec3<S> vector[torsion_vectors];
     NodalDirector<S> y[2];
+
+    explicit TorsionNodes(const Vector<S, 18>& e) noexcept {
+        for (int k = 0; k < 3; ++k) {
+            vector[tv_D][k] = e[9 + k] - e[k];
+            for (int node = 0; node < 2; ++node) {
+                vector[tv_g1 + node][k] = e[9 * node + 3 + k];
+                vector[tv_a1 + node][k] = e[9 * node + 6 + k];
+            }
+        }
+        for (int node = 0; node < 2; ++node)
+            y[node] = nodal_director(vector[tv_g1 + node], vector[tv_a1 + node]);
+    }
 };
 
 /// No state before a correction.
@@ -119,19 +130,6 @@ struct NoState {};
 template <class S, int Count>
 inline void predict(const Dual<S> (&before)[Count], S (&stress)[Count]) noexcept {
     for (int i = 0; i < Count; ++i) stress[i] = arrived(before[i]);
-}
-
-template <class S>
-inline void torsion_nodes(const Vector<S, 18>& e, TorsionNodes<S>& nodes) noexcept {
-    for (int k = 0; k < 3; ++k) {
-        nodes.vector[tv_D][k] = e[9 + k] - e[k];
-        for (int node = 0; node < 2; ++node) {
-            nodes.vector[tv_g1 + node][k] = e[9 * node + 3 + k];
-            nodes.vector[tv_a1 + node][k] = e[9 * node + 6 + k];
-        }
-    }
-    for (int node = 0; node < 2; ++node)
-        nodes.y[node] = nodal_director(nodes.vector[tv_g1 + node], nodes.vector[tv_a1 + node]);
 }
 
 /// Writes a form of p and p1 as a row.
@@ -303,8 +301,7 @@ inline constexpr int torsion_place[torsion_local] = {9,  10, 11, 3, 4,  5,  12, 
                                                      14, 6,  7,  8, 15, 16, 17};
 
 inline void TorsionKernel::set_reference(const Vector<double, 18>& e) noexcept {
-    TorsionNodes<double> nodes;
-    torsion_nodes(e, nodes);
+    const TorsionNodes<double> nodes(e);
     for (TorsionAxialStation& station : axial) {
         station.reference = 0.0;
         station.reference = station.strain(station.slope(nodes.vector));
@@ -482,8 +479,7 @@ S TorsionKernel::walk(const TorsionNodes<S>& nodes, const Before& before, Local<
 
 template <class S>
 S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
-    TorsionNodes<S> nodes;
-    torsion_nodes(e, nodes);
+    const TorsionNodes<S> nodes(e);
     Local<S> force = Local<S>::Zero();
     LocalMatrix<S> unused;
     S sum = add_axial<false>(nodes, NoState(), force, unused) +
@@ -501,8 +497,7 @@ S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
 
 template <class S>
 Vector<S, 18> TorsionKernel::force(const Vector<S, 18>& e) const noexcept {
-    TorsionNodes<S> nodes;
-    torsion_nodes(e, nodes);
+    const TorsionNodes<S> nodes(e);
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> unused;
     (void)walk<false>(nodes, NoState(), local, unused);
@@ -513,8 +508,7 @@ Vector<S, 18> TorsionKernel::force(const Vector<S, 18>& e) const noexcept {
 
 template <class S>
 Evaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e) const noexcept {
-    TorsionNodes<S> nodes;
-    torsion_nodes(e, nodes);
+    const TorsionNodes<S> nodes(e);
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
     Evaluation<S, 18> result;
@@ -527,10 +521,8 @@ Evaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e) const noexcept
 template <class S>
 MixedEvaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e, const Vector<S, 18>& before,
                                                const Vector<S, 18>& change) const noexcept {
-    TorsionNodes<S> nodes;
-    TorsionNodes<Dual<S>> along;
-    torsion_nodes(e, nodes);
-    torsion_nodes(course(before, change), along);
+    const TorsionNodes<S> nodes(e);
+    const TorsionNodes<Dual<S>> along(course(before, change));
     Local<S> local = Local<S>::Zero();
     LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
     MixedEvaluation<S, 18> result;

@@ -17,7 +17,6 @@
 #include <ancf/types.hpp>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -115,6 +114,23 @@ void connect_next(Scene& model, Beam<Element>& beam) {
         model.connect<Element>(beam.prototypes.back(), beam.nodes[k], beam.nodes[k + 1]));
 }
 
+template <class Element>
+using LineLoad = decltype(some<Element>().line_load(some<Vector<double, Element::dimension>>()));
+
+/// Returns the nodal force of a force per length; elements without a say in it are straight.
+template <class Element>
+[[nodiscard]] VectorX line_load(const Element& element,
+                                const Vector<double, Element::dimension>& force_per_length) {
+    if constexpr (offers<LineLoad, Element>) {
+        return element.line_load(force_per_length);
+    } else {
+        Moments line;  // a section of unit area on the axis alone
+        line.area = 1.0;
+        return gravity_force<Element::dimension>(
+            mass_weights<Element::fields.count()>(1.0, line, element.length()), force_per_length);
+    }
+}
+
 }  // namespace detail
 
 /// Adds a straight chain of equal elements with the given reference slopes.
@@ -172,27 +188,6 @@ template <class Element>
 [[nodiscard]] Coupling coupling_of(const Connection& connection) {
     return coupling_of(connection, Element::fields);
 }
-
-namespace detail {
-
-template <class Element>
-using LineLoad = decltype(some<Element>().line_load(some<Vector<double, Element::dimension>>()));
-
-/// Returns the nodal force of a force per length; elements without a say in it are straight.
-template <class Element>
-[[nodiscard]] VectorX line_load(const Element& element,
-                                const Vector<double, Element::dimension>& force_per_length) {
-    if constexpr (offers<LineLoad, Element>) {
-        return element.line_load(force_per_length);
-    } else {
-        Moments line;  // a section of unit area on the axis alone
-        line.area = 1.0;
-        return gravity_force<Element::dimension>(
-            mass_weights<Element::fields.count()>(1.0, line, element.length()), force_per_length);
-    }
-}
-
-}  // namespace detail
 
 /// Adds a dead force per reference length along a beam, N/m.
 /// @throws InvalidArgument unless every component is finite.

@@ -12,7 +12,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace ancf {
@@ -20,15 +19,13 @@ namespace ancf {
 ANCF_INLINE NodeId Chain::node(int place) const {
     detail::require(place >= 0 && place < static_cast<int>(nodes.size()), "Beam: there are ",
                     nodes.size(), " nodes, got place ", place);
-    return nodes[static_cast<std::size_t>(place)];
+    return nodes[place];
 }
 
 ANCF_INLINE Coupling coupling_of(const Connection& connection, Fields fields) {
     Coupling coupling;
     for (const NodeId node : {connection.first, connection.second})
-        for (int k = 0; k < field_count; ++k)
-            if (fields.contains(static_cast<Field>(k)))
-                coupling.push_back({node, static_cast<Field>(k)});
+        for (int k = 0; k < fields.count(); ++k) coupling.push_back({node, fields.at(k)});
     return coupling;
 }
 

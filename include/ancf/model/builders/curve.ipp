@@ -143,22 +143,12 @@ std::vector<NodeId> add_curve_nodes(BasicModel<Dimension>& model,
 template <int Dimension>
 void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
                            const CurvePoint<Dimension>& second, double* e) {
-    for (const auto* point : {&first, &second})
-        for (int k = 0; k < field_count; ++k) {
-            const auto field = static_cast<Field>(k);
-            if (!fields.contains(field)) continue;
-            if constexpr (Dimension == 2) {
-                if (field == Field::r_xy) {
-                    const Vector<double, 2> rate = turning_rate(point->slopes, point->curvature);
-                    e = std::copy_n(rate.data(), 2, e);
-                    continue;
-                }
-            }
-            for (int i = 0; i < Dimension; ++i)
-                *e++ = field == Field::r      ? point->position[i]
-                       : field == Field::r_xx ? point->curvature[i]
-                                              : point->slopes(i, k - 1);
-        }
+    for (const auto* point : {&first, &second}) {
+        const auto vectors =
+            node_vectors<Dimension>(point->position, point->slopes, point->curvature);
+        for (int k = 0; k < fields.count(); ++k)
+            e = std::copy_n(vectors.data() + 3 * static_cast<int>(fields.at(k)), Dimension, e);
+    }
 }
 
 #if defined(ANCF_SOURCE)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Builders of frames, lattices and nets: members between joints, without multipliers.
+/// Builders of frames, lattices, nets and lines with corners: members between joints, without
+/// multipliers.
 ///
 /// The ends of members are attached to the joints' nodes (Scene::attach). A joint of a frame has a
 /// stiff affine body of its own: docs/theory-frames.md says why.
@@ -13,8 +14,8 @@
 #include <ancf/element/joint/affine_joint.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
@@ -140,13 +141,13 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
     for (std::size_t k = 0; k < members.size(); ++k) {
         const Member& member = members[k];
         check_member(name, k, member, points.size(), profiles.size());
-        const auto& from = points[static_cast<std::size_t>(member.first)];
-        const auto& to = points[static_cast<std::size_t>(member.second)];
+        const auto& from = points[member.first];
+        const auto& to = points[member.second];
         const double apart = member_length(name, k, member, span(between<Dimension>(from, to)));
         const double length = apart / member.elements / (1.0 + strain);
         int prototype = made.find(member.profile, length);
         if (prototype < 0) {
-            const Profile& profile = profiles[static_cast<std::size_t>(member.profile)];
+            const Profile& profile = profiles[member.profile];
             prototype = static_cast<int>(prototypes.size());
             prototypes.push_back(Element(profile.material, profile.section, length, options...));
             made.add(member.profile, length, prototype);
@@ -160,16 +161,16 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         first = model.add_prototype(std::move(prototypes[k])) - static_cast<int>(k);
     for (std::size_t k = 0; k < members.size(); ++k) {
         const Member& member = members[k];
-        const auto& from = points[static_cast<std::size_t>(member.first)];
-        const auto& to = points[static_cast<std::size_t>(member.second)];
+        const auto& from = points[member.first];
+        const auto& to = points[member.second];
         Beam<Element>& beam = frame.members.emplace_back();
         beam.prototypes.push_back(first + prototype_of[k]);
         auto slopes = member_slopes(Vector<double, Dimension>(to - from), y_axis);
         for (int i = 0; i < Dimension; ++i) slopes(i, 0) *= 1.0 + strain;
         beam.nodes = add_nodes_between<Dimension>(model, from, to, slopes, member.elements);
         for (int i = 0; i < member.elements; ++i) connect_next(model, beam);
-        model.attach(beam.first(), frame.joints[static_cast<std::size_t>(member.first)]);
-        model.attach(beam.last(), frame.joints[static_cast<std::size_t>(member.second)]);
+        model.attach(beam.first(), frame.joints[member.first]);
+        model.attach(beam.last(), frame.joints[member.second]);
     }
     return frame;
 }
@@ -206,8 +207,7 @@ auto frame(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     std::vector<detail::JointBlock> blocks(points.size());
     for (const Member& member : members)
         for (const int joint : {member.first, member.second})
-            blocks[static_cast<std::size_t>(joint)].add(
-                profiles[static_cast<std::size_t>(member.profile)]);
+            blocks[joint].add(profiles[member.profile]);
     detail::BodyPrototypes made;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (blocks[k].volume > 0.0)
@@ -235,6 +235,25 @@ auto net(BasicModel<Dimension>& model, const std::vector<Profile>& profiles,
     return detail::add_members<Chosen>("net", model, profiles, points, members,
                                        Vector<double, Dimension>(Vector<double, Dimension>::Zero()),
                                        net_options.strain, element...);
+}
+
+/// Adds straight beams through points, each of `elements` elements, joined rigidly at the corners
+/// as frame() does.
+///
+/// The section's y axis of each piece follows reference_slopes() of its direction. The ends of the
+/// line are attached to joints as well: hold and load `joints`.
+/// @return the points' joints, and a member for each two neighbouring points, in order.
+/// @throws InvalidArgument for fewer than two points, points that coincide or no elements.
+template <class Element = void, int Dimension, class... Options>
+auto polyline(BasicModel<Dimension>& model, const Material& material, const Section& section,
+              const std::vector<typename BasicModel<Dimension>::Point>& through, int elements,
+              const Options&... options) {
+    detail::require(through.size() >= 2, "polyline: at least two points are needed, got ",
+                    through.size());
+    std::vector<Member> members;
+    for (int k = 0; k + 1 < static_cast<int>(through.size()); ++k)
+        members.push_back({k, k + 1, 0, elements});
+    return frame<Element>(model, {{material, section}}, through, members, {}, options...);
 }
 
 }  // namespace ancf

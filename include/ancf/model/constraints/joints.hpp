@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents.
+/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents; and
+/// sections that keep their shape, as Reissner's beam has them.
 ///
 /// Each holds the nodes' positions together and some angles between their frames by bilinear forms
 /// of the frames' axes. Axes are given in global components as they stand when the joint is made;
 /// the joint keeps them fixed in the frames. Equations in m come first, with multipliers in N, then
 /// those of angles (sines and cosines), with multipliers in N m. Sines grow beyond pi/3 until pi
-/// (turn.hpp): no joint holds half a turn off.
+/// (frames.hpp): no joint holds half a turn off.
 
 #pragma once
 
@@ -16,14 +17,15 @@
 #include <ancf/element/vec3.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -83,7 +85,7 @@ struct Forms;
 
 /// Positions held together (where asked) and angles of two frames held at zero.
 ///
-/// The equations are F s_k with bilinear forms s_k. F is that of turn.hpp at a form c, the cosine
+/// The equations are F s_k with bilinear forms s_k. F is that of frames.hpp at a form c, the cosine
 /// of the angle whose sine is |s|, or 1 where there is no such form.
 class FrameJoint {
 public:
@@ -106,6 +108,8 @@ public:
 
 protected:
     FrameJoint(std::string what, JointSide a, JointSide b, bool positions);
+    /// Holds the positions and the frames of two nodes or, without b, of a node and space.
+    FrameJoint(std::string what, const BasicModel<3>& model, const FrameAt& a, const FrameAt* b);
 
     /// Adds the equation sum C_ij A_i.B_j = constant.
     void add_form(const Block<double>& coefficients, double constant = 0.0);
@@ -159,15 +163,18 @@ public:
     /// @param axis  in global components, as the model stands.
     /// @throws InvalidArgument for an axis of no length, equal nodes or a node without a frame.
     Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
-             const VectorArgument<3>& axis);
+             const VectorArgument<3>& axis)
+        : Revolute(model, a, &b, axis) {}
 
     /// A hinge to space, at the place where the node stands.
     /// @param axis  in global components, as the model stands.
     /// @throws InvalidArgument for an axis of no length or a node without a frame.
-    Revolute(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis);
+    Revolute(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis)
+        : Revolute(model, a, nullptr, axis) {}
 
 private:
-    void hold(const Vector<double, 3>& axis);
+    Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b,
+             const Vector<double, 3>& axis);
 };
 
 /// Positions and frames held together at the angle of the start; 6 equations.
@@ -177,11 +184,14 @@ private:
 class Weld : public detail::FrameJoint {
 public:
     /// @throws InvalidArgument for equal nodes or a node without a frame.
-    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b);
+    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b) : Weld(model, a, &b) {}
 
     /// A weld to space, as the node stands.
     /// @throws InvalidArgument for a node without a frame.
-    Weld(const BasicModel<3>& model, const FrameAt& a);
+    Weld(const BasicModel<3>& model, const FrameAt& a) : Weld(model, a, nullptr) {}
+
+private:
+    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b);
 };
 
 /// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
@@ -194,7 +204,8 @@ public:
     /// @throws InvalidArgument for an axis of no length, a motion that is not complete, equal nodes
     ///         or a node without a frame.
     DrivenRevolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
-                   const VectorArgument<3>& axis, Motion angle);
+                   const VectorArgument<3>& axis, Motion angle)
+        : DrivenRevolute(model, a, &b, axis, std::move(angle)) {}
 
     /// A driven hinge to space: the node turns by -angle(t) against space.
     /// @param axis   in global components, as the model stands.
@@ -202,10 +213,12 @@ public:
     /// @throws InvalidArgument for an axis of no length, a motion that is not complete or a node
     ///         without a frame.
     DrivenRevolute(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis,
-                   Motion angle);
+                   Motion angle)
+        : DrivenRevolute(model, a, nullptr, axis, std::move(angle)) {}
 
 private:
-    void hold(const Vector<double, 3>& axis, Motion angle);
+    DrivenRevolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b,
+                   const Vector<double, 3>& axis, Motion angle);
 };
 
 /// A universal (Cardan) joint: positions held together, and the angle between an axis of A and one
@@ -216,15 +229,18 @@ public:
     /// @throws InvalidArgument for axes of no length or parallel, equal nodes or a node without a
     ///         frame.
     Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
-              const VectorArgument<3>& axis_of_a, const VectorArgument<3>& axis_of_b);
+              const VectorArgument<3>& axis_of_a, const VectorArgument<3>& axis_of_b)
+        : Universal(model, a, &b, axis_of_a, axis_of_b) {}
 
     /// A universal joint to space.
     /// @throws InvalidArgument for axes of no length or parallel, or a node without a frame.
     Universal(const BasicModel<3>& model, const FrameAt& a, const VectorArgument<3>& axis_of_a,
-              const VectorArgument<3>& axis_of_space);
+              const VectorArgument<3>& axis_of_space)
+        : Universal(model, a, nullptr, axis_of_a, axis_of_space) {}
 
 private:
-    void hold(const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b);
+    Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b,
+              const Vector<double, 3>& axis_of_a, const Vector<double, 3>& axis_of_b);
 };
 
 /// The tangent r_x of a node kept in the direction that it has in another node's frame, or in
@@ -232,14 +248,43 @@ private:
 class AlignedTangent : public detail::FrameJoint {
 public:
     /// @throws InvalidArgument for equal nodes, a node without a frame or a tangent of no length.
-    AlignedTangent(const BasicModel<3>& model, const FrameAt& frame, NodeId tangent);
+    AlignedTangent(const BasicModel<3>& model, const FrameAt& frame, NodeId tangent)
+        : AlignedTangent(model, detail::JointSide::frame(model, frame), tangent) {}
 
     /// The direction kept in space.
     /// @throws InvalidArgument for a tangent of no length.
-    AlignedTangent(const BasicModel<3>& model, NodeId tangent);
+    AlignedTangent(const BasicModel<3>& model, NodeId tangent)
+        : AlignedTangent(model, detail::JointSide::space(model, tangent), tangent) {}
 
 private:
-    void hold();
+    AlignedTangent(const BasicModel<3>& model, detail::JointSide frame, NodeId tangent);
+};
+
+/// The section of a node held in shape: r_y and r_z of unit length and normal to each other;
+/// 3 equations, g = ((r_y.r_y - 1)/2, (r_z.r_z - 1)/2, r_y.r_z).
+///
+/// Bending aside of the slopes shears a section in its plane by E I kappa^2/(2 k G A), which counts
+/// where a beam is bent to a radius of a few of its depths.
+class RigidSection {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    /// Holds the section of a node that carries r_y and r_z.
+    explicit RigidSection(NodeId node) : node_(node) {}
+
+    /// @{
+    /// As of every constraint, see AnyConstraint.
+    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_y}, {node_, Field::r_z}}; }
+    [[nodiscard]] int equations() const { return 3; }
+    [[nodiscard]] std::string name() const;
+    template <class Scalar>
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
+
+private:
+    NodeId node_;
 };
 
 }  // namespace ancf

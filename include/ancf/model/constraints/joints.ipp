@@ -7,10 +7,10 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/joints.hpp>
-#include <ancf/model/constraints/turn.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 
@@ -176,6 +176,12 @@ ANCF_INLINE FrameJoint::FrameJoint(std::string what, JointSide a, JointSide b, b
             "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
 }
 
+ANCF_INLINE FrameJoint::FrameJoint(std::string what, const BasicModel<3>& model, const FrameAt& a,
+                                   const FrameAt* b)
+    : FrameJoint(std::move(what), JointSide::frame(model, a),
+                 b == nullptr ? JointSide::space(model, a.node) : JointSide::frame(model, *b),
+                 true) {}
+
 ANCF_INLINE void FrameJoint::add_form(const Block<double>& coefficients, double constant) {
     sines_.push_back(coefficients);
     constants_.push_back(constant);
@@ -307,105 +313,85 @@ ANCF_CONSTRAINT_INSTANCES(FrameJoint)
 
 }  // namespace detail
 
-ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
-                               const VectorArgument<3>& axis)
-    : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::frame(model, b), true) {
-    hold(axis);
-}
-
-ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a,
-                               const VectorArgument<3>& axis)
-    : FrameJoint("revolute joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::space(model, a.node), true) {
-    hold(axis);
-}
-
-ANCF_INLINE void Revolute::hold(const Vector<double, 3>& axis) {
+ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b,
+                               const Vector<double, 3>& axis)
+    : FrameJoint("revolute joint", model, a, b) {
     const detail::Vec3<double> unit = detail::unit_axis("Revolute", axis);
-    const detail::Vec3<double> w = detail::turned_back(a().axes, unit);
+    const detail::Vec3<double> w = detail::turned_back(this->a().axes, unit);
     for (const detail::Vec3<double>& normal : detail::normals_of(unit))
-        add_form(detail::outer(w, detail::turned_back(b().axes, normal)));
-    hold_angle(detail::outer(w, detail::turned_back(b().axes, unit)));
+        add_form(detail::outer(w, detail::turned_back(this->b().axes, normal)));
+    hold_angle(detail::outer(w, detail::turned_back(this->b().axes, unit)));
 }
 
-ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b)
-    : FrameJoint("weld", detail::JointSide::frame(model, a), detail::JointSide::frame(model, b),
-                 true) {
-    hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
-}
-
-ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a)
-    : FrameJoint("weld", detail::JointSide::frame(model, a),
-                 detail::JointSide::space(model, a.node), true) {
+ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b)
+    : FrameJoint("weld", model, a, b) {
     hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
 }
 
 ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
-                                           const FrameAt& b, const VectorArgument<3>& axis,
+                                           const FrameAt* b, const Vector<double, 3>& axis,
                                            Motion angle)
-    : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::frame(model, b), true) {
-    hold(axis, std::move(angle));
-}
-
-ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
-                                           const VectorArgument<3>& axis, Motion angle)
-    : FrameJoint("driven revolute joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::space(model, a.node), true) {
-    hold(axis, std::move(angle));
-}
-
-ANCF_INLINE void DrivenRevolute::hold(const Vector<double, 3>& axis, Motion angle) {
+    : FrameJoint("driven revolute joint", model, a, b) {
     angle.check("DrivenRevolute");
-    hold_turn(detail::turned_back(a().axes, detail::unit_axis("DrivenRevolute", axis)),
+    hold_turn(detail::turned_back(this->a().axes, detail::unit_axis("DrivenRevolute", axis)),
               std::move(angle));
 }
 
-ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b,
-                                 const VectorArgument<3>& axis_of_a,
-                                 const VectorArgument<3>& axis_of_b)
-    : FrameJoint("universal joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::frame(model, b), true) {
-    hold(axis_of_a, axis_of_b);
-}
-
-ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a,
-                                 const VectorArgument<3>& axis_of_a,
-                                 const VectorArgument<3>& axis_of_space)
-    : FrameJoint("universal joint", detail::JointSide::frame(model, a),
-                 detail::JointSide::space(model, a.node), true) {
-    hold(axis_of_a, axis_of_space);
-}
-
-ANCF_INLINE void Universal::hold(const Vector<double, 3>& axis_of_a,
-                                 const Vector<double, 3>& axis_of_b) {
+ANCF_INLINE Universal::Universal(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b,
+                                 const Vector<double, 3>& axis_of_a,
+                                 const Vector<double, 3>& axis_of_b)
+    : FrameJoint("universal joint", model, a, b) {
     const detail::Vec3<double> u = detail::unit_axis("Universal", axis_of_a);
     const detail::Vec3<double> w = detail::unit_axis("Universal", axis_of_b);
     detail::require(length(cross(u, w)) > 1e-3, "Universal: the axes must not be parallel, got ",
                     detail::components(axis_of_a), " and ", detail::components(axis_of_b));
-    add_form(detail::outer(detail::turned_back(a().axes, u), detail::turned_back(b().axes, w)),
+    add_form(detail::outer(detail::turned_back(this->a().axes, u),
+                           detail::turned_back(this->b().axes, w)),
              dot(u, w));
 }
 
-ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, const FrameAt& frame,
+ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, detail::JointSide frame,
                                            NodeId tangent)
-    : FrameJoint("aligned tangent", detail::JointSide::frame(model, frame),
-                 detail::JointSide::tangent(model, tangent), false) {
-    hold();
-}
-
-ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, NodeId tangent)
-    : FrameJoint("aligned tangent", detail::JointSide::space(model, tangent),
-                 detail::JointSide::tangent(model, tangent), false) {
-    hold();
-}
-
-ANCF_INLINE void AlignedTangent::hold() {
+    : FrameJoint("aligned tangent", std::move(frame), detail::JointSide::tangent(model, tangent),
+                 false) {
     const detail::Vec3<double> t = b().axes[0];
     for (const detail::Vec3<double>& normal : detail::normals_of(t))
         add_form(detail::outer(detail::turned_back(a().axes, normal), {{1.0, 0.0, 0.0}}));
     hold_angle(detail::outer(detail::turned_back(a().axes, t), {{1.0, 0.0, 0.0}}));
 }
+
+ANCF_INLINE std::string RigidSection::name() const {
+    return "rigid section of node " + std::to_string(node_.index);
+}
+
+template <class Scalar>
+void RigidSection::terms(const DynamicVector<Scalar>& q, const Scalar& /*time*/,
+                         ConstraintTerms<Scalar>& out) const {
+    const auto y = detail::vec3<Scalar>(q), z = detail::vec3<Scalar>(q, 3);
+    out.violation[0] = Scalar(0.5) * (dot(y, y) - Scalar(1.0));
+    out.violation[1] = Scalar(0.5) * (dot(z, z) - Scalar(1.0));
+    out.violation[2] = dot(y, z);
+    for (int k = 0; k < 3; ++k) {
+        out.jacobian(0, k) = out.jacobian(2, 3 + k) = y[k];
+        out.jacobian(1, 3 + k) = out.jacobian(2, k) = z[k];
+    }
+}
+
+ANCF_INLINE void RigidSection::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+    terms(at.q, at.time, out);
+    const auto dy = detail::vec3<double>(at.v), dz = detail::vec3<double>(at.v, 3);
+    out.convection[0] = dot(dy, dy);
+    out.convection[1] = dot(dz, dz);
+    out.convection[2] = 2.0 * dot(dy, dz);
+    for (int k = 0; k < 3; ++k) {
+        out.stiffness(k, k) = at.multipliers[0];
+        out.stiffness(3 + k, 3 + k) = at.multipliers[1];
+        out.stiffness(k, 3 + k) = out.stiffness(3 + k, k) = at.multipliers[2];
+    }
+}
+
+#if defined(ANCF_SOURCE)
+ANCF_CONSTRAINT_INSTANCES(RigidSection)
+#endif
 
 }  // namespace ancf

@@ -5,19 +5,20 @@
 /// Joints of the plane: welds at any angle and driven hinges. A hinge of the plane is a Pin<2>.
 ///
 /// The angle th of a slope p has dth = (p x dp)/|p|^2. The joint holds F sin psi = 0 with
-/// psi = th_b - th_a - phi(t) and the factor of turn.hpp, without which psi = pi were a root too.
+/// psi = th_b - th_a - phi(t) and the factor of frames.hpp, without which psi = pi were a root too.
 
 #pragma once
 
 #include <ancf/element/fields.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace ancf {
 
@@ -30,38 +31,43 @@ public:
     ///               node carries it, and r_x elsewhere.
     /// @throws InvalidArgument for equal nodes, the field r, a slope of no length or a motion that
     ///         is not complete.
-    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {});
+    PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, b, detail::resting_at(0.0), slope) {}
 
     /// As above, the angle driven.
     /// @param angle  counterclockwise from the direction of a to that of b, rad; added to the
     ///               angle of the start.
     PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
-               std::optional<Field> slope = {});
+               std::optional<Field> slope = {})
+        : PlanarWeld(model, a, &b, std::move(angle), slope) {}
 
     /// A weld to space, at the node's place.
-    explicit PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope = {});
+    explicit PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, detail::resting_at(0.0), slope) {}
 
     /// A driven hinge to space: the node turns by -angle(t).
-    PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {});
+    PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle, std::optional<Field> slope = {})
+        : PlanarWeld(model, a, nullptr, std::move(angle), slope) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const;
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 3; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
 
     /// Returns the angle that it is driven to, rad.
     [[nodiscard]] double driven_angle(double time) const { return angle_.value(time); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
+    // Without b it holds a to space.
+    PlanarWeld(const BasicModel<2>& model, NodeId a, const NodeId* b, Motion angle,
+               std::optional<Field> slope);
+
     // F sin psi and its derivatives with respect to psi = th_b - th_a - start - phi; of complex
     // numbers the second is not continued.
     template <class Scalar>

@@ -8,8 +8,8 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/planar.hpp>
-#include <ancf/model/constraints/turn.hpp>
 #include <ancf/model/triad.hpp>
 #include <ancf/types.hpp>
 
@@ -41,38 +41,20 @@ ANCF_INLINE double planar_heading(const BasicModel<2>& model, NodeId node, Field
 
 }  // namespace detail
 
-ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b,
-                                   std::optional<Field> slope)
-    : PlanarWeld(model, a, b, detail::resting_at(0.0), slope) {}
-
-ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, NodeId b, Motion angle,
-                                   std::optional<Field> slope)
+ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, const NodeId* b,
+                                   Motion angle, std::optional<Field> slope)
     : a_(a),
-      b_(b),
-      to_space_(false),
-      slope_a_(detail::planar_slope(model, a, slope)),
-      slope_b_(detail::planar_slope(model, b, slope)),
+      b_(b == nullptr ? a : *b),
+      to_space_(b == nullptr),
+      slope_a_(detail::planar_slope(model, a_, slope)),
+      slope_b_(detail::planar_slope(model, b_, slope)),
       angle_(std::move(angle)) {
-    detail::require(a != b, "PlanarWeld: two nodes are joined, got node ", a.index, " twice");
+    detail::require(to_space_ || a_ != b_, "PlanarWeld: two nodes are joined, got node ", a.index,
+                    " twice");
     angle_.check("PlanarWeld");
-    start_ =
-        detail::planar_heading(model, b, slope_b_) - detail::planar_heading(model, a, slope_a_);
-}
-
-ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, std::optional<Field> slope)
-    : PlanarWeld(model, a, detail::resting_at(0.0), slope) {}
-
-ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, Motion angle,
-                                   std::optional<Field> slope)
-    : a_(a),
-      b_(a),
-      to_space_(true),
-      slope_a_(detail::planar_slope(model, a, slope)),
-      slope_b_(slope_a_),
-      angle_(std::move(angle)) {
-    angle_.check("PlanarWeld");
-    place_ = model.position(a);
-    start_ = -detail::planar_heading(model, a, slope_a_);
+    if (to_space_) place_ = model.position(a);
+    if (!to_space_) start_ = detail::planar_heading(model, b_, slope_b_);
+    start_ -= detail::planar_heading(model, a_, slope_a_);
 }
 
 ANCF_INLINE Coupling PlanarWeld::coupling() const {

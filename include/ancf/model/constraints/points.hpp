@@ -13,7 +13,7 @@
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/constraints/motion.hpp>
-#include <ancf/model/node.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
@@ -44,30 +44,14 @@ namespace detail {
 [[nodiscard]] MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
                                           double length, double xi);
 
-}  // namespace detail
-
-/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation, of fifth
-/// degree where nodes have r_xx.
-/// @param element  index in the model's group of that type.
-/// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
-template <class Element>
-[[nodiscard]] MaterialPoint point_along(const Scene& model, int element, double xi) {
-    static_assert(Element::fields.contains(Field::r | Field::r_x),
-                  "a point along an element needs r and r_x at its nodes");
-    const auto& group = model.group<Element>();
-    constexpr bool quintic = Element::fields.contains(Field::r_xx);
-    return detail::point_of_line(group.connection(element), element, quintic,
-                                 detail::parameter_length(group.element(element)), xi);
-}
-
-namespace detail {
-
 /// The difference d = P_a - P_b of two points, the second of the scene or on a given path.
 template <int Dimension>
 class PointPair {
 public:
     PointPair(MaterialPoint a, MaterialPoint b);
     PointPair(MaterialPoint a, PointMotion<Dimension> path);
+    /// @param user  for the message where the place is not finite
+    PointPair(MaterialPoint a, const Vector<double, Dimension>& place, const char* user);
 
     [[nodiscard]] Coupling coupling() const;
     [[nodiscard]] std::string names() const;
@@ -99,6 +83,20 @@ private:
 
 }  // namespace detail
 
+/// Returns the point of an element's centre line at xi in [0, 1] by Hermite interpolation, of fifth
+/// degree where nodes have r_xx.
+/// @param element  index in the model's group of that type.
+/// @throws InvalidArgument for an element that does not exist or xi outside [0, 1].
+template <class Element>
+[[nodiscard]] MaterialPoint point_along(const Scene& model, int element, double xi) {
+    static_assert(Element::fields.contains(Field::r | Field::r_x),
+                  "a point along an element needs r and r_x at its nodes");
+    const auto& group = model.group<Element>();
+    constexpr bool quintic = Element::fields.contains(Field::r_xx);
+    return detail::point_of_line(group.connection(element), element, quintic,
+                                 detail::parameter_length(group.element(element)), xi);
+}
+
 /// One coordinate held by a multiplier or driven: g = e - f(t), m or 1.
 ///
 /// Its multiplier is the support's reaction. Model::fix removes the coordinate instead and is
@@ -114,19 +112,16 @@ public:
     /// Drives a component.
     FixedCoordinate(NodeId node, Field field, int component, Motion motion);
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return {at_}; }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const;
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     NodeField at_;
@@ -143,7 +138,8 @@ public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the place is finite.
-    Pin(MaterialPoint a, const VectorArgument<Dimension>& place);
+    Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
+        : points_(std::move(a), place, "Pin") {}
 
     /// @throws InvalidArgument if both are the same node.
     Pin(MaterialPoint a, MaterialPoint b) : points_(std::move(a), std::move(b)) {}
@@ -151,19 +147,16 @@ public:
     /// @throws InvalidArgument unless value, rate and acceleration are given.
     Pin(MaterialPoint a, PointMotion<Dimension> path) : points_(std::move(a), std::move(path)) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return Dimension; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "pin of " + points_.names(); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
     detail::PointPair<Dimension> points_;
@@ -183,42 +176,45 @@ public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the length is positive and the place finite.
-    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length);
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, double length)
+        : Distance(Points(std::move(a), place, "Distance"), length) {}
 
     /// @throws InvalidArgument unless the length is positive, or if both are the same node.
-    Distance(MaterialPoint a, MaterialPoint b, double length);
+    Distance(MaterialPoint a, MaterialPoint b, double length)
+        : Distance(Points(std::move(a), std::move(b)), length) {}
 
     /// @throws InvalidArgument unless the length is positive and the path complete.
-    Distance(MaterialPoint a, PointMotion<Dimension> path, double length);
+    Distance(MaterialPoint a, PointMotion<Dimension> path, double length)
+        : Distance(Points(std::move(a), std::move(path)), length) {}
 
     /// A link whose length follows a motion, m.
     /// @throws InvalidArgument unless the motion is complete, or if both are the same node.
-    Distance(MaterialPoint a, MaterialPoint b, Motion length);
+    Distance(MaterialPoint a, MaterialPoint b, Motion length)
+        : Distance(Points(std::move(a), std::move(b)), std::move(length)) {}
 
     /// A link to a place whose length follows a motion, m.
     /// @throws InvalidArgument unless the place is finite and the motion complete.
-    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length);
+    Distance(MaterialPoint a, const VectorArgument<Dimension>& place, Motion length)
+        : Distance(Points(std::move(a), place, "Distance"), std::move(length)) {}
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return 1; }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "distance between " + points_.names(); }
-
-    /// Writes g, G and g_t.
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
+    /// @}
 
 private:
-    Distance(detail::PointPair<Dimension> points, double length);
+    using Points = detail::PointPair<Dimension>;
 
-    static void require_place(const Vector<double, Dimension>& place);
+    Distance(Points points, double length);
+    Distance(Points points, Motion length);
 
-    detail::PointPair<Dimension> points_;
+    Points points_;
     Motion length_;
 };
 
@@ -248,18 +244,15 @@ public:
         }
     }
 
-    /// Returns the nodal vectors it acts on.
+    /// @{
+    /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return constraint_.coupling(); }
-    /// Returns the number of equations.
     [[nodiscard]] int equations() const { return constraint_.equations(); }
-    /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return "driven " + constraint_.name(); }
     /// Returns the angle that the constraint itself is driven to, rad.
     [[nodiscard]] double driven_angle(double time) const {
         return detail::driven_angle(constraint_, time);
     }
-
-    /// Writes g, G and g_t.
     template <class Scalar, class Held = Constraint>
     auto terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const
@@ -267,14 +260,13 @@ public:
         constraint_.terms(q, time, out);
         drive(time, out);
     }
-
-    /// Evaluates it where it stands.
     void evaluate(const ConstraintState& at, ConstraintResult& out) const {
         constraint_.evaluate(at, out);
         drive(at.time, out);
         for (const auto& [equation, motion] : motions_)
             out.convection[equation] -= motion.acceleration(at.time);
     }
+    /// @}
 
 private:
     /// Takes f and its rate off g and g_t.

@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +66,13 @@ PointPair<Dimension>::PointPair(MaterialPoint a, PointMotion<Dimension> path)
     : a_(std::move(a)), path_(std::move(path)), weights_(a_.weights) {
     check(a_);
     path_->check("a point on a path");
+}
+
+template <int Dimension>
+PointPair<Dimension>::PointPair(MaterialPoint a, const Vector<double, Dimension>& place,
+                                const char* user)
+    : PointPair(std::move(a), PointMotion<Dimension>::at_rest(place)) {
+    require(all_finite(place), user, ": the place must be finite, got ", components(place));
 }
 
 template <int Dimension>
@@ -161,13 +167,6 @@ void FixedCoordinate<Dimension>::evaluate(const ConstraintState& at, ConstraintR
 }
 
 template <int Dimension>
-Pin<Dimension>::Pin(MaterialPoint a, const VectorArgument<Dimension>& place)
-    : points_(std::move(a), PointMotion<Dimension>::at_rest(place)) {
-    detail::require(detail::all_finite(place), "Pin: the place must be finite, got ",
-                    detail::components(place));
-}
-
-template <int Dimension>
 template <class Scalar>
 void Pin<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& time,
                            ConstraintTerms<Scalar>& out) const {
@@ -185,45 +184,15 @@ void Pin<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) 
 }
 
 template <int Dimension>
-Distance<Dimension>::Distance(detail::PointPair<Dimension> points, double length)
-    : points_(std::move(points)), length_(detail::resting_at(length)) {
+Distance<Dimension>::Distance(Points points, double length)
+    : Distance(std::move(points), detail::resting_at(length)) {
     detail::require_positive("Distance: length", length);
 }
 
 template <int Dimension>
-Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& place,
-                              double length)
-    : Distance(detail::PointPair<Dimension>(std::move(a), PointMotion<Dimension>::at_rest(place)),
-               length) {
-    require_place(place);
-}
-
-template <int Dimension>
-Distance<Dimension>::Distance(MaterialPoint a, MaterialPoint b, double length)
-    : Distance(detail::PointPair<Dimension>(std::move(a), std::move(b)), length) {}
-
-template <int Dimension>
-Distance<Dimension>::Distance(MaterialPoint a, PointMotion<Dimension> path, double length)
-    : Distance(detail::PointPair<Dimension>(std::move(a), std::move(path)), length) {}
-
-template <int Dimension>
-Distance<Dimension>::Distance(MaterialPoint a, MaterialPoint b, Motion length)
-    : points_(std::move(a), std::move(b)), length_(std::move(length)) {
+Distance<Dimension>::Distance(Points points, Motion length)
+    : points_(std::move(points)), length_(std::move(length)) {
     length_.check("Distance");
-}
-
-template <int Dimension>
-Distance<Dimension>::Distance(MaterialPoint a, const VectorArgument<Dimension>& place,
-                              Motion length)
-    : points_(std::move(a), PointMotion<Dimension>::at_rest(place)), length_(std::move(length)) {
-    require_place(place);
-    length_.check("Distance");
-}
-
-template <int Dimension>
-void Distance<Dimension>::require_place(const Vector<double, Dimension>& place) {
-    detail::require(detail::all_finite(place), "Distance: the place must be finite, got ",
-                    detail::components(place));
 }
 
 template <int Dimension>

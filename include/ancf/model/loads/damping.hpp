@@ -60,6 +60,10 @@ void add_rayleigh_damping(Scene& model, const ElementGroup& group, const std::ve
 void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements, double c,
               const Amplitude& amplitude);
 
+/// Of an element that has derivatives of its damping.
+template <class Element>
+using Viscous = decltype(&Element::template viscous<>);
+
 }  // namespace detail
 
 /// Adds Rayleigh damping D = a M + b K0 to a beam, K0 the tangent where the model stands.
@@ -82,14 +86,6 @@ template <class Element>
 void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude& amplitude = {}) {
     detail::add_drag(model, model.group<Element>(), beam.elements, c, amplitude);
 }
-
-namespace detail {
-
-/// Of an element that has derivatives of its damping.
-template <class Element>
-using Viscous = decltype(&Element::template viscous<>);
-
-}  // namespace detail
 
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
 ///

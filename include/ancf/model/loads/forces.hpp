@@ -6,8 +6,8 @@
 
 #pragma once
 
+#include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 

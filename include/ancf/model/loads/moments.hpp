@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Moments on one slope of a node, with their exact stiffness.
+/// Moments on one slope or on the frame of a node, and forces that follow a frame, with their exact
+/// stiffness.
 ///
 /// A moment acts on slopes, so its generalised force depends on them. docs/theory-statics.md
 /// derives each.
@@ -10,8 +11,8 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
-#include <ancf/model/node.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
@@ -104,6 +105,79 @@ public:
 private:
     NodeId node_;
     Vector<double, 3> moment_;
+};
+
+/// Whether a load keeps its direction in space or its components in the node's frame.
+enum class Attachment { space, frame };
+
+/// A moment vector on the frame (t, n, c) of a node's section, t normal to r_y and r_z, n and c
+/// between them, N m.
+///
+/// With u, w the unit vectors of r_y and r_z, s = |u x w|, t = u x w/s:
+///     Q_ry = (f m_t t x u - m.w/s t)/|r_y|,   Q_rz = ((1 - f) m_t t x w + m.u/s t)/|r_z|.
+/// The share f of r_y is Layout::torsion_share of the model when the moment is added.
+/// A node without r_z has the frame of its tangent, t along r_x:
+///     Q_rx = (m_c n - (m_n + alpha m_t) c)/|r_x|,   Q_ry = m_t c/|r_y normal to t|
+/// with alpha the slope of r_y against the normal plane. Either way sum slope x Q = m.
+class Moment {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    /// @param moment  in global axes (space) or in (t, n, c) (frame), N m.
+    /// @throws InvalidArgument unless the moment is finite.
+    Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment = Attachment::space);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const;
+
+    /// Takes the section of its node, where that has one; the model calls it.
+    /// @throws InvalidArgument for a node that carries no r_y.
+    void settle(const Layout& layout);
+
+    /// Returns the generalised force on (r_y, r_z) or, before it is in a model and for a node
+    /// without r_z, on (r_x, r_y), 6 x 1, N m.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 6> force(const Vector<Scalar, 6>& slopes) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    // The frame at a place, and the moment there in global axes.
+    template <class Scalar>
+    struct At;
+
+    NodeId node_;
+    Vector<double, 3> moment_;
+    Attachment attachment_;
+    bool on_section_ = false;
+    double share_ = 0.5;  ///< of r_y in a torque
+};
+
+/// A force that keeps its components in the frame (t, n, c) of its node, t along r_x, n the part of
+/// r_y normal to t, c = t x n, N.
+class FollowerForce {
+public:
+    static constexpr int dimension = 3;  ///< of the model it belongs to
+
+    /// @throws InvalidArgument unless the force is finite.
+    FollowerForce(NodeId node, const VectorArgument<3>& force);
+
+    /// Returns the nodal vectors it acts on.
+    [[nodiscard]] Coupling coupling() const {
+        return {{node_, Field::r}, {node_, Field::r_x}, {node_, Field::r_y}};
+    }
+
+    /// Returns the force in global axes at slopes (r_x, r_y), 3 x 1, N.
+    template <class Scalar>
+    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 6>& slopes) const;
+
+    /// Evaluates it where it stands.
+    void evaluate(const LoadState& state, LoadResult& out) const;
+
+private:
+    NodeId node_;
+    Vector<double, 3> force_;
 };
 
 }  // namespace ancf
