@@ -75,7 +75,7 @@ public:
         return by_chain_ || !general_ ? std::string() : general_->failure();
     }
 
-    /// The same for complex matrices.
+    /// The same for complex matrices; its general solver may be that of complex_solver_for.
     [[nodiscard]] ANCF_INLINE_VIRTUAL std::unique_ptr<ComplexSolver> complex_solver()
         const override;
 

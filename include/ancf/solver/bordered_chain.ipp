@@ -9,7 +9,6 @@
 #include <ancf/error.hpp>
 #include <ancf/solver/bordered_chain.hpp>
 #include <ancf/solver/conditioning.hpp>
-#include <ancf/solver/eigen_complex_lu.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <complex>
@@ -29,7 +28,10 @@ public:
     factorize(const std::vector<std::complex<double>>& values) override;
     ANCF_INLINE_VIRTUAL void solve(ComplexVectorX& b) const override;
     [[nodiscard]] std::string_view name() const noexcept override {
-        return is_chain_ ? "complex bordered-chain" : general_->name();
+        return is_chain_ || !general_ ? "complex bordered-chain" : general_->name();
+    }
+    void take_general(std::unique_ptr<ComplexSolver> general) override {
+        if (!general_) general_ = std::move(general);
     }
 
 private:
@@ -43,6 +45,7 @@ private:
 ANCF_INLINE void ComplexBorderedChain::analyze(const SparseMatrix& pattern) {
     require_storage(name(), pattern, Storage::full);
     is_chain_ = factors_.analyze(pattern);
+    require(is_chain_ || general_, name(), " has no general solver: see complex_solver_for");
     by_chain_ = analysed_ = false;
     pattern_ = pattern;
 }
@@ -52,6 +55,7 @@ ComplexBorderedChain::factorize(const std::vector<std::complex<double>>& values)
     by_chain_ =
         is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
     if (by_chain_) return Status::converged;
+    if (!general_) return Status::singular;
     if (!analysed_) general_->analyze(pattern_);
     analysed_ = true;
     return general_->factorize(values);
@@ -120,9 +124,8 @@ ANCF_INLINE void BorderedChain::solve(const VectorX& b, VectorX& x) const {
 }
 
 ANCF_INLINE std::unique_ptr<ComplexSolver> BorderedChain::complex_solver() const {
-    std::unique_ptr<ComplexSolver> general = general_ ? general_->complex_solver() : nullptr;
-    if (!general) general = std::make_unique<EigenComplexLu>(Storage::full);
-    return std::make_unique<detail::ComplexBorderedChain>(std::move(general));
+    return std::make_unique<detail::ComplexBorderedChain>(general_ ? general_->complex_solver()
+                                                                   : nullptr);
 }
 
 }  // namespace ancf

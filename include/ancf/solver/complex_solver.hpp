@@ -10,6 +10,7 @@
 #include <ancf/types.hpp>
 
 #include <complex>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,9 @@ public:
 
     /// The word that tables print.
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+
+    /// Takes a solver for what this one cannot factorise, before the first pattern.
+    virtual void take_general(std::unique_ptr<ComplexSolver> /*general*/) {}
 
 protected:
     ComplexSolver() = default;

@@ -16,6 +16,7 @@ namespace ancf {
 ANCF_LAZY std::unique_ptr<ComplexSolver> complex_solver_for(const LinearSolver& solver,
                                                             const SparseMatrix& pattern) {
     std::unique_ptr<ComplexSolver> result = solver.complex_solver();
+    if (result) result->take_general(std::make_unique<EigenComplexLu>(solver.storage()));
     if (!result && solver.storage() == Storage::lower && BlockTridiagonal::accepts(pattern))
         result = std::make_unique<ComplexBlockTridiagonal>();
     if (!result) result = std::make_unique<EigenComplexLu>(solver.storage());
