@@ -62,7 +62,7 @@ public:
     /// global axes; N and N m.
     /// @param constraint  place in Model::constraints().
     /// @throws InvalidArgument for a constraint that does not exist or does not hold the node.
-    void add_reaction(const std::string& name, int constraint, NodeId node);
+    ANCF_LAZY void add_reaction(const std::string& name, int constraint, NodeId node);
 
     /// Adds the force F and the moment M about the node that supports (pin, clamp, fix, prescribe)
     /// exert on it, in global axes; N and N m, not a number where they cannot be solved for.
@@ -70,7 +70,7 @@ public:
     /// One factorisation a row, however many nodes: DynamicProblem::reactions.
     /// @param problem  that of the run, which outlives the series.
     /// @throws InvalidArgument for a problem of another model or a node that no support holds.
-    void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
+    ANCF_LAZY void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
 
     /// Writes a row; before the first one, the header.
     /// @throws InvalidArgument for a name that would need quotes.
@@ -86,7 +86,7 @@ private:
 
     void add(const std::string& name, const std::vector<std::string>& parts, Append append);
     static void check_place(double xi);
-    [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
+    ANCF_LAZY [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 
     std::ostream& out_;

@@ -45,7 +45,7 @@ ANCF_INLINE void TimeSeries::check_place(double xi) {
     detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
 }
 
-ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, int constraint, NodeId node) {
+ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, int constraint, NodeId node) {
     const auto& constraints = model_.constraints();
     detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
                     "TimeSeries: there are ", constraints.size(), " constraints, got index ",
@@ -59,8 +59,8 @@ ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, int constrain
     });
 }
 
-ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, DynamicProblem& problem,
-                                          NodeId node) {
+ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem& problem,
+                                        NodeId node) {
     detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
                     " is that of another model");
     bool found = false;
@@ -76,7 +76,7 @@ ANCF_INLINE void TimeSeries::add_reaction(const std::string& name, DynamicProble
 }
 
 /// Returns -G^T lambda of one constraint, of all coordinates.
-ANCF_INLINE VectorX TimeSeries::constraint_force(int constraint, const State& state) const {
+ANCF_LAZY VectorX TimeSeries::constraint_force(int constraint, const State& state) const {
     const int dimension = model_.dimension();
     const auto& constraints = model_.constraints();
     int first = 0;

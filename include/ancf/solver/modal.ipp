@@ -46,7 +46,7 @@ public:
           forces_(VectorX::Zero(assembly.numbering().multipliers())) {}
 
     /// Sets the response to one unit of load, from the factorised tangent of the unloaded scene.
-    void respond(const LinearSolver& solver) {
+    ANCF_LAZY void respond(const LinearSolver& solver) {
         const Numbering& numbering = assembly_.numbering();
         VectorX load, response;
         numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0), load);
@@ -58,7 +58,8 @@ public:
     }
 
     /// Writes the change of the tangent per unit of load; returns the element that failed.
-    [[nodiscard]] std::optional<Fault> change(const SparseMatrix& unloaded, SparseMatrix& out) {
+    ANCF_LAZY [[nodiscard]] std::optional<Fault> change(const SparseMatrix& unloaded,
+                                                        SparseMatrix& out) {
         if (takes_stresses(model_)) {
             const Correction stresses{model_.state().q, deflection_};
             const auto fault = evaluate(1.0, model_.state().q, &stresses);

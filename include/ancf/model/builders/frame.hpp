@@ -91,8 +91,8 @@ struct JointBlock {
 using BodyPrototypes = std::map<std::array<double, 4>, int>;
 
 /// Gives a joint its body.
-void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
-                    BodyPrototypes& made);
+ANCF_LAZY void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
+                              BodyPrototypes& made);
 
 /// The prototypes of members that were made, by profile and length of an element.
 class MemberPrototypes {

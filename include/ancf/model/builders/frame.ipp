@@ -33,8 +33,8 @@ ANCF_INLINE void JointBlock::add(const Profile& profile) {
     if (profile.material.young > material.young) material = profile.material;
 }
 
-ANCF_INLINE void add_joint_body(Scene& model, NodeId joint, const JointBlock& block,
-                                double stiffness, BodyPrototypes& made) {
+ANCF_LAZY void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
+                              BodyPrototypes& made) {
     const auto add = [&](auto body) {
         using Body = decltype(body);
         const Material& of = block.material;

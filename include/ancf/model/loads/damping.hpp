@@ -21,9 +21,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -46,7 +44,7 @@ public:
     [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
 
     /// Evaluates it where it stands.
-    void evaluate(const LoadState& state, LoadResult& out) const;
+    ANCF_LAZY void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
     Coupling coupling_;
@@ -55,10 +53,11 @@ private:
 
 namespace detail {
 
-void add_rayleigh_damping(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
-                          double a, double b, const Amplitude& amplitude);
-void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements, double c,
-              const Amplitude& amplitude);
+ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
+                                    const std::vector<int>& elements, double a, double b,
+                                    const Amplitude& amplitude);
+ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+                        double c, const Amplitude& amplitude);
 
 /// Of an element that has derivatives of its damping.
 template <class Element>

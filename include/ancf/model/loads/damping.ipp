@@ -26,7 +26,7 @@ ANCF_INLINE LinearDamping::LinearDamping(Coupling coupling, MatrixX matrix)
                     " x ", matrix_.cols());
 }
 
-ANCF_INLINE void LinearDamping::evaluate(const LoadState& state, LoadResult& out) const {
+ANCF_LAZY void LinearDamping::evaluate(const LoadState& state, LoadResult& out) const {
     detail::require(matrix_.rows() == state.v.size(), "LinearDamping: ", state.v.size(),
                     " coordinates are coupled, the matrix has ", matrix_.rows(), " rows");
     out.force = -matrix_ * state.v;
@@ -35,9 +35,9 @@ ANCF_INLINE void LinearDamping::evaluate(const LoadState& state, LoadResult& out
 
 namespace detail {
 
-ANCF_INLINE void add_rayleigh_damping(Scene& model, const ElementGroup& group,
-                                      const std::vector<int>& elements, double a, double b,
-                                      const Amplitude& amplitude) {
+ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
+                                    const std::vector<int>& elements, double a, double b,
+                                    const Amplitude& amplitude) {
     for (const double factor : {a, b})
         require(std::isfinite(factor) && factor >= 0.0,
                 "add_rayleigh_damping: factors must be finite and not negative, got ", a, " and ",
@@ -75,8 +75,8 @@ ANCF_INLINE MatrixX line_mass(const ElementGroup& group, int prototype, int dime
     return mass;
 }
 
-ANCF_INLINE void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
-                          double c, const Amplitude& amplitude) {
+ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
+                        double c, const Amplitude& amplitude) {
     require(std::isfinite(c) && c >= 0.0,
             "add_drag: the drag must be finite and not negative, got ", c);
     const int node = group.dofs() / 2;
