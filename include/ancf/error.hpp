@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace ancf {
 
@@ -66,14 +67,10 @@ struct Components {
     std::ptrdiff_t count;
 };
 
-/// Returns the components of a vector, or the first of them, for a message.
+/// Returns the components of a vector for a message.
 template <class Vector>
 [[nodiscard]] Components components(const Vector& vector) noexcept {
     return {vector.data(), vector.size()};
-}
-template <class Vector>
-[[nodiscard]] Components components(const Vector& vector, std::ptrdiff_t count) noexcept {
-    return {vector.data(), count};
 }
 
 /// One part of a message: text, a letter, a number or a row of numbers.
@@ -129,10 +126,11 @@ template <class... Parts>
     reject_parts({MessagePart(parts)...});
 }
 
-/// Throws unless the condition holds.
+/// Throws unless the condition holds. Texts of all lengths share a function that throws.
 template <class... Parts>
 void require(bool condition, const Parts&... parts) {
-    if (!condition) reject(parts...);
+    if (!condition)
+        reject<std::conditional_t<std::is_array_v<Parts>, const char*, Parts>...>(parts...);
 }
 
 /// Throws unless the named value is finite.

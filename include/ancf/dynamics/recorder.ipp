@@ -90,7 +90,7 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     require(same_scene, who,
             ": the memory is of another scene: kinetic, strain and potential energy and the "
             "loads' power are ",
-            components(here, 4), " here, ", components(then, 4), " there");
+            Components{here.data(), 4}, " here, ", Components{then.data(), 4}, " there");
     require(!differ(4) && !differ(5), who,
             ": the memory is of another scene: mass or stiffness has changed since; a run after "
             "such a change starts without a memory");
