@@ -231,7 +231,7 @@ private:
     void list_coordinates();
     void build_pattern(Storage storage);
     [[gnu::cold]] void list_followed();
-    void build_slots(const ElementGroup& group);
+    void build_slots(std::size_t group);
     // Returns where a group adds, with its tangents to these values.
     [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;
     void build_clearing();

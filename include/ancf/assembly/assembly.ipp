@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <exception>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -55,7 +53,8 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     }
     list_followed();
     build_pattern(storage);
-    for (const auto& group : model.groups()) build_slots(*group);
+    plans_ = std::vector<GroupPlan>(model.groups().size());
+    for (std::size_t group = 0; group < plans_.size(); ++group) build_slots(group);
     build_clearing();
     build_gravity();
     SparseMatrix zero = pattern_.matrix();
@@ -137,10 +136,11 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
     pattern_ = BlockPattern(numbering_.block_sizes(), pairs, storage);
 }
 
-ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
+ANCF_INLINE void Assembly::build_slots(std::size_t index) {
     const Layout& layout = model_.layout();
+    const ElementGroup& group = *model_.groups()[index];
     const int half = group.dofs() / 2;
-    GroupPlan plan;
+    GroupPlan& plan = plans_[index];
     plan.slots.reserve(group.connections.size());
     for (const Connection& c : group.connections) {
         ElementSlots slots;
@@ -169,7 +169,6 @@ ANCF_INLINE void Assembly::build_slots(const ElementGroup& group) {
         plan.slots.push_back(slots);
     }
     plan.schedule = ElementSchedule(group.connections, layout.nodes(), followed_);
-    plans_.push_back(std::move(plan));
 }
 
 // Each run clears the columns of the nodes that no run before it touched, just before it adds to
