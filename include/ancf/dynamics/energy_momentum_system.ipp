@@ -258,8 +258,8 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
     gather(middle_, place.at.read(), middle_q);
     for (int i = 0; i < equations; ++i) {
         if (is_left_out(first + i)) {
-            middle.jacobian.row(i).setZero();
-            end.jacobian.row(i).setZero();
+            for (Eigen::Index j = 0; j < size; ++j)
+                middle.jacobian(i, j) = end.jacobian(i, j) = 0.0;
             continue;
         }
         double size_of_terms = 0.0;

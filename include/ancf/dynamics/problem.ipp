@@ -725,11 +725,13 @@ ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
 ANCF_INLINE double DynamicProblem::force_round_off(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
-    const SparseMatrix magnitudes = assembly_.tangent().cwiseAbs();
-    const VectorX changes = detail::multiply(magnitudes, options_.storage, scales_);
+    SparseMatrix magnitudes = detail::copied(assembly_.tangent());
+    for (int k = 0; k < detail::entries(magnitudes); ++k)
+        magnitudes.valuePtr()[k] = std::abs(magnitudes.valuePtr()[k]);
+    VectorX changes = detail::multiply(magnitudes, options_.storage, scales_);
+    for (Eigen::Index k = 0; k < changes.size(); ++k) changes[k] *= scales_[k];
     // moments of slopes, N m, over the scene's size
-    return std::numeric_limits<double>::epsilon() * changes.cwiseProduct(scales_).maxCoeff() /
-           length_;
+    return std::numeric_limits<double>::epsilon() * detail::largest_magnitude(changes) / length_;
 }
 
 ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {

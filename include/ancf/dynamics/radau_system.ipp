@@ -22,7 +22,7 @@ ANCF_LAZY RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver& 
       tableau_(tableau),
       damping_(problem.mass()),
       system_(problem.mass()),
-      stiff_(static_cast<std::size_t>(system_.nonZeros())),
+      stiff_(static_cast<std::size_t>(entries(system_))),
       values_(stiff_.size()) {
     const int n = problem.size();
     for (int j = 0; j < system_.outerSize(); ++j)
@@ -40,8 +40,8 @@ ANCF_INLINE Status RadauSystem::factorise(double h, long& count) {
     const double* mass = problem_.mass().valuePtr();
     const double* tangent = problem_.tangent().valuePtr();
     const double* damping = problem_.damping().valuePtr();
-    std::copy_n(damping, damping_.nonZeros(), damping_.valuePtr());
-    damped_ = std::any_of(damping, damping + damping_.nonZeros(),
+    std::copy_n(damping, entries(damping_), damping_.valuePtr());
+    damped_ = std::any_of(damping, damping + entries(damping_),
                           [](double value) { return value != 0.0; });
     double* system = system_.valuePtr();
     const double tau = h / tableau_.modes.front().eigenvalue.real();

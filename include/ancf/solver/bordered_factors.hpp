@@ -15,6 +15,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/types.hpp>
 
@@ -49,7 +50,7 @@ public:
 
     /// Number of values in the pattern.
     [[nodiscard]] std::size_t entries() const noexcept {
-        return static_cast<std::size_t>(pattern_.nonZeros());
+        return static_cast<std::size_t>(detail::entries(pattern_));
     }
 
 private:

@@ -92,7 +92,7 @@ bool BorderedFactors<Scalar>::factorize(const Scalar* values) {
 template <class Scalar>
 bool BorderedFactors<Scalar>::has_pattern(const SparseMatrix& matrix) const {
     const int* inner = pattern_.innerIndexPtr();
-    return std::equal(inner, inner + pattern_.nonZeros(), matrix.innerIndexPtr());
+    return std::equal(inner, inner + detail::entries(pattern_), matrix.innerIndexPtr());
 }
 
 /// Returns the width of the border that leaves no zero on the diagonal of the chain.

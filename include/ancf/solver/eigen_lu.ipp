@@ -32,7 +32,9 @@ template <class Ordering>
 FactorReport BasicEigenLu<Ordering>::factorize_values(const SparseMatrix& matrix) {
     if (!detail::all_finite(matrix)) return {Status::not_finite};
     row_scale_ = detail::row_scales(matrix, detail::unit_scales(matrix));
-    scaled_ = row_scale_.asDiagonal() * matrix;
+    scaled_ = matrix;
+    for (int k = 0; k < detail::entries(matrix); ++k)
+        scaled_.valuePtr()[k] *= row_scale_[matrix.innerIndexPtr()[k]];
     lu_->factorize(scaled_);
     return {lu_->info() == Eigen::Success ? Status::converged : Status::singular};
 }

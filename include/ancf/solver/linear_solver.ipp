@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/solver/linear_solver.hpp>
 
 #include <algorithm>
@@ -63,8 +64,8 @@ ANCF_INLINE void SolverStage::begin_factorisation(std::string_view solver,
     require(matrix.rows() == size() && matrix.cols() == size(), solver, " analysed a matrix of ",
             size(), " x ", size(), ", got ", matrix.rows(), " x ", matrix.cols());
     const bool compressed = matrix.isCompressed();
-    require(compressed && matrix.nonZeros() == columns_.back(), solver, " analysed a pattern of ",
-            columns_.back(), " entries, got ", matrix.nonZeros(),
+    require(compressed && entries(matrix) == columns_.back(), solver, " analysed a pattern of ",
+            columns_.back(), " entries, got ", entries(matrix),
             compressed ? "" : ", not compressed");
     require(size() == 0 || std::equal(columns_.begin(), columns_.end(), matrix.outerIndexPtr()),
             solver, " analysed another pattern of as many entries");

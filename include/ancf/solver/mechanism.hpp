@@ -13,6 +13,7 @@
 #include <ancf/types.hpp>
 
 #include <string>
+#include <vector>
 
 namespace ancf::detail {
 
@@ -23,6 +24,9 @@ namespace ancf::detail {
 /// @param solver  analysed for the matrix; it is left with another factorisation.
 [[nodiscard]] std::string singular_cause(const Layout& layout, const Numbering& numbering,
                                          const SparseMatrix& tangent, LinearSolver& solver);
+
+/// Returns the places of the diagonal entries among the values of a compressed matrix; -1: none.
+[[nodiscard]] std::vector<int> diagonal_places(const SparseMatrix& matrix);
 
 }  // namespace ancf::detail
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 
@@ -39,8 +38,7 @@ struct FreeComponent {
     return all;
 }
 
-/// Returns the places of the diagonal entries among the values of a compressed matrix; -1: none.
-[[nodiscard]] ANCF_INLINE std::vector<int> diagonal_places(const SparseMatrix& matrix) {
+ANCF_INLINE std::vector<int> diagonal_places(const SparseMatrix& matrix) {
     std::vector<int> places(static_cast<std::size_t>(matrix.cols()), -1);
     for (int j = 0; j < matrix.cols(); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)

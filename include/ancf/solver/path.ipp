@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
@@ -248,7 +249,7 @@ private:
         VectorX rate = VectorX::Zero(numbering_.unknowns());
         VectorX load = assembly_.load_rate(at.state.q, at.factor);
         const VectorX motion = assembly_.violation_rate();  // g_f: the factor is the time
-        if (motion.size() > 0 && (motion.array() != 0.0).any()) load -= constraint_force_rate(at);
+        if (largest_magnitude(motion) != 0.0) load -= constraint_force_rate(at);
         VectorX free;
         numbering_.gather_free(load, free);
         rate.head(numbering_.free_coordinates()) = free;
@@ -366,7 +367,7 @@ private:
         numbering_.gather_free(options_.direction, free);
         VectorX mode = VectorX::Zero(numbering_.unknowns());
         mode.head(free.size()) = free;
-        require((free.array() != 0.0).any(),
+        require(largest_magnitude(free) != 0.0,
                 "PathOptions: direction moves no coordinate that is free");
         mode /= std::sqrt(product(mode, mode));
         return {true, weights_.cwiseProduct(mode), 0.0, step_, step_ * mode, 0.0};

@@ -6,11 +6,11 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/conditioning.hpp>
 #include <ancf/solver/scaled.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,11 +24,12 @@ namespace detail {
 [[nodiscard]] ANCF_INLINE VectorX symmetric_scale(const SparseMatrix& matrix) {
     VectorX scale;
     symmetric_roots(matrix, scale);
-    return scale.unaryExpr([](double root) {
+    for (double& root : scale) {
         int exponent = 1;
         if (std::isfinite(root)) std::frexp(root, &exponent);
-        return std::ldexp(1.0, std::clamp(1 - exponent, -1000, 1000));
-    });
+        root = power_of_two(1 - exponent);
+    }
+    return scale;
 }
 
 /// A sum that keeps its round-off: value and what it lacks.

@@ -34,17 +34,6 @@ namespace ancf {
 
 namespace detail {
 
-/// Whether every entry is zero.
-[[nodiscard]] ANCF_INLINE bool vanishes(const VectorX& x) {
-    return std::all_of(x.data(), x.data() + x.size(), [](double entry) { return entry == 0.0; });
-}
-
-/// Whether no entry is a NaN or an infinity.
-[[nodiscard]] ANCF_INLINE bool all_finite(const VectorX& x) {
-    return std::all_of(x.data(), x.data() + x.size(),
-                       [](double entry) { return std::isfinite(entry); });
-}
-
 /// Newton's method on one scene; keeps the assembly and the factorisation between steps.
 class StaticsRun {
 public:
@@ -320,7 +309,7 @@ private:
         VectorX driven = state.q;
         assembly_.apply_supports(instant_, driven);
         const VectorX increment = driven - state.q;
-        const bool moved = any(!vanishes(increment));
+        const bool moved = any(largest_magnitude(increment) != 0.0);
 
         last_.before = state.q;
         if (!evaluate(state, moved ? &increment : nullptr)) return report_.fault->status;
@@ -334,8 +323,8 @@ private:
             const bool at_rest = correction <= options_.correction_tolerance;
             if (at_rest && residual <= options_.residual_tolerance) return accept(state);
             // a scene without loads that is at rest needs no correction to know it
-            const bool idle =
-                step.iterations == 0 && !moved && !any(!vanishes(assembly_.external_force()));
+            const bool idle = step.iterations == 0 && !moved &&
+                              !any(largest_magnitude(assembly_.external_force()) != 0.0);
             if (idle || settled(step) || stagnates(step)) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
@@ -377,17 +366,10 @@ private:
     Status correct_damped(LoadStep& step) {
         constexpr double wanted = 0.5, growth = 4.0, first_time = 1e6, shortest = 1e-3;
         const int free = assembly_.numbering().free_coordinates();
-        const int* const first = assembly_.tangent().outerIndexPtr();
-        const int* const rows = assembly_.tangent().innerIndexPtr();
         double* const values = assembly_.tangent_values();
-        std::vector<int> at(static_cast<std::size_t>(free));  // of the diagonal
+        const std::vector<int> at = diagonal_places(assembly_.tangent());
         VectorX diagonal = VectorX::Zero(free);
-        for (int k = 0; k < free; ++k) {
-            const int place =
-                static_cast<int>(std::lower_bound(rows + first[k], rows + first[k + 1], k) - rows);
-            at[k] = place;
-            diagonal[k] = values[place];
-        }
+        for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
         time_ = step.corrections.empty()
                     ? first_time
                     : time_ * std::min(growth, wanted / step.corrections.back());

@@ -203,7 +203,7 @@ template <int Dimension>
     constexpr double nearly_parallel = 1e-8;  // so that the product keeps half of its digits
     const Vector<double, 3> n = cross(first, second);
     if (n.norm() > nearly_parallel) return n.normalized();
-    const Vector<double, 3> t = (first + second).normalized();
+    const Vector<double, 3> sum = first + second, t = sum.normalized();
     return (kappa - kappa.dot(t) * t).normalized();
 }
 
