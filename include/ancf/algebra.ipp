@@ -22,25 +22,25 @@ ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& o
     for (const int k : at) *to++ = x[k];
 }
 
-/// Returns the largest entry of so many, 0 of none and NaN where an entry is NaN.
-template <class Entry>
-double largest_of(Eigen::Index count, const Entry& entry) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < count && largest == largest; ++i)
-        if (!(entry(i) <= largest)) largest = entry(i);
-    return largest;
+/// Returns the largest entry of a column, 0 of none and NaN where an entry is NaN.
+template <class Column>
+double largest_of(const Column& ratios) {
+    return ratios.size() > 0 ? ratios.template maxCoeff<Eigen::PropagateNaN>() : 0.0;
 }
 
 ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
-    return largest_of(x.size(), [&](Eigen::Index i) { return std::abs(x[i]) / scale[i]; });
+    return largest_of(x.cwiseAbs().cwiseQuotient(scale));
 }
 
 ANCF_INLINE double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale) {
-    return largest_of(x.size(), [&](Eigen::Index i) { return std::abs(x[i] - y[i]) / scale[i]; });
+    return largest_of((x - y).cwiseAbs().cwiseQuotient(scale));
 }
 
 ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
-    return largest_of(x.size(), [&](Eigen::Index i) { return std::abs(x[i]); });
+    double largest = 0.0;
+    for (Eigen::Index i = 0; i < x.size() && largest == largest; ++i)
+        if (!(std::abs(x[i]) <= largest)) largest = std::abs(x[i]);
+    return largest;
 }
 
 ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept { return x.dot(y); }
