@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/sundials/explicit.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <support/scales.hpp>
@@ -120,6 +121,32 @@ TEST_CASE("scales: IDA moves scenes alike in any units, by both forms", "[ida][s
     SECTION("thousands of steps of index 3") {
         for (const double base : {2.0, 1e9}) check_alike(welded, 8e-3, Form::index3, base);
     }
+}
+
+TEST_CASE("scales: explicit steps are the same bits in units that differ by powers of two",
+          "[explicit][scales]") {
+    const auto reach_tip = [](const Scale& scale, double& tip) {
+        auto model = cantilever(scale);
+        ancf::DynamicProblem problem(model);
+        ancf::Schedule schedule;
+        schedule.end = 3e-4 * scale.time;  // the frequency is estimated again
+        const auto report = ancf::sundials::Explicit().integrate(problem, schedule);
+        CHECK(report.status == Status::converged);
+        tip = model.position({model.nodes() - 1})[1] / scale.length;
+        return report;
+    };
+    double tip = 0.0, other_tip = 0.0;
+    const auto one = reach_tip(Scale{}, tip);
+    int checked = 0;
+    for (const Scale& scale : powers_of(2.0)) {
+        INFO(scale);
+        const auto other = reach_tip(scale, other_tip);
+        CHECK(other.highest_frequency * scale.time == one.highest_frequency);
+        CHECK(other.steps == one.steps);
+        CHECK(other_tip == tip);
+        ++checked;
+    }
+    CHECK(checked == 11);
 }
 
 TEST_CASE("Ida: runs of any length reach their end and show the way", "[ida]") {

@@ -33,9 +33,12 @@ ANCF_INLINE double largest_eigenvalue(VectorX& x, const LinearMap& stiffness, co
     if (x.size() == 0) return 0.0;
     double estimate = 0.0;
     for (int k = 0; k < iterations; ++k) {
-        x /= std::sqrt(x.dot(mass(x)));
+        // by a power of two: units that differ by such a factor then change no bit
+        const double square = x.dot(mass(x));
+        const double factor = std::ldexp(1.0, -std::ilogb(square) / 2);
+        x *= factor;
         const VectorX force = stiffness(x);
-        const double quotient = std::abs(x.dot(force));
+        const double quotient = std::abs(x.dot(force)) / (square * factor * factor);
         const bool settled = k > 5 && std::abs(quotient - estimate) <= 1e-3 * quotient;
         estimate = std::max(quotient, estimate);
         if (settled || quotient == 0.0) break;

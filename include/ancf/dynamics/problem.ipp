@@ -758,12 +758,11 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
     const auto mass = [&](const VectorX& x) {
         return detail::multiply(compact_mass_, Storage::full, x);
     };
-    const auto size = [&](const VectorX& x) { return std::sqrt(x.dot(mass(x))); };
     const VectorX all_modes = detail::scattered(scales_, 0);
     if (mode.size() == 0)
         mode = all_modes;
     else  // of another part of the scene the last mode may have nothing
-        mode = mode / size(mode) + 0.1 / size(all_modes) * all_modes;
+        mode += 0.1 * std::sqrt(mode.dot(mass(mode)) / all_modes.dot(mass(all_modes))) * all_modes;
     return detail::largest_eigenvalue(
         mode, [&](const VectorX& x) { return detail::multiply(matrix, options_.storage, x); }, mass,
         [&](const VectorX& b) {
