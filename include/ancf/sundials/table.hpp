@@ -9,7 +9,7 @@
 namespace ancf::sundials {
 
 /// A pair of explicit Runge-Kutta formulas. Only those whose stability region holds a piece of the
-/// imaginary axis are here; `stable` is that piece, as frequency times step.
+/// imaginary axis are here; the comments have that piece, as frequency times step.
 enum class Table {
     bogacki_shampine,  ///< order 3, 3 forces a step, stable to 1.73
     zonneveld,         ///< order 4, 5 forces, 2.82: the classical method with an error estimate
