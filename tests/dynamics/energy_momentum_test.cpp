@@ -3,7 +3,6 @@
 
 #include <ancf/dynamics/discrete_gradient.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
-#include <ancf/dynamics/half_turn.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/element/cable/cable.hpp>

@@ -6,7 +6,7 @@
 ///
 /// With the middle e_m of a step, the change De and its part D that no rigid motion at e_m
 /// explains, u the mean of both ends without their turn, S the symmetric part of half that turn
-/// (half_turn.hpp) and x the nodal vectors of e_m:
+/// (HalfTurn) and x the nodal vectors of e_m:
 ///
 ///     f = f_0 + s W D,   f_0 = S grad U(u) + W (mu x x),   s = (U(e_1) - U(e_0) - f_0.De)/(D.W D).
 ///

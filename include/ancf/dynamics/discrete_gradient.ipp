@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/dynamics/discrete_gradient.hpp>
-#include <ancf/dynamics/half_turn.hpp>
+#include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/element/fields.hpp>
 
 #include <algorithm>
@@ -26,7 +26,6 @@ inline constexpr double smallest_change = 1e-8;
 struct TurnedStep {
     int dofs, dimension;
     HalfTurn half;
-    int positions = 0;  // of the nodal vectors
     /// x and d of every nodal vector: at the middle, and half of its change.
     std::array<Vector<double, 3>, 2 * field_count> at, by;
     std::array<Vector<double, 3>, 2 * field_count> arm;       ///< X (u_1 - u_0)
@@ -136,7 +135,7 @@ ANCF_INLINE void add_turn_tangent(const TurnedStep& step, const Vector<double, 3
             for (int k = 0; k < vectors; ++k) {
                 step.add(column, k, out.modes.weight_of(k) * cross(spin, step.at[k]));
                 if (out.modes.is_position(m) && out.modes.is_position(k))
-                    step.add(column, k, -arm / step.positions);
+                    step.add(column, k, -arm / out.modes.positions());
             }
             step.add(column, m, arm);
         }
@@ -181,14 +180,8 @@ ANCF_INLINE void step_force(const ElementGroup& group, int prototype, const doub
     for (int k = 0; k < 2 * per_node; ++k) power[k] = length_power(group.fields().at(k % per_node));
     out.modes.set(dimension, 2 * per_node, middle, power, length * length);
     const Vector<double, 3> turn = out.modes.firm_turn_of(change);
-    TurnedStep step{dofs, dimension, HalfTurn(turn), 0, {}, {}, {}, {}, {}};
-    Vector<double, 3> shift = Vector<double, 3>::Zero();  // of the positions' halves
-    for (int k = 0; k < step.vectors(); ++k) {
-        if (!out.modes.is_position(k)) continue;
-        shift += 0.5 * step.vector(change, k);
-        ++step.positions;
-    }
-    if (step.positions > 0) shift /= step.positions;
+    TurnedStep step{dofs, dimension, HalfTurn(turn), {}, {}, {}, {}, {}};
+    const Vector<double, 3> shift = 0.5 * out.modes.shift_of(change);
     for (int k = 0; k < step.vectors(); ++k) {
         const auto at = static_cast<std::size_t>(k);
         Vector<double, 3>&x = step.at[at], &d = step.by[at];
@@ -209,10 +202,9 @@ ANCF_INLINE void step_force(const ElementGroup& group, int prototype, const doub
     if (wanted == StepTangent::symmetric)
         for (int i = 0; i < dofs * dofs; ++i) out.tangent[i] *= 0.5;
     out.modes.without(change, rest);
-    double weights[most], square = 0.0, work = 0.0, round_off = 0.0;
+    double square = 0.0, work = 0.0, round_off = 0.0;
     for (int i = 0; i < dofs; ++i) {
-        weights[i] = out.modes.weight_of(i / dimension);
-        square += rest[i] * weights[i] * rest[i];
+        square += rest[i] * out.modes.weight(i) * rest[i];
         work += out.force[i] * change[i];
         round_off += std::abs(out.force[i]) * std::max(std::abs(e0[i]), std::abs(e1[i]));
     }
@@ -226,7 +218,7 @@ ANCF_INLINE void step_force(const ElementGroup& group, int prototype, const doub
         group.force(prototype, e1, end);
         add_correction_tangent(dofs, end, change, rest, square, s, out);
     }
-    for (int i = 0; i < dofs; ++i) out.force[i] += s * weights[i] * rest[i];
+    for (int i = 0; i < dofs; ++i) out.force[i] += s * out.modes.weight(i) * rest[i];
 }
 
 ANCF_INLINE void correct_gradient(int dimension, double difference, const VectorX& middle,

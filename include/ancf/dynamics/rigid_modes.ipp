@@ -9,6 +9,7 @@
 #include <ancf/dynamics/rigid_modes.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ancf::detail {
 
@@ -142,6 +143,26 @@ ANCF_INLINE void RigidModes::derivative_of_without(const double* change, const d
             for (std::size_t j = 0; j < vectors_.size(); ++j) subtract(j, turn, shift, out);
             out += size;
         }
+}
+
+ANCF_INLINE HalfTurn::HalfTurn(const Vector<double, 3>& turn)
+    : a_(std::sqrt(1.0 + 0.25 * turn.dot(turn))), over_(1.0 / a_), stretch_(a_ / (1.0 + a_)) {
+    half_ = 0.5 * over_ * turn;
+}
+
+ANCF_INLINE Vector<double, 3> HalfTurn::symmetric_rate(int b, const Vector<double, 3>& v) const {
+    // S = (I + y y^T/(4 (1 + a)))/a with y = 2 a half_ and da/dy_b = half_/2
+    const double fall = 0.5 * half_[b], share = 0.25 / (1.0 + a_);
+    const double along = 2.0 * a_ * half_.dot(v);
+    Vector<double, 3> out = 2.0 * a_ * share * (v[b] - 4.0 * share * fall * along) * half_;
+    out[b] += share * along;
+    return over_ * (out - fall * symmetric(v));
+}
+
+ANCF_INLINE Vector<double, 3> HalfTurn::skew_rate(int b, const Vector<double, 3>& v) const {
+    Vector<double, 3> axis = Vector<double, 3>::Zero();
+    axis[b] = 1.0;
+    return 0.5 * over_ * (cross(axis, v) - half_[b] * skew(v));
 }
 
 }  // namespace ancf::detail
