@@ -3,7 +3,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/radau.hpp>
-#include <ancf/dynamics/radau_tableau.hpp>
+#include <ancf/dynamics/radau_system.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>

@@ -11,7 +11,6 @@
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/dynamics/radau_system.hpp>
-#include <ancf/dynamics/radau_tableau.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
 

@@ -3,13 +3,12 @@
 
 /// @file
 /// The linear systems of a step of Radau IIA: one real matrix, and one complex matrix for each pair
-/// of stages. Equations (6) and (8) of docs/theory-radau.md.
+/// of stages. Equations (4) to (8) of docs/theory-radau.md.
 
 #pragma once
 
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/dynamics/radau_tableau.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -19,6 +18,30 @@
 #include <vector>
 
 namespace ancf::detail {
+
+/// An eigenvalue of W with its column of T and its row of T^-1, W = T diag(mu) T^-1.
+struct RadauMode {
+    std::complex<double> eigenvalue;
+    std::vector<std::complex<double>> column;
+    std::vector<std::complex<double>> row;
+};
+
+/// The coefficients of a method of s stages, made at set-up.
+struct RadauTableau {
+    std::vector<double> nodes;     ///< c, ascending, the last one 1
+    MatrixX inverse;               ///< W = A^-1, s x s
+    MatrixX square;                ///< W^2
+    MatrixX double_integral;       ///< A^2
+    std::vector<RadauMode> modes;  ///< the real one, then one of each conjugate pair
+
+    [[nodiscard]] int stages() const noexcept { return static_cast<int>(nodes.size()); }
+};
+
+/// Returns the method of an odd number of stages from 1 to 9.
+[[nodiscard]] RadauTableau radau_tableau(int stages);
+
+/// Returns the values at x of the Lagrange polynomials on the nodes.
+[[nodiscard]] std::vector<double> lagrange_weights(const std::vector<double>& nodes, double x);
 
 /// A vector of each stage.
 using Stages = std::vector<VectorX>;
