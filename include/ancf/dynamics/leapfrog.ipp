@@ -8,10 +8,8 @@
 
 #include <ancf/dynamics/constraint_manifold.hpp>
 #include <ancf/dynamics/frequency.hpp>
-#include <ancf/dynamics/hermite.hpp>
 #include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/motion_run.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>

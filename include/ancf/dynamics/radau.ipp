@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/dynamics/hermite.hpp>
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/dynamics/radau_system.hpp>

@@ -7,8 +7,8 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/dynamics/recorder.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/types.hpp>
