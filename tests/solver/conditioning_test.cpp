@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/solver/block_tridiagonal.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <solver/linear_solver_cases.hpp>

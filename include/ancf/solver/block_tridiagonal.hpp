@@ -11,7 +11,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
-#include <ancf/solver/block_widths.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -44,7 +43,6 @@ public:
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
-    /// "block-tridiagonal".
     [[nodiscard]] std::string_view name() const noexcept override { return "block-tridiagonal"; }
 
     /// Number of blocks along the chain.
@@ -61,7 +59,7 @@ private:
 
     detail::BlockLayout layout_;
     VectorX panels_;
-    VectorX roots_;  // of the diagonal, see conditioning.hpp
+    VectorX roots_;  // of the diagonal, see direct_solver.hpp
     VectorX probe_;
 };
 

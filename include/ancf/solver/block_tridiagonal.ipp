@@ -9,8 +9,8 @@
 #include <ancf/error.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
-#include <ancf/solver/block_widths.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/solver/direct_solver.hpp>
 
 #include <vector>
 

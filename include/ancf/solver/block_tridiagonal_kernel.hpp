@@ -12,7 +12,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/fixed_column.hpp>
 #include <ancf/types.hpp>
 
@@ -56,7 +56,7 @@ public:
     /// The first square then holds L below its diagonal, L^T above it and 1/d on it; the second one
     /// holds L of the next block's rows. Stops at a pivot that is zero or not finite. Along the way
     /// `roots` and `probe`, as long as the matrix, receive the roots of the diagonal and L^-1 of
-    /// the load that conditioning.hpp makes of them: one pass over the matrix, not three.
+    /// the load that direct_solver.hpp makes of them: one pass over the matrix, not three.
     ///
     /// Never inlined: in a large caller the sums of a column may not stay in registers.
     ANCF_NOINLINE static PivotSummary factorize(const BlockLayout& layout,

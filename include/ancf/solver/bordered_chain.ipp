@@ -8,7 +8,7 @@
 
 #include <ancf/error.hpp>
 #include <ancf/solver/bordered_chain.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <complex>

@@ -8,9 +8,9 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
-#include <ancf/solver/block_widths.hpp>
+#include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/bordered_factors.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 
 #include <algorithm>
 #include <cmath>

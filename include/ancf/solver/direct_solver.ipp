@@ -6,10 +6,109 @@
 
 #pragma once
 
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
 #include <ancf/solver/direct_solver.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace ancf::detail {
+
+ANCF_INLINE void require_singular_rcond(double limit) {
+    require(limit >= 0.0 && limit < 1.0, "singular_rcond must be in [0, 1), got ", limit);
+}
+
+/// Scales rows whose diagonal is zero, a constraint's, to a largest entry of 1.
+ANCF_INLINE void complete_roots(const SparseMatrix& matrix, VectorX& roots) {
+    const VectorX known = roots;
+    for (int column = 0; column < matrix.outerSize(); ++column) {
+        const bool lacks = known[column] == 0.0;
+        for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+            const Eigen::Index row = entry.row();
+            if (lacks == (known[row] == 0.0)) continue;
+            const Eigen::Index lacking = lacks ? column : row, other = lacks ? row : column;
+            roots[lacking] = std::max(roots[lacking], std::abs(entry.value()) / known[other]);
+        }
+    }
+    for (double& root : roots)
+        if (!(root > 0.0)) root = 1.0;
+}
+
+ANCF_INLINE void symmetric_roots(const SparseMatrix& matrix, VectorX& roots) {
+    roots.resize(matrix.cols());
+    const int* inner = matrix.innerIndexPtr();
+    bool complete = true;
+    for (int column = 0; column < matrix.outerSize(); ++column) {
+        const int* end = inner + matrix.outerIndexPtr()[column + 1];
+        const int* entry = std::lower_bound(inner + matrix.outerIndexPtr()[column], end, column);
+        const bool stored = entry != end && *entry == column;
+        roots[column] = stored ? std::sqrt(std::abs(matrix.valuePtr()[entry - inner])) : 0.0;
+        complete = complete && roots[column] > 0.0;
+    }
+    if (!complete) complete_roots(matrix, roots);
+}
+
+ANCF_INLINE double probe_load(const VectorX& roots, VectorX& load) {
+    load.resize(roots.size());
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < roots.size(); ++i) {
+        const double weight = probe_weight(i);
+        load[i] = roots[i] * weight;
+        sum += weight * weight;
+    }
+    return sum;
+}
+
+ANCF_INLINE double rcond_by_energy(double weights, double energy) noexcept {
+    if (!std::isfinite(energy)) return 0.0;
+    return energy > 0.0 ? std::min(1.0, probe_share * probe_share * weights / energy) : 1.0;
+}
+
+ANCF_INLINE int softest_unknown(const VectorX& roots, const VectorX& solution) {
+    eigen_assert(roots.size() == solution.size());
+    int softest = -1;
+    double largest = -1.0;
+    for (Eigen::Index i = 0; i < roots.size(); ++i) {
+        const double motion = std::abs(roots[i] * solution[i]);
+        if (!std::isfinite(motion)) return -1;
+        if (motion > largest) softest = static_cast<int>(i);
+        largest = std::max(largest, motion);
+    }
+    return softest;
+}
+
+ANCF_INLINE void report_failure(const SparseMatrix& matrix, int column, FactorReport& report) {
+    report.status = all_finite(matrix) ? Status::singular : Status::not_finite;
+    report.failed_column = column;
+    report.negative_pivots = -1;
+}
+
+ANCF_INLINE void report_condition(const SparseMatrix& matrix, double limit,
+                                  const std::function<void(const VectorX& b, VectorX& x)>& solve,
+                                  FactorReport& report) {
+    VectorX roots;
+    VectorX load;
+    VectorX solution;
+    symmetric_roots(matrix, roots);
+    const double weights = probe_load(roots, load);
+    solve(load, solution);
+    VectorX motion = solution;
+    double largest = 0.0;
+    bool finite = true;
+    for (Eigen::Index i = 0; i < roots.size(); ++i) {
+        motion[i] *= roots[i];
+        finite = finite && std::isfinite(motion[i]);
+        largest = std::max(largest, std::abs(motion[i]));
+    }
+    double sum = 0.0;
+    if (largest > 0.0)
+        for (const double entry : motion) sum += (entry / largest) * (entry / largest);
+    const double size = finite ? largest * std::sqrt(sum) : std::numeric_limits<double>::infinity();
+    report.rcond = size > 0.0 ? std::min(1.0, probe_share * std::sqrt(weights) / size) : 1.0;
+    if (!(report.rcond > limit)) report_failure(matrix, softest_unknown(roots, solution), report);
+}
 
 ANCF_INLINE DirectSolver::DirectSolver(double singular_rcond) : singular_rcond_(singular_rcond) {
     require_singular_rcond(singular_rcond);

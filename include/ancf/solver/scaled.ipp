@@ -8,7 +8,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/scaled.hpp>
 
 #include <cmath>

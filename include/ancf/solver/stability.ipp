@@ -9,7 +9,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/solver/stability.hpp>

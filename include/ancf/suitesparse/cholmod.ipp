@@ -7,7 +7,7 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/solver/conditioning.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 
 #include <cholmod.h>
