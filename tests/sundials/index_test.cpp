@@ -4,7 +4,6 @@
 // What fits into the integers of SUNDIALS, whose width its build chose.
 
 #include <ancf/sundials/context.hpp>
-#include <ancf/sundials/index.hpp>
 
 #include <support/catch.hpp>
 

@@ -7,6 +7,7 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/context.hpp>
+#include <ancf/sundials/ida.hpp>
 #include <ancf/sundials/ida_system.hpp>
 
 #include <sundials/scenes.hpp>

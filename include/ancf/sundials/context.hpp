@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
 #include <ida/ida.h>
@@ -20,6 +21,8 @@
 #include <sundials/sundials_matrix.h>
 #include <sundials/sundials_types.h>
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -69,6 +72,20 @@ private:
 };
 
 namespace detail {
+
+/// Returns a count as an index of SUNDIALS, whose `sunindextype` has 32 or 64 bits.
+/// @tparam Index  signed.
+/// @param what    what is counted, for the message.
+/// @throws InvalidArgument where the type cannot hold the count.
+template <class Index = sunindextype>
+[[nodiscard]] Index checked_index(std::ptrdiff_t count, const char* what) {
+    constexpr auto most = std::numeric_limits<Index>::max();
+    if (count > most)
+        ancf::detail::reject_parts({count, " ", what, "; this build of SUNDIALS counts them by ",
+                                    static_cast<int>(8 * sizeof(Index)), " bits and takes at most ",
+                                    most});
+    return static_cast<Index>(count);
+}
 
 struct DestroyVector {
     void operator()(N_Vector vector) const noexcept { N_VDestroy(vector); }

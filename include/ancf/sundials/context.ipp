@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/sundials/context.hpp>
-#include <ancf/sundials/index.hpp>
 
 #include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>

@@ -16,11 +16,16 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
-#include <ancf/sundials/jacobian_map.hpp>
 
 #include <string>
 
 namespace ancf::sundials {
+
+/// How the equations of motion are handed to IDA.
+enum class Form {
+    index3,                ///< q' = v and g = 0 as they stand
+    gear_gupta_leimkuhler  ///< index 2: M (q' - v) + G^T mu = 0 and G v + g_t = 0 added
+};
 
 /// The highest order that IDA may use. Orders 3 and 4 are never a good limit: 3 to 5 amplify
 /// undamped vibrations, and 5 is at least the most accurate of them.

@@ -61,10 +61,6 @@ private:
     [[nodiscard]] bool lost_in_round_off() const;
     [[nodiscard]] MotionPoint point(double time, N_Vector y) const;
     bool fail(int code);
-    [[nodiscard]] double rate_of_turn(const VectorX& rates) const {
-        return rates.size() == 0 ? 0.0
-                                 : (rates.array().abs() / problem_.scales().array()).maxCoeff();
-    }
 
     const IdaOptions& options_;
     IdaReport report_;
@@ -197,9 +193,9 @@ ANCF_INLINE double IdaRun::first_step() const {
     if (options_.first_step > 0.0) return options_.first_step;
     const double duration = schedule_.end - start_.time;
     double step = 1e-3 * duration;
-    const double turn = rate_of_turn(start_.v);
+    const double turn = problem_.largest_ratio(start_.v);
     if (turn > 0.0) step = std::min(step, 1e-3 / turn);
-    const double acceleration = rate_of_turn(start_.acceleration);
+    const double acceleration = problem_.largest_ratio(start_.acceleration);
     if (acceleration > 0.0)
         step = std::min(step, std::sqrt(0.5 * options_.tolerance / acceleration));
     return step;
