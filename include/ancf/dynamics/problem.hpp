@@ -329,8 +329,6 @@ private:
     void add_parts(VectorX& forces) const;
     // Returns x.y over all coordinates that this part answers for.
     [[nodiscard]] double own_dot(const VectorX& x, const VectorX& y) const;
-    // Returns the block of each of the first equations: a node, a constraint.
-    [[nodiscard]] std::vector<int> blocks(int equations) const;
     void check_sizes() const;
     void list_driven();
     void measure();

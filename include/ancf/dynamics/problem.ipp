@@ -48,20 +48,11 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
     measure();
     if (exchange_ != nullptr) options_.mass_solver->analyze(assembly_.pattern().matrix());
     set_mass();
-    if (exchange_ == nullptr) kkt_.analyze(kkt_matrix_, size(), blocks(numbering().unknowns()));
+    if (exchange_ == nullptr)
+        kkt_.analyze(kkt_matrix_, size(), detail::blocks_of(numbering(), numbering().unknowns()));
 }
 
 ANCF_INLINE DynamicProblem::~DynamicProblem() = default;
-
-ANCF_INLINE std::vector<int> DynamicProblem::blocks(int equations) const {
-    std::vector<int> result;
-    const std::vector<int>& sizes = numbering().block_sizes();
-    for (std::size_t block = 0; block < sizes.size(); ++block)
-        result.insert(result.end(), static_cast<std::size_t>(sizes[block]),
-                      static_cast<int>(block));
-    result.resize(static_cast<std::size_t>(equations));
-    return result;
-}
 
 // --- parts -------------------------------------------------------------------------------------
 
@@ -121,9 +112,10 @@ ANCF_INLINE void DynamicProblem::add_mass_product(double scale, const VectorX& a
 ANCF_INLINE void DynamicProblem::set_mass() {
     mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
-    bool definite = exchange_ != nullptr
-                        ? options_.mass_solver->factorize(mass_).status == Status::converged
-                        : mass_factor_.factorize(compact_mass_, blocks(size()));
+    bool definite =
+        exchange_ != nullptr
+            ? options_.mass_solver->factorize(mass_).status == Status::converged
+            : mass_factor_.factorize(compact_mass_, detail::blocks_of(numbering(), size()));
     if (exchange_ == nullptr)
         for (int row = 0; definite && row < size(); ++row) definite = mass_factor_.pivot(row) > 0.0;
     detail::require(definite,
@@ -613,11 +605,7 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
 
 ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,
                                         const VectorX& lambda) {
-    expand(t, q, v);
-    State result;
-    result.time = t;
-    result.q = full_q_;
-    result.v = full_v_;
+    State result = raw_state(t, q, v);
     result.multipliers = lambda;
     if (!left_out_.empty()) minimize_multipliers(result.multipliers);
     return result;
@@ -795,7 +783,7 @@ ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) 
     for (Eigen::Index k = 0; k < detail::entries(shifted); ++k)
         shifted.valuePtr()[k] += shift * mass_.valuePtr()[k];
     detail::KktSystem system;
-    system.analyze(shifted, size(), blocks(numbering().unknowns()));
+    system.analyze(shifted, size(), detail::blocks_of(numbering(), numbering().unknowns()));
     if (system.factorize(shifted) != Status::converged) return 0.0;
     const auto solve = [&](const VectorX& b) {
         VectorX whole = VectorX::Zero(numbering().unknowns()), x;

@@ -10,6 +10,7 @@
 
 #pragma once
 
+#include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
@@ -28,6 +29,9 @@ struct MatrixEntry {
 
 /// Returns the compressed matrix of entries, those of one place added in their order.
 [[nodiscard]] SparseMatrix compressed(int size, const Records<MatrixEntry>& entries);
+
+/// Returns the block of each of the first equations: a node, a constraint.
+[[nodiscard]] std::vector<int> blocks_of(const Numbering& numbering, int equations);
 
 /// Factorises a symmetric matrix, definite or not. Of the same pattern again it keeps the order.
 class SparseLdlt {

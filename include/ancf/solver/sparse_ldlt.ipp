@@ -46,6 +46,16 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
     return matrix;
 }
 
+ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations) {
+    std::vector<int> blocks;
+    const std::vector<int>& sizes = numbering.block_sizes();
+    for (std::size_t block = 0; block < sizes.size(); ++block)
+        blocks.insert(blocks.end(), static_cast<std::size_t>(sizes[block]),
+                      static_cast<int>(block));
+    blocks.resize(static_cast<std::size_t>(equations));
+    return blocks;
+}
+
 /// Returns the blocks in an order of elimination that keeps fill small: always one of those with
 /// the fewest neighbours, the last one that came to have so few.
 [[nodiscard]] ANCF_INLINE std::vector<int> minimum_degree(

@@ -9,8 +9,8 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/model/scene.hpp>
-#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/convergence.hpp>
+#include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/solver/stability.hpp>
 #include <ancf/types.hpp>
@@ -104,15 +104,6 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     return lever;
 }
 
-/// Returns the node of every free coordinate.
-[[nodiscard]] ANCF_INLINE std::vector<int> free_blocks(const Numbering& numbering) {
-    std::vector<int> blocks(static_cast<std::size_t>(numbering.free_coordinates()));
-    for (int k = 0; k < numbering.coordinates(); ++k)
-        if (const int equation = numbering.equation(k); equation >= 0)
-            blocks[equation] = numbering.block(k);
-    return blocks;
-}
-
 /// Factorises the symmetric part of an assembly's tangent as L D L^T, constraints as springs.
 [[nodiscard]] ANCF_INLINE Stability stability_of_tangent(const Assembly& assembly, bool symmetric) {
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
@@ -136,7 +127,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     if (!add_springs(tangent, diagonal, entries)) return Stability::unknown;
     const SparseMatrix lower = compressed(free, entries);
     SparseLdlt factor;
-    if (!factor.factorize(lower, free_blocks(assembly.numbering()))) return Stability::unknown;
+    if (!factor.factorize(lower, blocks_of(assembly.numbering(), free))) return Stability::unknown;
     bool positive = true;
     for (int k = 0; k < free; ++k) {
         if (!(std::abs(factor.pivot(k)) > round_off * std::abs(diagonal[k])))
