@@ -61,11 +61,8 @@ public:
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints;
     ///                complex matrices go to its complex_solver_for.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
-    /// @return status converged at the end; inconsistent or redundant, with the constraint named,
-    ///         where it did not start; or why it ended before, with what was observed until then.
-    /// @throws InvalidArgument for a schedule that does not fit the model's time, a step below the
-    ///         resolution of time, a memory of another integrator, state or scene, a solver whose
-    ///         storage is not the problem's, or a scene without a free coordinate.
+    /// @return as GeneralizedAlpha::integrate.
+    /// @throws InvalidArgument as GeneralizedAlpha::integrate.
     ANCF_LAZY [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                                      const Schedule& schedule,
                                                      const Memory& memory = {}) const;

@@ -72,7 +72,6 @@ public:
     /// Solves A x = b; entries of x are NaN where the KSP diverges, and failure() has its reason.
     ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
-    /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "petsc"; }
     [[nodiscard]] ANCF_INLINE_VIRTUAL std::string failure() const override;
     /// True unless the preconditioner is a factorisation.

@@ -51,11 +51,8 @@ public:
     /// Chooses. @throws InvalidArgument unless square, compressed and lower.
     ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& lower) override;
 
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& lower) override;
 
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
     ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// The name of the solver chosen.

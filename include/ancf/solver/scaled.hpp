@@ -56,11 +56,8 @@ public:
     ///         inner solver takes, and where this one was moved from.
     ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& matrix) override;
 
-    /// Factorises in the pattern analysed.
-    /// @throws InvalidArgument if its size or the number of entries in a column differs.
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport factorize(const SparseMatrix& matrix) override;
 
-    /// Solves A x = b. @throws InvalidArgument unless factorised and b has its size.
     ANCF_INLINE_VIRTUAL void solve(const VectorX& b, VectorX& x) const override;
 
     /// "scaled" and the name of the inner solver.

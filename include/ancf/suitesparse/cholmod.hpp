@@ -57,7 +57,6 @@ public:
     /// The lower half is read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::lower; }
 
-    /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "cholmod"; }
 
     /// Whether the analysis chose dense blocks.

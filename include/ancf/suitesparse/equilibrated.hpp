@@ -12,10 +12,10 @@
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/fixed_column.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <string_view>
@@ -37,7 +37,8 @@ public:
     /// Takes values in the order of the pattern's. @return false where one is not finite.
     [[nodiscard]] bool take(const Scalar* values) {
         double* magnitudes = magnitudes_.valuePtr();
-        for (std::size_t k = 0; k < values_.size(); ++k) magnitudes[k] = magnitude(values[k]);
+        for (std::size_t k = 0; k < values_.size(); ++k)
+            magnitudes[k] = ancf::detail::magnitude(values[k]);
         if (!ancf::detail::all_finite(magnitudes_)) return false;
         columns_ = ancf::detail::unit_scales(magnitudes_);
         rows_ = ancf::detail::row_scales(magnitudes_, columns_);
@@ -67,12 +68,6 @@ public:
     }
 
 private:
-    static double magnitude(double value) noexcept { return std::abs(value); }
-    // a scale of a power of two needs no root
-    static double magnitude(const std::complex<double>& value) noexcept {
-        return std::abs(value.real()) + std::abs(value.imag());
-    }
-
     SparseMatrix magnitudes_;
     std::vector<Scalar> values_;
     VectorX rows_, columns_;

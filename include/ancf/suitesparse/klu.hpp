@@ -38,7 +38,6 @@ public:
     /// All entries are read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }
 
-    /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "klu"; }
 
     /// KLU of complex matrices, with the same options.
