@@ -17,24 +17,11 @@
 
 namespace ancf::detail {
 
-/// A component of a nodal vector that is an unknown.
-struct FreeComponent {
-    int equation, node;
-    Field field;
-    int component;
-};
-
-[[nodiscard]] ANCF_INLINE Records<FreeComponent> free_components(const Layout& layout,
-                                                                 const Numbering& numbering) {
-    Records<FreeComponent> all;
-    for (int node = 0; node < layout.nodes(); ++node)
-        for (int k = 0; k < field_count; ++k) {
-            const auto field = static_cast<Field>(k);
-            const int first = layout.index({{node}, field});
-            for (int i = 0; first >= 0 && i < layout.dimension(); ++i)
-                if (const int equation = numbering.equation(first + i); equation >= 0)
-                    all.push_back({equation, node, field, i});
-        }
+/// Returns the coordinate of each equation that is no constraint's.
+[[nodiscard]] ANCF_INLINE std::vector<int> free_coordinates(const Numbering& numbering) {
+    std::vector<int> all;
+    for (int k = 0; k < numbering.coordinates(); ++k)
+        if (numbering.equation(k) >= 0) all.push_back(k);
     return all;
 }
 
@@ -47,21 +34,21 @@ ANCF_INLINE std::vector<int> diagonal_places(const SparseMatrix& matrix) {
 }
 
 /// Adds springs to the diagonal, a part of the stiffest entry of the same unit; returns them.
-[[nodiscard]] ANCF_INLINE VectorX free_springs(const Records<FreeComponent>& all, double part,
-                                               SparseMatrix& matrix) {
+[[nodiscard]] ANCF_INLINE VectorX free_springs(const Layout& layout, const std::vector<int>& all,
+                                               double part, SparseMatrix& matrix) {
     const std::vector<int> places = diagonal_places(matrix);
-    const auto entry = [&](const FreeComponent& c) { return places[c.equation]; };
+    double* const values = matrix.valuePtr();
     double stiffest[3] = {0.0, 0.0, 0.0};
-    const auto unit_of = [](const FreeComponent& c) { return length_power(c.field) + 1; };
-    for (const FreeComponent& c : all) {
-        double& most = stiffest[unit_of(c)];
-        if (entry(c) >= 0) most = std::max(most, std::abs(matrix.valuePtr()[entry(c)]));
+    const auto unit_of = [&](std::size_t e) { return length_power(layout.field_of(all[e])) + 1; };
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        double& most = stiffest[unit_of(e)];
+        if (places[e] >= 0) most = std::max(most, std::abs(values[places[e]]));
     }
     VectorX springs = VectorX::Zero(matrix.cols());
-    for (const FreeComponent& c : all) {
-        const double unit = stiffest[unit_of(c)];
-        springs[c.equation] = unit > 0.0 ? part * unit : part;
-        if (entry(c) >= 0) matrix.valuePtr()[entry(c)] += springs[c.equation];
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        const double unit = stiffest[unit_of(e)];
+        springs[e] = unit > 0.0 ? part * unit : part;
+        if (places[e] >= 0) values[places[e]] += springs[e];
     }
     return springs;
 }
@@ -91,25 +78,26 @@ ANCF_INLINE std::vector<int> diagonal_places(const SparseMatrix& matrix) {
 ANCF_INLINE std::string singular_cause(const Layout& layout, const Numbering& numbering,
                                        const SparseMatrix& tangent, LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
-    const Records<FreeComponent> all = free_components(layout, numbering);
+    const std::vector<int> all = free_coordinates(numbering);
     for (const double part : {1e-12, 1e-9, 1e-6}) {
         SparseMatrix firm = copied(tangent);
-        const VectorX springs = free_springs(all, part, firm);
+        const VectorX springs = free_springs(layout, all, part, firm);
         if (solver.factorize(firm).status != Status::converged) continue;
         VectorX mode = VectorX::Zero(numbering.unknowns());
-        for (std::size_t k = 0; k < all.size(); ++k)  // a mixture that repeats bit for bit
-            mode[all[k].equation] =
-                std::cos(static_cast<double>(k * k)) / std::sqrt(springs[all[k].equation]);
+        for (std::size_t e = 0; e < all.size(); ++e)  // a mixture that repeats bit for bit
+            mode[e] = std::cos(static_cast<double>(e * e)) / std::sqrt(springs[e]);
         if (!(softest_mode(solver, springs, mode) > 0.5)) return "";
-        const auto energy = [&](const FreeComponent& c) {
-            return springs[c.equation] * mode[c.equation] * mode[c.equation];
+        const auto energy = [&](int k) {
+            const int e = numbering.equation(k);
+            return springs[e] * mode[e] * mode[e];
         };
-        const FreeComponent most = *std::max_element(
-            all.begin(), all.end(),
-            [&](const FreeComponent& a, const FreeComponent& b) { return energy(a) < energy(b); });
+        const int most = *std::max_element(all.begin(), all.end(),
+                                           [&](int a, int b) { return energy(a) < energy(b); });
+        const int node = layout.node_of(most);
         const char* const axes[] = {"x", "y", "z"};
-        return joined({"a motion without stiffness moves ", to_string(most.field), " of node ",
-                       most.node, " most, along ", axes[most.component]});
+        return joined({"a motion without stiffness moves ", to_string(layout.field_of(most)),
+                       " of node ", node, " most, along ",
+                       axes[(most - layout.first(node)) % layout.dimension()]});
     }
     return numbering.multipliers() > 0 ? "constraints repeat each other or a support" : "";
 }

@@ -168,14 +168,9 @@ private:
             const int first = layout.index({{node}, Field::r});
             if (first < 0 || !numbering_.dependence().attached(first)) ++nodes;
         }
-        for (int node = 0; node < layout.nodes(); ++node)
-            for (int k = 0; k < field_count; ++k) {
-                const auto field = static_cast<Field>(k);
-                const int first = layout.index({{node}, field});
-                for (int at = first; first >= 0 && at < first + model_.dimension(); ++at)
-                    if (const int equation = numbering_.equation(at); equation >= 0)
-                        weights_[equation] = std::pow(size, -2 * length_power(field)) / nodes;
-            }
+        for (int k = 0; k < numbering_.coordinates(); ++k)
+            if (const int equation = numbering_.equation(k); equation >= 0)
+                weights_[equation] = std::pow(size, -2 * length_power(layout.field_of(k))) / nodes;
     }
 
     [[nodiscard]] double product(const VectorX& a, const VectorX& b) const {
