@@ -112,8 +112,12 @@ void add_load(ancf::BasicModel<Element::dimension>& model, const StaticCase& sce
         if (scene.name == "bend45") {
             model.add(ancf::Force<3>(end, Point(0.0, 0.0, scene.load)));
         } else {
-            for (const Field slope : {Field::r_y, Field::r_z})
-                model.add(ancf::SlopeMoment(end, slope, Point(1.0, 0.0, 0.0), scene.load / 2.0));
+            // divided as torsion is: the section keeps its shape
+            const double height = scene.height * scene.height;
+            const double share = height / (height + scene.width * scene.width);
+            const Point axis = Point::UnitX();
+            model.add(ancf::SlopeMoment(end, Field::r_y, axis, scene.load * share));
+            model.add(ancf::SlopeMoment(end, Field::r_z, axis, scene.load * (1.0 - share)));
         }
     }
 }
@@ -180,8 +184,7 @@ Tip solve(const StaticCase& scene, const ancf::Rule& rule, const std::string& so
 /// Returns the angle of uniform twist of a rigid section of Green's strain, free to shorten.
 ///
 /// The torque is k G I_p w + E (I_rr - I_p^2/A) w^3/2, w the twist per length, I_rr the integral of
-/// r^4. The element's own section is not rigid where the torque enters it: it stays about 1e-3 rad
-/// away, whatever the mesh.
+/// r^4.
 inline double uniform_twist(const StaticCase& scene) {
     const double b = scene.width, h = scene.height, area = b * h;
     const double polar = area * (b * b + h * h) / 12.0;
