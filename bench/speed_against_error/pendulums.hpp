@@ -150,7 +150,7 @@ template <class Element>
 void run_pendulums(const Plan& plan, const Report& report, const std::string& name,
                    const std::vector<ancf::Rule>& rules, const ancf::Rule& fine, bool limit) {
     const std::vector<int> meshes =
-        plan.quick ? std::vector<int>{8} : std::vector<int>{2, 4, 8, 16};
+        plan.quick ? std::vector<int>{8} : std::vector<int>{2, 4, 8, 16, 32};
     for (const std::string& scene : {std::string("pendulum"), std::string("link")}) {
         if (!plan.wants(scene) || (plan.quick && scene == "link")) continue;
         const Reference reference = limit && scene == "pendulum"
