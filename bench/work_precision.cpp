@@ -310,7 +310,7 @@ struct Request {
     int elements = 8, rounds = 3;
     bool csv = false, tables = false;
     std::string only;
-    double finest = 5e-7;  // m: an integrator ends with its first run of such an error
+    double finest = 1e-8;  // m: an integrator ends with its first run of such an error
     double longest = 2.0;  // s: or with one that takes so long
 };
 
