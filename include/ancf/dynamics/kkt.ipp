@@ -103,12 +103,15 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
         if (diagonal > 0.0)
             largest[0] = std::max(largest[0], std::abs(b[i]) / (diagonal * scales_[i]));
     }
-    for (int j = 0; j < matrix_.cols(); ++j)
+    for (int j = 0; j < matrix_.cols(); ++j) {
+        double row = residual[j];
         for (SparseMatrix::InnerIterator entry(matrix_, j); entry; ++entry) {
             const auto i = entry.row();
-            residual[i] -= entry.value() * x[j];
-            if (i != j) residual[j] -= entry.value() * x[i];
+            row -= entry.value() * x[i];
+            if (i != j) residual[i] -= entry.value() * x[j];
         }
+        residual[j] = row;
+    }
     for (Eigen::Index i = 0; i < b.size(); ++i) {
         rest[part(i)] = std::max(rest[part(i)], scales_[i] * std::abs(residual[i]));
         const double terms = std::abs(b[i]) + sizes_[0][i] * largest[0] + sizes_[1][i] * largest[1];
