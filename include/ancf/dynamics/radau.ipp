@@ -102,7 +102,7 @@ private:
     bool rejected_ = false,
          failed_ = false;  // the last attempt, by its error or in Newton's method
 
-    std::vector<Knot> knots_;  // of output in the last step; none: to be made
+    std::vector<Knot> knots_;  // of output in the last step; less than two: to be made
 };
 
 ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
@@ -206,7 +206,8 @@ ANCF_INLINE void RadauRun::end_step(double width) {
     std::swap(acceleration_before_, acceleration_);
     std::swap(lambda_before_, lambda_);
     width_before_ = width;
-    knots_.clear();
+    // the last one begins the next step
+    knots_.erase(knots_.begin(), knots_.end() - (knots_.size() > 1 ? 1 : 0));
 }
 
 /// Solves one step by Newton's method, again with a new tangent where the old one fails.
@@ -414,7 +415,7 @@ ANCF_INLINE void RadauRun::add_knot(const MotionPoint& at, const VectorX& accele
 
 /// Makes the knots of output in the last step: its ends, of five stages half a step between them.
 ANCF_INLINE void RadauRun::make_knots() {
-    add_knot(earlier_, earlier_.acceleration);
+    if (knots_.empty()) add_knot(earlier_, earlier_.acceleration);
     const double h = 0.5 * width_before_;
     if (stages_ > 3 && solve_half({earlier_, h, earlier_.time + h}))
         add_knot(stage_.back(), acceleration_.back());
@@ -446,7 +447,7 @@ ANCF_INLINE bool RadauRun::solve_half(const Span& half) {
 
 /// Interpolates in the last step.
 ANCF_INLINE MotionPoint RadauRun::between(double time) {
-    if (knots_.empty()) make_knots();
+    if (knots_.size() < 2) make_knots();
     MotionPoint at;
     at.time = time;
     interpolate(knots_, time, at.q, at.v);
