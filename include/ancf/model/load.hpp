@@ -41,7 +41,7 @@ struct LoadResult {
     MatrixX stiffness;       ///< dQ/dq; empty for a load of constant force
     MatrixX damping;         ///< dQ/dv; empty for a load of constant force
     double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
-    double period = 0.0;     ///< of a V that is known but for multiples of this, an angle's, J
+    double period = 0.0;     ///< J; of a V of an angle, its jump after a turn; else 0
 };
 
 namespace detail {

@@ -69,7 +69,7 @@ struct ScenePart {
 
 /// What a model is, whatever its dimension. Model and PlanarModel are what a program makes.
 ///
-/// It is built once and then solved or integrated; it knows no solver. Nodes carry the union of the
+/// It is built once and then solved or integrated; it holds no solver. Nodes carry the union of the
 /// vectors that their elements need. Equal elements share one prototype. Element types mix freely:
 /// each has a group, in the order in which their first prototypes were added.
 class Scene {
