@@ -535,7 +535,8 @@ TEST_CASE("attachments: what cannot be meant is refused", "[model][attachment][b
         options.at = {a.last(), Field::r};
         static_cast<void>(follow_path(model, solver, options));
     });
-    says("r_xx", [&] { model.attach(b.first(), joint, Fields(Field::r_xx)); });
+    says("expected r or slopes, got r_xx",
+         [&] { model.attach(b.first(), joint, Fields(Field::r_xx)); });
     says("two nodes", [&] { model.connect<Spatial>(0, joint, joint); });
     const int body = model.add_prototype(AffineJoint<3>(steel(), 1e-4, 0.02));
     says("one node", [&] { model.connect<AffineJoint<3>>(body, joint, bare); });

@@ -307,7 +307,7 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     CHECK_THROWS_AS(series.add_reaction("a", 0, scene.beam.last()), InvalidArgument);
     DynamicProblem problem(scene.model);
     CHECK_THROWS_WITH(series.add_reaction("a", problem, scene.beam.first()),
-                      ContainsSubstring("no support holds node 0"));
+                      ContainsSubstring("no support holds node 0: pin or fix it"));
     Cantilever other;
     DynamicProblem another(other.model);
     CHECK_THROWS_WITH(series.add_reaction("a", another, scene.beam.first()),

@@ -20,7 +20,7 @@
 namespace ancf {
 
 ANCF_INLINE Quadrature gauss_quadrature(int points) {
-    detail::require(points >= 1 && points <= 16, "points must lie in [1, 16], got ", points);
+    detail::require(points >= 1 && points <= 16, "Gauss: points must lie in [1, 16], got ", points);
     Quadrature quadrature(static_cast<std::size_t>(points));
     for (int k = 0; k < points; ++k) {
         // Newton's method on Legendre's polynomial P_n, by its three-term recurrence.
@@ -44,7 +44,7 @@ ANCF_INLINE Quadrature gauss_quadrature(int points) {
 }
 
 ANCF_INLINE Quadrature lobatto_quadrature(int points) {
-    detail::require(points >= 2 && points <= 5, "points must lie in [2, 5], got ", points);
+    detail::require(points >= 2 && points <= 5, "Lobatto: points must lie in [2, 5], got ", points);
     if (points == 2) return {{0.0, 0.5}, {1.0, 0.5}};
     if (points == 3) return {{0.0, 1.0 / 6.0}, {0.5, 2.0 / 3.0}, {1.0, 1.0 / 6.0}};
     if (points == 4) {

@@ -52,7 +52,7 @@ using ElementMembers =
 template <class Element>
 using ParameterLength = decltype(some<Element>().parameter_length());
 
-/// Returns the range of an element's parameter; elements without a say in it are straight.
+/// Returns the range of an element's parameter x, m; length() of an element without the member.
 template <class Element>
 [[nodiscard]] double parameter_length(const Element& element) {
     if constexpr (offers<ParameterLength, Element>)

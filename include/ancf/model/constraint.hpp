@@ -95,11 +95,10 @@ inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers
 
 /// A constraint of any type.
 ///
-/// One for models of one dimension declares `static constexpr int dimension`. One whose equations
-/// know an angle but for whole turns, and drive it, tells that angle with its turns by
-/// `double driven_angle(double time) const`, rad: solvers then take no step in which it changes by
-/// more than a sixth of a turn. One that has `terms(q, time, ConstraintTerms<double>&)`, for g, G
-/// and g_t alone, is cheaper where no more is asked for.
+/// Optional members: `static constexpr int dimension`, of the models it belongs to.
+/// `double driven_angle(double time) const`, rad: the angle that it drives, whole turns included;
+/// no step then changes the angle by more than a sixth of a turn.
+/// `terms(q, time, ConstraintTerms<double>&)`: g, G and g_t alone, cheaper where no more is needed.
 class AnyConstraint {
 public:
     /// Holds a copy of the constraint.

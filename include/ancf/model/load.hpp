@@ -41,7 +41,7 @@ struct LoadResult {
     MatrixX stiffness;       ///< dQ/dq; empty for a load of constant force
     MatrixX damping;         ///< dQ/dv; empty for a load of constant force
     double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
-    double period = 0.0;     ///< of a V that is known but for multiples of this, an angle's, J
+    double period = 0.0;     ///< J; of a V of an angle, its jump after a turn; else 0
 };
 
 namespace detail {
@@ -67,11 +67,11 @@ inline constexpr bool is_load_v = detail::offers<detail::LoadMembers, T>;
 
 /// A load of any type.
 ///
-/// A type may declare `static constexpr bool symmetric_stiffness = true`; without it the tangent
-/// counts as unsymmetric and asks for a solver of full storage. One whose force depends neither on
-/// coordinates nor on rates declares `static constexpr bool constant_force = true` instead, and one
-/// for models of one dimension `static constexpr int dimension`. One that acts on what its node
-/// carries offers `void settle(const Layout&)`: the model calls it once, before it keeps the load.
+/// Optional members: `static constexpr bool symmetric_stiffness = true`, or `constant_force = true`
+/// where the force depends neither on coordinates nor on rates; without either the tangent counts
+/// as unsymmetric and needs a solver of full storage. `static constexpr int dimension`, of the
+/// models it belongs to. `void settle(const Layout&)`, for a load that depends on the vectors that
+/// its node has: the model calls it once, before it keeps the load.
 class AnyLoad {
 public:
     /// Holds a copy of the load.

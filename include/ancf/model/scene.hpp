@@ -41,7 +41,7 @@ struct ScaledLoad {
     }
 };
 
-/// How often a model has changed: whoever keeps data of it knows by this whether they still hold.
+/// How often a model has changed. Data computed from a model are valid while this is the same.
 struct Revision {
     long scene = 0;       ///< nodes, elements, supports, loads, constraints
     long properties = 0;  ///< prototypes, masses at nodes, gravity
@@ -58,18 +58,18 @@ struct PointMass {
     double mass;  ///< kg
 };
 
-/// What of a scene a part holds: places in the lists of the scene.
+/// What of a scene a part holds: indices in the lists of the scene.
 struct ScenePart {
-    std::vector<std::vector<int>> elements;  ///< of each group
-    std::vector<int> loads;                  ///< of these
-    std::vector<int> constraints;            ///< of these
-    std::vector<int> masses;                 ///< of these
+    std::vector<std::vector<int>> elements;  ///< of each group: indices of its elements
+    std::vector<int> loads;                  ///< indices in loads()
+    std::vector<int> constraints;            ///< indices in constraints()
+    std::vector<int> masses;                 ///< indices in masses()
     std::vector<char> nodes;                 ///< of every node: whether the part has it
 };
 
 /// What a model is, whatever its dimension. Model and PlanarModel are what a program makes.
 ///
-/// It is built once and then solved or integrated; it knows no solver. Nodes carry the union of the
+/// It is built once and then solved or integrated; it holds no solver. Nodes carry the union of the
 /// vectors that their elements need. Equal elements share one prototype. Element types mix freely:
 /// each has a group, in the order in which their first prototypes were added.
 class Scene {
@@ -78,7 +78,7 @@ public:
     Scene(const Scene& other);
     /// Takes all of that over and leaves an empty scene.
     Scene(Scene&& other) noexcept;
-    /// Replaces all of that: who keeps data of this scene makes them anew.
+    /// Replaces all of that; data computed from this scene are then no longer valid.
     /// @throws InvalidArgument for a scene of another dimension.
     Scene& operator=(const Scene& other);
     /// Replaces all of that likewise.

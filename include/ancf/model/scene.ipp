@@ -310,7 +310,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
 
 ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) const {
     const char* const name = to_string(field);
-    detail::require(length_power(field) >= 0, "Model::attach: ", name, " follows no other vector");
+    detail::require(length_power(field) >= 0, "Model::attach: expected r or slopes, got ", name);
     detail::require(initial_[end.index].fields.contains(field), "Model::attach: node ", end.index,
                     " carries no ", name, "; connect its elements first");
     check_unattached("attach", end, field);
@@ -457,7 +457,7 @@ ANCF_INLINE void Scene::refresh() const {
     const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
     std::copy_n(old.multipliers.data(), kept, state_.multipliers.data());
     stale_ = false;
-    detail::require(own, "Model: the state was another model's; nodes are where they were added");
+    detail::require(own, "Model: the state had another size; now it is that of the nodes as added");
 }
 
 ANCF_INLINE std::vector<double> Scene::torsion_shares() const {

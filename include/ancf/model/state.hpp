@@ -30,7 +30,7 @@ struct Instant {
     double ramp = 1.0;  ///< scale of the loads without an Amplitude: 1; in statics the load factor
 };
 
-/// One held or driven component of a nodal vector, which so is no unknown.
+/// One held or driven component of a nodal vector: it is no unknown.
 struct Support {
     NodeId node;             ///< where
     Field field;             ///< which vector
@@ -42,10 +42,10 @@ struct Support {
 
 /// What a clamp holds of a node.
 enum class Clamp {
-    full,       ///< position and slopes; with r_x as well as r_y held the shear strain is zero
-                ///< there, see docs/theory.md, "Section forces". Nothing of the curvature r_xx
-    free_slope  ///< the same but r_x: the clamp of the paper's cantilevers. Of TorsionBeam, whose
-                ///< frame turns with r_x, it is a hinge
+    full,       ///< position and slopes: with r_x and r_y held the shear strain is zero at the
+                ///< node, docs/theory.md, "Section forces". r_xx and r_xy stay free
+    free_slope  ///< position and slopes but r_x: the clamp of the paper's cantilevers. Of a
+                ///< TorsionBeam, whose frame turns with r_x, it is a hinge
 };
 
 }  // namespace ancf

@@ -19,7 +19,7 @@
 namespace ancf {
 
 ANCF_INLINE void write_shape(std::ostream& out, const std::vector<ShapeStation>& shape) {
-    detail::require(!shape.empty(), "write_shape: the shape has no station");
+    detail::require(!shape.empty(), "write_shape: the shape needs at least one station, got none");
     std::vector<std::string> columns = {"s", "x", "y", "z"};
     for (std::size_t k = 0; k < shape.front().outline.size(); ++k)
         for (const char* axis : {"x", "y", "z"}) columns.push_back(axis + std::to_string(k));

@@ -49,11 +49,13 @@ public:
 
     /// Adds N, Q_y, Q_z, T, M_y, M_z of a section as transmitted_forces has them; N and N m.
     /// @param element  index in the group of its type.  @param xi  place along it, 0 to 1
+    /// @throws InvalidArgument for an element that does not exist, or xi outside [0, 1].
     template <class Element>
     void add_section_forces(const std::string& name, int element, double xi);
 
     /// Adds the stress of a point as the element's stress() has it: S_xx, S_yy, S_zz, S_yz, S_xz,
-    /// S_xy of beams in space, S_xx, S_yy, S_xy in the plane, S_xx of cables; Pa.
+    /// S_xy of beams in space, S_xx, S_yy, S_xy in the plane, S_xx of cables; Pa. y and z in m.
+    /// @throws InvalidArgument for an element that does not exist, or xi outside [0, 1].
     template <class Element>
     void add_stress(const std::string& name, int element, double xi, double y = 0.0,
                     double z = 0.0);

@@ -65,7 +65,7 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem&
                     " is that of another model");
     bool found = false;
     for (const Support& support : model_.supports()) found = found || support.node == node;
-    detail::require(found, "TimeSeries: no support holds node ", node.index);
+    detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
     solve_supports_ = [this, &problem](const State& state) {
         if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());

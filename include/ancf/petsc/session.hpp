@@ -47,8 +47,8 @@ public:
     /// @throws InvalidArgument where PETSc does not run.
     QuietErrors() {
         ancf::detail::require(petsc_runs(),
-                              "ancf::petsc: PETSc does not run; let an "
-                              "ancf::petsc::Session stand");
+                              "ancf::petsc: PETSc is not initialised; make an "
+                              "ancf::petsc::Session first and keep it");
         static_cast<void>(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
     }
     QuietErrors(const QuietErrors&) = delete;

@@ -17,7 +17,7 @@
 namespace ancf::detail {
 
 ANCF_INLINE void require_singular_rcond(double limit) {
-    require(limit >= 0.0 && limit < 1.0, "singular_rcond must be in [0, 1), got ", limit);
+    require(limit >= 0.0 && limit < 1.0, "solver: singular_rcond must be in [0, 1), got ", limit);
 }
 
 /// Scales rows whose diagonal is zero, a constraint's, to a largest entry of 1.

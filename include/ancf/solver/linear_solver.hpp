@@ -62,8 +62,8 @@ inline constexpr double default_singular_rcond = 1.5 * std::numeric_limits<doubl
 
 /// Solves A x = b by a factorisation of A.
 ///
-/// A solver belongs to one run at a time, which goes on with the factors that it left: what an
-/// observer or another callback of the run solves takes a solver of its own.
+/// A solver serves one run at a time, which relies on its last factors: in an observer or another
+/// callback of the run take another solver.
 ///
 /// The solvers of this library throw InvalidArgument for a matrix that is not square, compressed
 /// and of their storage, for sizes that differ from those analysed, and for a solve without a
@@ -87,11 +87,11 @@ public:
     /// The word that tables print.
     [[nodiscard]] virtual std::string_view name() const noexcept = 0;
 
-    /// Returns why the last factorisation or solution failed, where there is more to say than the
-    /// status of the one or the entries of the other, which are NaN then; else empty.
+    /// Returns why the last factorisation or solution failed, empty where the status says all. A
+    /// solution that failed has entries that are NaN.
     [[nodiscard]] virtual std::string failure() const { return {}; }
 
-    /// Tells whether it is chosen because a factorisation is out of reach: none is made beside it.
+    /// Tells whether it iterates: the library then makes no factorisation besides.
     [[nodiscard]] virtual bool iterative() const noexcept { return false; }
 
     /// Returns a solver of complex matrices by the same library, or none: complex_solver_for takes

@@ -66,14 +66,14 @@ struct CriticalPoint {
 /// How a path is followed.
 struct PathOptions {
     PathControl control = PathControl::cylindrical;  ///< what a step is measured by
-    NodeField at{};                                  ///< displacement control: the vector,
-    int component = 0;                               ///< and its component
+    NodeField at{};                                  ///< displacement control: the vector
+    int component = 0;                               ///< displacement control: component, from 0
 
     double first_factor = 0.0;           ///< load factor of the state that the model is in
     double first_step = 0.1;             ///< change of the load factor that the first step aims at,
                                          ///< its sign the sense; no longer than `branch_step`
-    double largest_step = 10.0;          ///< largest step relative to the first, or to that along
-    double smallest_step = 1e-6;         ///< `direction`; and the smallest
+    double largest_step = 10.0;          ///< longest step, as a multiple of the first one
+    double smallest_step = 1e-6;         ///< shortest step, likewise
     int wanted_iterations = 5;           ///< steps grow and shrink towards this number
     int max_iterations = 15;             ///< of a step, before it is halved
     int max_points = 1000;               ///< limit of a path
@@ -103,9 +103,8 @@ struct PathOptions {
 
 /// What a followed path reports.
 struct PathReport {
-    /// converged: landed on last_factor; stopped: by the callback. Or diverged: the smallest step
-    /// failed; max_iterations: points; singular, degenerate or
-    /// not_finite: the path cannot start in this state.
+    /// converged: landed on last_factor; stopped: by the callback; diverged: the smallest step
+    /// failed; max_iterations: max_points; else the path cannot start in this state.
     Status status = Status::converged;
     std::vector<PathPoint> points;        ///< in order
     std::vector<CriticalPoint> critical;  ///< in order

@@ -75,7 +75,7 @@ public:
                     "that node's");
             controlled_ = numbering_.equation(coordinate + options.component);
             require(controlled_ >= 0,
-                    "PathOptions: the controlled coordinate is held by a support");
+                    "PathOptions: the controlled coordinate is held: control a free one");
         }
         require(options.direction.size() == 0 || options.direction.size() == rest_.size(),
                 "PathOptions: direction needs ", rest_.size(), " coordinates, got ",

@@ -45,7 +45,7 @@ struct StaticsOptions {
     int steps = 1;                              ///< equal load steps; one in which a driven joint
                                                 ///< turns by more than pi/3 is taken in parts
     int max_iterations = 100;                   ///< linear solves per step
-    int mixed_iterations = 25;                  ///< the same before a step is repeated as plain
+    int mixed_iterations = 25;                  ///< likewise, before a step is repeated as plain
     double residual_tolerance = 1e-9;           ///< relative to loads and reactions
     double correction_tolerance = 1e-6;  ///< relative to the scene's size; slopes absolutely,
                                          ///< r_xx times the elements' mean length; 1e-3

@@ -92,7 +92,7 @@ public:
                   double length, const Options& options = {});
 
     /// Returns evaluate() of the rates of e + t v, for KelvinVoigt: the rate of the tangent is the
-    /// derivative of B^T C B v by e. A template: only those who damp compile it.
+    /// derivative of B^T C B v by e. A template: compiled where it is used.
     /// @param e,v  nodal coordinates and their rates
     template <int...>
     [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(

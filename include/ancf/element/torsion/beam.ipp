@@ -43,7 +43,7 @@ ANCF_LAZY void TorsionBeam::set_up(const Material& material, const Section& sect
     detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
     detail::require_points(options_.rule, StrainGroup::torsion, "torsion", 1);
     detail::require(!section.has_shear_centre(),
-                    "a torsion beam's shear centre is its axis: it takes no other");
+                    "a torsion beam's shear centre is its axis: leave out with_shear_centre");
     const Moments& m = section.moments();
     const double size = std::sqrt(std::max(m.yy, m.zz) * m.area);
     detail::require(std::abs(m.y) <= 1e-9 * size && std::abs(m.z) <= 1e-9 * size,

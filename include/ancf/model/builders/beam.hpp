@@ -117,7 +117,7 @@ void connect_next(Scene& model, Beam<Element>& beam) {
 template <class Element>
 using LineLoad = decltype(some<Element>().line_load(some<Vector<double, Element::dimension>>()));
 
-/// Returns the nodal force of a force per length; elements without a say in it are straight.
+/// Returns the nodal force of a force per length; without line_load() that of a straight element.
 template <class Element>
 [[nodiscard]] VectorX line_load(const Element& element,
                                 const Vector<double, Element::dimension>& force_per_length) {

@@ -97,7 +97,7 @@ auto beam_through(BasicModel<Dimension>& model, const Material& material, const 
 /// It starts at `from` along `tangent` and turns towards `normal` (made normal to the tangent) by
 /// `angle`, rad, on the given radius, m. The section's y axis points along the normal, to the
 /// centre.
-/// @throws InvalidArgument for a radius or an angle that is not positive, or parallel directions.
+/// @throws InvalidArgument for a radius, an angle or elements not positive, or parallel directions.
 template <class Element = void, int Dimension, class... Options>
 auto arc(BasicModel<Dimension>& model, const Material& material, const Section& section,
          const VectorArgument<3>& from, const VectorArgument<3>& tangent,
@@ -108,8 +108,8 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
                                  std::forward<Options>(options)...);
 }
 
-/// Adds an arc of a circle in the plane; a positive angle turns counterclockwise.
-/// @throws InvalidArgument for a radius that is not positive or an angle of zero.
+/// Adds an arc of a circle in the plane, m and rad; a positive angle turns counterclockwise.
+/// @throws InvalidArgument for a radius or elements that are not positive, or an angle of zero.
 template <class Element = void, int Dimension, class... Options>
 auto arc(BasicModel<Dimension>& model, const Material& material, const Section& section,
          const VectorArgument<2>& from, const VectorArgument<2>& tangent, double radius,
@@ -123,7 +123,7 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
 ///
 /// The section's y axis points to the axis of the helix.
 /// @param pitch  advance along the axis per turn, m, of either sign.  @param turns  > 0
-/// @throws InvalidArgument for a radius or turns that are not positive, or parallel directions.
+/// @throws InvalidArgument for radius, turns or elements not positive, or parallel directions.
 template <class Element = void, int Dimension, class... Options>
 auto helix(BasicModel<Dimension>& model, const Material& material, const Section& section,
            const VectorArgument<3>& centre, const VectorArgument<3>& axis,
@@ -136,8 +136,8 @@ auto helix(BasicModel<Dimension>& model, const Material& material, const Section
 
 /// Adds a smooth beam through points, one element between each two.
 ///
-/// Tangents are those of the parabola through each point and its neighbours over the chord lengths;
-/// the section is carried from node to node by the smallest rotation of the tangent.
+/// Tangents are those of the parabola through each point and its neighbours over the chord lengths.
+/// From node to node the section turns by the smallest rotation of the tangent. Points are in m.
 /// @param y_axis  section's y direction at the first point, made normal to the tangent there
 /// @throws InvalidArgument for fewer than two points, points that coincide, or parallel directions.
 template <class Element = void, int Dimension, class... Options>

@@ -36,10 +36,10 @@ struct Profile {
 
 /// A straight member of a frame or a net.
 struct Member {
-    int first;         ///< place of the joint where it starts
-    int second;        ///< place of the joint where it ends
-    int profile = 0;   ///< place of what it is made of
-    int elements = 1;  ///< how many
+    int first;         ///< index of the point where it starts
+    int second;        ///< index of the point where it ends
+    int profile = 0;   ///< index in the profiles
+    int elements = 1;  ///< number of elements
 };
 
 /// How a frame is built.
@@ -62,7 +62,7 @@ struct FrameOptions {
 
 /// How a net is built.
 struct NetOptions {
-    double strain = 0.0;  ///< of the ropes as they are drawn: a net without any has no stiffness
+    double strain = 0.0;  ///< initial strain of the ropes; a flat net without has no stiffness
 
     /// @throws InvalidArgument for a strain that is not finite or not above -1.
     void check() const;

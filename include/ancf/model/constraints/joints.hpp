@@ -263,8 +263,8 @@ private:
 /// The section of a node held in shape: r_y and r_z of unit length and normal to each other;
 /// 3 equations, g = ((r_y.r_y - 1)/2, (r_z.r_z - 1)/2, r_y.r_z).
 ///
-/// Bending aside of the slopes shears a section in its plane by E I kappa^2/(2 k G A), which counts
-/// where a beam is bent to a radius of a few of its depths.
+/// With Green's strain, bending about an axis other than the section's y and z shears the section
+/// by E I kappa^2/(2 k G A), which counts at a radius of a few depths: docs/limits.md.
 class RigidSection {
 public:
     static constexpr int dimension = 3;  ///< of the model it belongs to

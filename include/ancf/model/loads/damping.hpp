@@ -6,8 +6,8 @@
 /// on the generalised strains.
 ///
 /// The first two are forces -D v with a constant matrix D per element, the last turns with the
-/// element; the derivatives of all are exact, and every integrator takes them. Scaled by an
-/// amplitude they can be switched on and off in time.
+/// element. Derivatives are exact. Every integrator but Leapfrog takes them. An amplitude varies
+/// them in time.
 
 #pragma once
 
@@ -68,8 +68,8 @@ using Viscous = decltype(&Element::template viscous<>);
 /// Adds Rayleigh damping D = a M + b K0 to a beam, K0 the tangent where the model stands.
 ///
 /// A mode of the angular frequency w has the damping ratio a/(2 w) + b w/2. D is fixed in space:
-/// a M brakes rigid motions too, and K0 belongs to the present orientation, so that b is for beams
-/// that turn by small angles.
+/// a M damps rigid motions too, and K0 belongs to the present orientation, so b is for beams that
+/// turn by small angles.
 /// @param a  >= 0, 1/s  @param b  >= 0, s
 /// @throws InvalidArgument for a value that is negative or not finite.
 template <class Element>
@@ -88,9 +88,9 @@ void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude
 
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
 ///
-/// A rigid motion of any size meets no force. A mode of the angular frequency w has the damping
-/// ratio eta w/2. Of the curvature vector of Cable<3> the part is damped that the spin of least
-/// dissipation about the tangent leaves: changes of |kappa|; where the line is straight, all.
+/// In a rigid motion the force is zero. A mode of the angular frequency w has the damping ratio
+/// eta w/2. In Cable<3> it damps changes of |kappa|, the length of the curvature vector, and of a
+/// straight line bending in every direction: docs/theory-damping.md.
 template <class Element>
 class KelvinVoigt {
 public:

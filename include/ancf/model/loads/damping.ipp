@@ -22,8 +22,8 @@ namespace ancf {
 ANCF_INLINE LinearDamping::LinearDamping(Coupling coupling, MatrixX matrix)
     : coupling_(std::move(coupling)), matrix_(std::move(matrix)) {
     detail::require(matrix_.rows() == matrix_.cols() && detail::all_finite(matrix_),
-                    "LinearDamping: the matrix must be square and finite, got ", matrix_.rows(),
-                    " x ", matrix_.cols());
+                    "LinearDamping: the matrix must be square with finite entries, got ",
+                    matrix_.rows(), " x ", matrix_.cols());
 }
 
 ANCF_LAZY void LinearDamping::evaluate(const LoadState& state, LoadResult& out) const {
