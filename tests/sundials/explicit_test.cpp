@@ -5,6 +5,7 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/damping.hpp>
@@ -233,6 +234,58 @@ TEST_CASE("Explicit: a fixed step above the stable one ends as diverged and says
     CHECK(seen.report.steps == 0);
     CHECK(seen.rows.size() == 1);
     CHECK_THAT(seen.report.message, ContainsSubstring("0.02 s is above the stable one of"));
+}
+
+TEST_CASE("Explicit: a fixed step that a stiffer beam makes unstable ends as diverged",
+          "[explicit][stability]") {
+    Hanging scene = supported(4);
+    ExplicitOptions options;
+    options.step = 4e-3;  // s; 5.1e-3 are stable in space as well, and in the stiffer beam 3.6e-3
+    ancf::Schedule schedule = until(40 * options.step);
+    // less than the fifty steps between two estimates: it ended as converged after 3, with an error
+    // in energy of 6 %, and after 10 with an element to blame
+    const int later = GENERATE(1, 3, 10);
+    CAPTURE(later);
+    int steps = 0;
+    schedule.progress = [&](double, double) {
+        if (++steps == 40 - later)
+            scene.model->prototype<Element>(scene.beam.prototypes[0]) =
+                Element(ancf::Material::from_moduli(1.4e6, 5.3846e5, 5540.0),
+                        ancf::rectangle(0.05, 0.05), 0.3);
+        return true;
+    };
+    const Seen seen = move(scene, schedule, options);
+    CHECK(seen.report.status == Status::diverged);
+    CHECK(seen.report.steps == 40 - later);
+    CHECK(seen.report.energy_drift <= 1e-4 * seen.report.kinetic_largest);
+    CHECK_THAT(seen.report.message, ContainsSubstring("0.004 s is above the stable one of"));
+}
+
+TEST_CASE("Explicit: fixed steps that a rope pulled taut makes unstable are told of at the end",
+          "[explicit][stability]") {
+    // five steps ended as converged 0.1 m off, with an error in energy as large as the kinetic one;
+    // eight end where an element fails
+    const auto [steps, status] = GENERATE(table<int, Status>({{5, Status::diverged},  //
+                                                              {8, Status::degenerate}}));
+    CAPTURE(steps);
+    const auto rubber = ancf::Material::isotropic(0.7e6, 0.3, 5540.0);
+    ancf::PlanarModel model;
+    const auto rope = ancf::straight_beam<ancf::Cable<2>>(
+        model, rubber, ancf::rectangle(0.02, 0.02), {0.0, 0.0}, {1.0, 0.0}, 4,
+        ancf::CableOptions{ancf::cable_rule(), 0.0});
+    for (const ancf::NodeId node : rope.nodes) {  // loose by half a per cent between its ends
+        model.set_value(node, ancf::Field::r, 0.995 * model.position(node));
+        model.set_value(node, ancf::Field::r_x, {0.995, 0.0});
+    }
+    model.pin(rope.first());
+    model.pin(rope.last());
+    model.set_gravity({0.0, -9.81});
+    ancf::DynamicProblem problem(model);
+    ExplicitOptions options;
+    options.step = 0.015;  // s; 0.076 are stable while the rope is loose
+    const auto report = Explicit(options).integrate(problem, until(steps * options.step));
+    CHECK(report.status == status);
+    CHECK_THAT(report.message, ContainsSubstring("0.015 s is above the stable one of"));
 }
 
 TEST_CASE("Explicit: a stiff scene is refused before it would take for ever",

@@ -135,6 +135,8 @@ private:
     void set_steps();
     [[nodiscard]] bool is_feasible();
     [[nodiscard]] bool is_stable();
+    [[nodiscard]] bool remains_stable();
+    [[nodiscard]] std::string instability() const;
     [[nodiscard]] bool step();
     [[nodiscard]] int evolve(double& reached);
     void restart(double step);
@@ -150,6 +152,7 @@ private:
     ArkodeOwner erk_;
 
     double fixed_step_ = 0.0;  // s: options_.step, shortened
+    Revision revision_;        // of the scene that the stable step is of
     bool ran_ = false;
     VectorX a_;         // at now_
     MotionPoint from_;  // where the step that led there began
@@ -171,6 +174,7 @@ ANCF_INLINE void ExplicitRun::set_up() {
     system_.q(y) = start_.q;
     system_.v(y) = start_.v;
     erk_ = make_erk(context_, &ExplicitSystem::rate, start_.time, y_.get());
+    revision_ = problem_.model().revision();
     system_.estimate(start_.time, start_.q, start_.v);
     void* erk = erk_.get();
     call(Arkode::set_user_data(erk, &system_));
@@ -228,6 +232,11 @@ ANCF_INLINE ExplicitReport ExplicitRun::run() {
     if (is_feasible())
         while (now_.time < schedule_.end && step()) {
         }
+    if (is_fixed() && report_.fault) {  // it may be what steps above the stable one lead to
+        system_.estimate(now_.time, now_.q, now_.v);
+        const std::string reason = instability();
+        if (!reason.empty()) report_.message += (report_.message.empty() ? "" : "; ") + reason;
+    }
     Arkode::error_failures(erk_.get(), &report_.rejected);
     Arkode::limited_steps(erk_.get(), &report_.limited);
     report_.rejected += earlier_rejected_;
@@ -257,12 +266,29 @@ ANCF_INLINE bool ExplicitRun::is_feasible() {
 
 // Whether a fixed step is below the stable one; ends the run where it is not.
 ANCF_INLINE bool ExplicitRun::is_stable() {
-    if (fixed_step_ <= system_.stable_step()) return true;
-    return end(
-        Status::diverged,
-        ancf::detail::joined({"the fixed step of ", fixed_step_, " s is above the stable one of ",
-                              system_.stable_step(), " s at ", now_.time, " s"},
-                             6));
+    std::string reason = instability();
+    return reason.empty() || end(Status::diverged, std::move(reason));
+}
+
+// Estimates the stable step anew where the run goes on in a scene that an observer has changed and,
+// of fixed steps, from time to time and at the end; ends the run where a fixed step is above it.
+ANCF_INLINE bool ExplicitRun::remains_stable() {
+    const bool ends = now_.time >= schedule_.end;
+    const bool changed = !(problem_.model().revision() == revision_);
+    const bool due = ends || report_.steps % options_.stable_interval == 0;
+    if (changed ? ends : !is_fixed() || !due) return true;
+    revision_ = problem_.model().revision();
+    system_.estimate(now_.time, now_.q, now_.v);
+    return !is_fixed() || is_stable();
+}
+
+// Returns that a fixed step is above the stable one; empty where it is not.
+ANCF_INLINE std::string ExplicitRun::instability() const {
+    if (fixed_step_ <= system_.stable_step()) return {};
+    return ancf::detail::joined(
+        {"the fixed step of ", fixed_step_, " s is above the stable one of ", system_.stable_step(),
+         " s at ", now_.time, " s"},
+        6);
 }
 
 // Takes one step and reports it; false where the run ends.
@@ -278,10 +304,7 @@ ANCF_INLINE bool ExplicitRun::step() {
     take_state(reached);
     double length = 0.0;
     Arkode::last_step(erk_.get(), &length);
-    if (!record(length, [this](double time) { return between(time); })) return false;
-    if (!is_fixed() || report_.steps % options_.stable_interval != 0) return true;
-    system_.estimate(now_.time, now_.q, now_.v);
-    return is_stable();
+    return record(length, [this](double time) { return between(time); }) && remains_stable();
 }
 
 // Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
