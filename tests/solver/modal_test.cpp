@@ -292,6 +292,8 @@ TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
     CHECK(report.iterations <= 3);
     // of 15; round-off may hide the highest, whose squares are 1e13 times the lowest
     CHECK(report.modes.size() >= 11);
+    wanted.count = std::numeric_limits<int>::max();  // a block twice as wide is beyond all integers
+    CHECK(ancf::natural_modes(scene, solver, wanted).modes.size() == report.modes.size());
     wanted.count = 3;
     wanted.max_iterations = 1;
     const auto short_of = ancf::natural_modes(scene, solver, wanted);

@@ -27,6 +27,7 @@ template <class Dense>
 Status Subspace<Dense>::run(int free, int count, double tolerance, int max_iterations) {
     // what constraints leave; a block beyond it would be filled by round-off
     const Eigen::Index all = std::max<Eigen::Index>(2 * free - A_.rows(), 1);
+    count = static_cast<int>(std::min<Eigen::Index>(count, all));
     const auto width = std::min<Eigen::Index>(2 * count + 8, all);
     constrained_ = free < A_.rows();
     scales_ = unit_scales(A_);
