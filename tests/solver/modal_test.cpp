@@ -604,6 +604,15 @@ TEST_CASE("modes: options that cannot be meant are refused", "[modal][bad-input]
     refused([](auto& o) { o.shift = std::numeric_limits<double>::quiet_NaN(); });
 }
 
+TEST_CASE("modes, buckling: multipliers of another number than the scene has are refused",
+          "[modal][buckling][bad-input]") {
+    Scene scene = cantilever(1, 0.05, Hold::constraints);
+    ancf::EigenLu solver;
+    scene.state().multipliers.setZero(1);
+    CHECK_THROWS_AS(ancf::natural_modes(scene, solver), ancf::InvalidArgument);
+    CHECK_THROWS_AS(ancf::buckling_modes(scene, solver), ancf::InvalidArgument);
+}
+
 TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[richardson]") {
     const auto power = [](int n) { return 3.0 - 2.0 * std::pow(n, -2.5); };
     const auto result = ancf::richardson(power, 4);

@@ -79,7 +79,8 @@ public:
     /// Evaluates the tangent at a load factor; returns the element that failed.
     [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q,
                                                 const Correction* stresses = nullptr) {
-        const VectorX multipliers = model_.state().multipliers + factor * forces_;
+        VectorX multipliers = model_.state().multipliers;
+        if (factor != 0.0) multipliers += factor * forces_;  // 0 comes first: it refuses a bad size
         return assembly_.evaluate({q, rest_, multipliers, {factor, factor}}, Request::tangent,
                                   nullptr, stresses);
     }
