@@ -27,7 +27,8 @@ public:
     /// Iterates until no wanted value changes by more than the tolerance, relative, and the
     /// round-off of x^T A x.
     /// @param free  number of coordinates, at least 1; the rest of the unknowns are multipliers
-    /// @return      singular where x^T A x is negative for a vector that the block contains
+    /// @return      singular where x^T A x is negative for a vector that the block contains, or is
+    ///              round-off for its slowest mode: then A moves something without resistance
     [[nodiscard]] Status run(int free, int count, double tolerance, int max_iterations);
 
     /// Returns |B x - th A x|/(th |A x|) of mode k.
@@ -51,6 +52,8 @@ private:
     [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const;
     // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
     [[nodiscard]] VectorX noise(Eigen::Index count) const;
+    // Tells whether x^T A x = 1 of the first vector is below its round-off, multipliers aside.
+    [[nodiscard]] bool slides(int free) const;
     // Solves the problem on the span of the vectors; those that add nothing are left out. Returns
     // false where the metric is not positive on the span, or nothing is left.
     [[nodiscard]] bool reduce(int count);

@@ -43,7 +43,7 @@ Status Subspace<Dense>::run(int free, int count, double tolerance, int max_itera
             vectors.col(k) = column;
         }
         if (!vectors.allFinite()) return Status::not_finite;
-        if (!reduce(count)) return Status::singular;
+        if (!reduce(count) || slides(free)) return Status::singular;
         // by magnitude: of a pair of either sign either may come first
         const VectorX wanted = values.head(std::min<Eigen::Index>(count, values.size())).cwiseAbs();
         if (wanted.size() == last.size()) {
@@ -135,6 +135,14 @@ VectorX Subspace<Dense>::noise(Eigen::Index count) const {
     const Dense x = vectors.leftCols(count).cwiseAbs();
     return std::numeric_limits<double>::epsilon() *
            x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
+}
+
+template <class Dense>
+bool Subspace<Dense>::slides(int free) const {
+    Dense size = vectors.leftCols(1).cwiseAbs();
+    size.bottomRows(size.rows() - free).setZero();
+    const double magnitude = (size.transpose() * product(magnitude_, size))(0, 0);
+    return std::numeric_limits<double>::epsilon() * magnitude >= 1.0;
 }
 
 template <class Dense>
