@@ -5,6 +5,7 @@
 /// Types that miss what ancf asks for; each comment `expected:` is what the compiler must say.
 /// With ANCF_CONFORMING the same uses with types that miss nothing: that must compile.
 
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/requirement.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
@@ -16,6 +17,7 @@ using Bar = ancf::test::Bar<3>;
 #ifdef ANCF_CONFORMING
 
 using Element = Bar;
+using Measure = ancf::GreenAxial;
 constexpr bool conforming = true;
 
 constexpr int of_pin = 3;
@@ -29,6 +31,7 @@ struct Added {
 
 struct Nothing {};
 using Element = Nothing;
+using Measure = Nothing;  // as GreenMeasure, which beams have
 constexpr bool conforming = false;
 using Added = Nothing;
 constexpr int of_pin = 2;
@@ -55,6 +58,9 @@ static_assert(ancf::require_element<NoForce>());
 // expected: an element needs: bool admissible(const Coordinates&) const
 static_assert(ancf::require_element<Element>());
 static_assert(ancf::is_element_v<Element> == conforming);
+
+// expected: a cable takes GreenAxial or EngineeringAxial
+static_assert(sizeof(ancf::Cable<3, Measure>) > 0);
 
 // expected: Model::add takes a load, which offers
 void use_added(ancf::Model& model) { model.add(Added()); }

@@ -79,6 +79,10 @@ template <class S>
             deformation(force, 0.0), c + (first - last)};
 }
 
+/// What a measure of cables has.
+template <class Measure>
+using AxialStrain = decltype(Measure::strain(1.0));
+
 }  // namespace detail
 
 /// Green's strain (r'.r' - 1)/2: a polynomial, no root.

@@ -69,6 +69,9 @@ class Cable : public LineElement<Cable<Dimension, Measure>, detail::CableKernel<
     using Base = typename Cable::LineElement;
     using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 2 || Dimension == 3, "a cable lives in the plane or in space");
+    static_assert(detail::offers<detail::AxialStrain, Measure>,
+                  "a cable takes GreenAxial or EngineeringAxial; GreenMeasure and "
+                  "EngineeringMeasure are of beams");
 
 public:
     static constexpr int dimension = Dimension;      ///< of space
