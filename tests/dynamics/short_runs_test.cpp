@@ -220,4 +220,30 @@ TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
     CHECK(checked == 12);
 }
 
+TEST_CASE("Runs that end shortly beside the grid go on as one does", "[dynamics]") {
+    // each ends by a step of a twentieth or a hundredth: as converged they ended 1.6 m off
+    ancf::GeneralizedAlphaOptions options;
+    options.step = 1e-3;
+    const ancf::GeneralizedAlpha integrator(options);
+    for (const double duration : {1.05e-3, 1.001e-2}) {
+        CAPTURE(duration);
+        Chain parts = swing(), whole = swing();
+        ancf::DynamicProblem problem(parts.model), other(whole.model);
+        ancf::EigenLu solver;
+        ancf::Memory memory;
+        for (double end = duration; end < 0.25; end += duration) {
+            const auto report = integrator.integrate(problem, solver, until(end), memory);
+            CAPTURE(end, report.message);
+            REQUIRE(report.status == Status::converged);
+            memory = report.memory;
+        }
+        const ancf::State& reached = parts.model.state();
+        REQUIRE(integrator.integrate(other, solver, until(reached.time)).status ==
+                Status::converged);
+        const ancf::VectorX& force = whole.model.state().multipliers;
+        CHECK(distance(reached.q, whole.model.state().q) <= 1e-5);
+        CHECK(distance(reached.multipliers, force) <= 1e-3 * force.norm());
+    }
+}
+
 }  // namespace short_runs_test

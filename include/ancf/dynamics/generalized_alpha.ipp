@@ -38,7 +38,8 @@ private:
     static constexpr double farthest = 1.0;  // of corrections that grow: a slope's length
 
     void begin(const Memory& memory);
-    void read(const Memory& memory);
+    void begin_anew();
+    [[nodiscard]] bool read(const Memory& memory);
     void recall_run(const Memory& memory);
     void remember_run();
     [[nodiscard]] bool advance();
@@ -107,19 +108,21 @@ ANCF_INLINE DynamicsReport GeneralizedAlphaRun::run(const Memory& memory) {
 }
 
 ANCF_INLINE void GeneralizedAlphaRun::begin(const Memory& memory) {
+    memory.empty() ? begin_anew() : recall_run(memory);
+    next_ = now_;
+}
+
+/// Begins at the model's state, with accelerations that belong to it.
+ANCF_INLINE void GeneralizedAlphaRun::begin_anew() {
     static_cast<MotionPoint&>(now_) = start_point();
     now_.acceleration = now_.algorithmic = start_.acceleration;
     width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
-    if (!memory.empty()) {
-        recall_run(memory);
-    } else if (offset_ != 0.0) {
-        // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
-        VectorX jerk;
-        if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
-            now_.algorithmic += offset_ * width_ * jerk;
-        report_.evaluations += 4;
-    }
-    next_ = now_;
+    if (offset_ == 0.0) return;
+    // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
+    VectorX jerk;
+    if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
+        now_.algorithmic += offset_ * width_ * jerk;
+    report_.evaluations += 4;
 }
 
 /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
@@ -263,7 +266,8 @@ ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
 }
 
 /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
-ANCF_INLINE void GeneralizedAlphaRun::read(const Memory& memory) {
+/// Returns whether it ended beside the grid, by a step far shorter than the others.
+ANCF_INLINE bool GeneralizedAlphaRun::read(const Memory& memory) {
     const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 4);
     require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
             ", the options have ", options_.rho);
@@ -275,15 +279,20 @@ ANCF_INLINE void GeneralizedAlphaRun::read(const Memory& memory) {
     linearised_width_ = values[6];
     if (linearised_width_ > 0.0)
         static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
+    const bool beside = values[1] == values[0] && values[2] == 0.0;
+    return beside && 2.0 * width_ < values[3];
 }
 
 ANCF_INLINE void GeneralizedAlphaRun::recall_run(const Memory& memory) {
-    together(problem_.model().exchange(), [&] { read(memory); });
+    bool was_cut = false;
+    together(problem_.model().exchange(), [&] { was_cut = read(memory); });
     require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
-    if (linearised_width_ == 0.0) return;
-    if (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
-        factorise(linearised_width_) != Status::converged)
+    if (linearised_width_ > 0.0 &&
+        (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
+         factorise(linearised_width_) != Status::converged))
         linearised_width_ = 0.0;  // the first step builds a matrix of its own
+    // its accelerations carry what is left of g and G v, over powers of the short width
+    if (was_cut && problem_.multipliers() > 0) begin_anew();
 }
 
 }  // namespace detail
