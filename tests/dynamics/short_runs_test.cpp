@@ -246,4 +246,24 @@ TEST_CASE("Runs that end shortly beside the grid go on as one does", "[dynamics]
     }
 }
 
+TEST_CASE("Radau's shortest steps take corrections that no longer shrink for round-off",
+          "[dynamics]") {
+    // each run ends by a step of 1e-10 s; in one of 280 the corrections shrank by less than
+    // a hundredth, which ended it as diverged
+    ancf::RadauOptions options;
+    options.tolerance = 0.0;
+    options.step = 1e-3;
+    const ancf::RadauIIA integrator(options);
+    Chain scene = swing();
+    ancf::DynamicProblem problem(scene.model);
+    ancf::EigenLu solver;
+    int runs = 0;
+    for (; runs < 300; ++runs) {
+        CAPTURE(runs);
+        const double end = scene.model.state().time + 1.0000001e-3;
+        REQUIRE(integrator.integrate(problem, solver, until(end)).status == Status::converged);
+    }
+    CHECK(runs == 300);
+}
+
 }  // namespace short_runs_test

@@ -349,8 +349,10 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         if (change <= nothing || (ratio >= 1.0 && change <= round_off_)) break;
         if (++since > 1) {
             // a first ratio may flatter: it stands beside that of the step before
-            contraction_ =
+            const double contraction =
                 since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
+            if (contraction >= 0.99 && change <= round_off_) break;
+            contraction_ = contraction;
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;
