@@ -196,9 +196,21 @@ TEST_CASE("Radau IIA: a smooth motion is followed with orders 5 and 9", "[dynami
 /// Errors of a run of the soft swing.
 struct Errors {
     double q = 0.0, multipliers = 0.0;  // at the end
+    double acceleration = 0.0;          // at the end, as the last stage has it
     double rate = 0.0;                  // largest |G v| of a step
     double steps = 0.0, between = 0.0;  // largest of q at the ends of steps, and between them
+    double rates_between = 0.0;         // largest of v between them
 };
+
+/// Returns the accelerations of a state, no coordinate of which is held.
+VectorX accelerations(Scene& model, const State& state) {
+    DynamicProblem problem(model);
+    REQUIRE(problem.size() == state.q.size());
+    VectorX result, multipliers;
+    REQUIRE(problem.accelerations(state.time, state.q, state.v, result, multipliers) ==
+            Status::converged);
+    return result;
+}
 
 /// Runs the soft swing in steps of which five or ten fill a tenth of the time.
 Errors swing_errors(int stages, bool link, int steps) {
@@ -213,17 +225,23 @@ Errors swing_errors(int stages, bool link, int steps) {
         if (at > 0) {
             const double error = distance(seen.state.q, exact[at - 1].q);
             const double place = seen.state.time * steps / swing_end;
-            double& largest =
-                std::abs(place - std::round(place)) < 1e-9 ? errors.steps : errors.between;
+            const bool at_step = std::abs(place - std::round(place)) < 1e-9;
+            double& largest = at_step ? errors.steps : errors.between;
             largest = std::max(largest, error);
+            if (!at_step)
+                errors.rates_between =
+                    std::max(errors.rates_between, distance(seen.state.v, exact[at - 1].v));
         }
         ++at;
     };
     const DynamicsReport report = run(scene.model, options, schedule);
     REQUIRE(report.status == Status::converged);
     errors.q = distance(scene.model.state().q, exact.back().q);
-    if (link)
+    if (link) {
         errors.multipliers = distance(scene.model.state().multipliers, exact.back().multipliers);
+        errors.acceleration = distance(report.memory.get("acceleration", exact.back().q.size()),
+                                       accelerations(scene.model, exact.back()));
+    }
     errors.rate = report.violation_rate;
     return errors;
 }
@@ -237,6 +255,7 @@ TEST_CASE("Radau IIA: three stages are of order 5, 3 and 2 in q, |G v| and lambd
     if (!link) return;
     CHECK(std::log2(coarse.rate / fine.rate) == Approx(3.0).margin(0.1));
     CHECK(std::log2(coarse.multipliers / fine.multipliers) == Approx(2.0).margin(0.1));
+    CHECK(std::log2(coarse.acceleration / fine.acceleration) == Approx(2.0).margin(0.1));
 }
 
 TEST_CASE("Radau IIA: five stages are of order 9, 5 and 4 in q, |G v| and lambda",
@@ -248,8 +267,65 @@ TEST_CASE("Radau IIA: five stages are of order 9, 5 and 4 in q, |G v| and lambda
     CHECK(std::log(coarse.q / fine.q) / std::log(1.5) == Approx(9.0).margin(0.6));
     if (!link) return;
     const Errors short_steps = swing_errors(5, link, 40), shorter = swing_errors(5, link, 80);
-    CHECK(std::log2(short_steps.rate / shorter.rate) == Approx(5.0).margin(0.15));
     CHECK(std::log2(short_steps.multipliers / shorter.multipliers) == Approx(4.0).margin(0.1));
+    CHECK(std::log2(short_steps.acceleration / shorter.acceleration) == Approx(4.0).margin(0.1));
+}
+
+TEST_CASE("Radau IIA: |G v| is of the order of the stages' number", "[dynamics][radau]") {
+    const int stages = GENERATE(3, 5);
+    // within a second it grows to where round-off, 2e-12, is no limit
+    double rates[2];
+    for (const int fine : {0, 1}) {
+        Chain scene = soft_swing(true);
+        RadauOptions options = fixed(stages, fine == 1 ? 1.0 / 160.0 : 1.0 / 80.0);
+        options.newton_tolerance = 1e-15;
+        const DynamicsReport report = run(scene.model, options, until(1.0));
+        REQUIRE(report.status == Status::converged);
+        rates[fine] = report.violation_rate;
+    }
+    CAPTURE(stages, rates[0], rates[1]);
+    // 2.99, 4.99 measured
+    CHECK(std::log2(rates[0] / rates[1]) == Approx(stages).margin(0.1));
+}
+
+TEST_CASE("Radau IIA: rates and accelerations along the constraints are of the order of q",
+          "[dynamics][radau]") {
+    constexpr double end = 0.7;
+    static const State exact = exact_states([] { return soft_swing(true); }, end, 3500, 1).back();
+    const int stages = GENERATE(3, 5);
+    const int coarse = stages == 3 ? 40 : 16, fine = stages == 3 ? 80 : 25;
+    enum { q, rates, output, accelerations_along, accelerations_of_output, count };
+    double errors[2][count];
+    for (const int which : {0, 1}) {
+        Chain scene = soft_swing(true);
+        DynamicProblem problem(scene.model);
+        EigenLu solver;
+        RadauOptions options = fixed(stages, end / (which == 0 ? coarse : fine));
+        options.newton_tolerance = 1e-15;
+        State seen;
+        Schedule schedule = until(end);
+        schedule.times = {end};
+        schedule.observe = [&](const Snapshot& at) { seen = at.state; };
+        const Memory memory = RadauIIA(options).integrate(problem, solver, schedule).memory;
+        const VectorX exact_acceleration = accelerations(scene.model, exact);
+        VectorX v = memory.get("v", problem.size());
+        VectorX acceleration = memory.get("acceleration", problem.size());
+        REQUIRE(problem.project_rates(end, exact.q, v));
+        REQUIRE(problem.project_accelerations(end, exact.q, exact.v, acceleration));
+        errors[which][q] = distance(memory.get("q", problem.size()), exact.q);
+        errors[which][rates] = distance(v, exact.v);
+        errors[which][output] = distance(seen.v, exact.v);
+        errors[which][accelerations_along] = distance(acceleration, exact_acceleration);
+        errors[which][accelerations_of_output] =
+            distance(accelerations(scene.model, seen), exact_acceleration);
+    }
+    const double finer = std::log(static_cast<double>(fine) / coarse);
+    for (int k = 0; k < count; ++k) {
+        CAPTURE(stages, k, errors[0][k], errors[1][k]);
+        // 4.97 to 5.00, 8.76 to 9.19 measured
+        CHECK(std::log(errors[0][k] / errors[1][k]) / finer ==
+              Approx(2.0 * stages - 1.0).margin(stages == 3 ? 0.1 : 0.4));
+    }
 }
 
 TEST_CASE("Radau IIA: output between steps is of the order of the steps", "[dynamics][radau]") {
@@ -259,9 +335,14 @@ TEST_CASE("Radau IIA: output between steps is of the order of the steps", "[dyna
     // 4.97, 5.03 measured
     CHECK(std::log(coarse.between / fine.between) / std::log(2.5) == Approx(5.0).margin(0.1));
     CHECK(fine.between <= 1.1 * fine.steps);
+    const Errors forty = swing_errors(3, link, 40), eighty = swing_errors(3, link, 80);
+    // 5.08, 4.99 measured
+    CHECK(std::log2(forty.rates_between / eighty.rates_between) == Approx(5.0).margin(0.1));
     const Errors five = swing_errors(5, link, 5), ten = swing_errors(5, link, 10);
     // 8.8, 8.6 measured, and 0.9 to 1.7 times the largest error at the ends of steps
     CHECK(std::log2(five.between / ten.between) >= 8.5);
+    // 8.8, 8.1 measured: a polynomial's derivative is of one order less
+    CHECK(std::log2(five.rates_between / ten.rates_between) >= 7.9);
     CHECK(five.between / five.steps <= 2.0);
     CHECK(ten.between / ten.steps <= 2.0);
 }
