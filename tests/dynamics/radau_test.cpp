@@ -199,7 +199,7 @@ struct Errors {
     double acceleration = 0.0;          // at the end, as the last stage has it
     double rate = 0.0;                  // largest |G v| of a step
     double steps = 0.0, between = 0.0;  // largest of q at the ends of steps, and between them
-    double rates_between = 0.0;         // largest of v between them
+    double rates_between = 0.0, multipliers_between = 0.0;  // largest of v and lambda between them
 };
 
 /// Returns the accelerations of a state, no coordinate of which is held.
@@ -228,9 +228,14 @@ Errors swing_errors(int stages, bool link, int steps) {
             const bool at_step = std::abs(place - std::round(place)) < 1e-9;
             double& largest = at_step ? errors.steps : errors.between;
             largest = std::max(largest, error);
-            if (!at_step)
+            if (!at_step) {
                 errors.rates_between =
                     std::max(errors.rates_between, distance(seen.state.v, exact[at - 1].v));
+                if (link)
+                    errors.multipliers_between =
+                        std::max(errors.multipliers_between,
+                                 distance(seen.state.multipliers, exact[at - 1].multipliers));
+            }
         }
         ++at;
     };
@@ -345,6 +350,28 @@ TEST_CASE("Radau IIA: output between steps is of the order of the steps", "[dyna
     CHECK(std::log2(five.rates_between / ten.rates_between) >= 7.9);
     CHECK(five.between / five.steps <= 2.0);
     CHECK(ten.between / ten.steps <= 2.0);
+    if (!link) return;
+    // 1.96, 4.05 measured, at equal places within the steps
+    CHECK(std::log2(forty.multipliers_between / eighty.multipliers_between) ==
+          Approx(2.0).margin(0.1));
+    CHECK(std::log2(ten.multipliers_between / swing_errors(5, link, 40).multipliers_between) ==
+          Approx(8.0).margin(0.2));
+}
+
+TEST_CASE("Radau IIA: the estimate of the error is of order s + 1", "[dynamics][radau]") {
+    const int stages = GENERATE(3, 5);
+    const bool link = GENERATE(false, true);
+    double steps[2];
+    for (const int which : {0, 1}) {
+        Chain scene = soft_swing(link);
+        const RadauOptions options = adaptive(stages, which == 0 ? 1e-8 : 1e-10);
+        const DynamicsReport report = run(scene.model, options, until(5.0));
+        REQUIRE(report.status == Status::converged);
+        steps[which] = static_cast<double>(report.steps);
+    }
+    CAPTURE(stages, link, steps[0], steps[1]);
+    // 4.01 and 4.05, 6.12 and 6.15 measured
+    CHECK(std::log(100.0) / std::log(steps[1] / steps[0]) == Approx(stages + 1.0).margin(0.2));
 }
 
 TEST_CASE("Radau IIA: the error of adaptive runs follows the tolerance, at all times",
