@@ -48,6 +48,7 @@ private:
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
+    static constexpr double sure_contraction = 0.1;   // after which one ratio is enough
 
     void recall_run(const Memory& memory);
     void remember_run();
@@ -57,6 +58,7 @@ private:
     [[nodiscard]] double growth(double error) const;
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
+    [[nodiscard]] bool is_told(int since, double change) const;
     [[nodiscard]] double correct(double h);
     [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
     template <int Count>
@@ -101,6 +103,7 @@ private:
     double most_growth_ = largest_growth;
     bool rejected_ = false,
          failed_ = false;  // the last attempt, by its error or in Newton's method
+    bool doubts_ = false;  // Newton's method failed, and no step since has shown small ratios
 
     std::vector<Knot> knots_;  // of output in the last step; less than two: to be made
 };
@@ -214,7 +217,9 @@ ANCF_INLINE void RadauRun::end_step(double width) {
 ANCF_INLINE Status RadauRun::newton(double h) {
     if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
         return Status::converged;
-    return iterate(h, true);
+    const Status status = iterate(h, true);
+    if (status != Status::converged) doubts_ = true;
+    return status;
 }
 
 /// Evaluates the residuals of all stages, of the middle one with the tangent where it is renewed.
@@ -329,6 +334,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     int tangents = 0;  // of this step
     int since = 0;     // corrections by the matrices at hand
     double before = 0.0, ratio_before = 0.0;
+    double slowest = 0.0;  // the largest ratio but the first ones
     const double expected = std::min(contraction_, 0.5);
     eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
     for (iterations_ = 1;; ++iterations_) {
@@ -351,6 +357,10 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
             // a first ratio may flatter: it stands beside that of the step before
             contraction_ =
                 since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
+            if (since > 2) {
+                if (doubts_) contraction_ = std::max(contraction_, ratio);
+                slowest = std::max(slowest, ratio);
+            }
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;
@@ -360,12 +370,13 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
             if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
         }
         // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
-        if ((iterations_ > 1 || (tangents == 0 && !constrained)) &&
+        if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
             eta_ * change <= newton_tolerance_)
             break;
         before = change;
         ratio_before = ratio;
     }
+    if (since > 2 && slowest < sure_contraction) doubts_ = false;
     renew_ = contraction_ > good_contraction;
     if (tangents > 0) fresh_ = contraction_;
     place_stages(step);
@@ -374,6 +385,14 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     next_.lambda = lambda_.back();
     next_.acceleration = acceleration_.back();
     return Status::converged;
+}
+
+/// Tells whether so many corrections by the matrices at hand tell what is left: the first ratio
+/// flatters where Newton's method failed not long ago, and by powers of ten where fixed steps ask
+/// for round-off.
+ANCF_INLINE bool RadauRun::is_told(int since, double change) const {
+    if (since > 2 || iterations_ == options_.max_iterations) return true;
+    return !doubts_ && (control_.is_adaptive() || change <= round_off_);
 }
 
 /// Solves for one correction and adds it; returns its size.
@@ -483,7 +502,8 @@ ANCF_INLINE void RadauRun::remember_run() {
     const double factorised = renew_ ? 0.0 : system_.width();
     remember("radau", now_,
              {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_, most_growth_,
-              rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_)});
+              rejected_ ? 1.0 : 0.0, (failed_ ? 1.0 : 0.0) + (doubts_ ? 2.0 : 0.0),
+              static_cast<double>(stages_)});
     report_.memory.put("acceleration", now_.acceleration);
     report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
     report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
@@ -508,7 +528,8 @@ ANCF_INLINE void RadauRun::recall_run(const Memory& memory) {
     eta_ = values[9];
     most_growth_ = values[10];
     rejected_ = values[11] != 0.0;
-    failed_ = values[12] != 0.0;
+    doubts_ = values[12] >= 2.0;
+    failed_ = values[12] != (doubts_ ? 2.0 : 0.0);
     if (values[6] == 0.0) return;
     linearised_ = recall(memory, "linearised_", values[5]);
     if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
