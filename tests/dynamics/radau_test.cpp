@@ -16,6 +16,7 @@
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
+#include <dynamics/random_scenes.hpp>
 #include <dynamics/scenes.hpp>
 #include <support/bar.hpp>
 #include <support/catch.hpp>
@@ -196,9 +197,21 @@ TEST_CASE("Radau IIA: a smooth motion is followed with orders 5 and 9", "[dynami
 /// Errors of a run of the soft swing.
 struct Errors {
     double q = 0.0, multipliers = 0.0;  // at the end
+    double acceleration = 0.0;          // at the end, as the last stage has it
     double rate = 0.0;                  // largest |G v| of a step
     double steps = 0.0, between = 0.0;  // largest of q at the ends of steps, and between them
+    double rates_between = 0.0, multipliers_between = 0.0;  // largest of v and lambda between them
 };
+
+/// Returns the accelerations of a state, no coordinate of which is held.
+VectorX accelerations(Scene& model, const State& state) {
+    DynamicProblem problem(model);
+    REQUIRE(problem.size() == state.q.size());
+    VectorX result, multipliers;
+    REQUIRE(problem.accelerations(state.time, state.q, state.v, result, multipliers) ==
+            Status::converged);
+    return result;
+}
 
 /// Runs the soft swing in steps of which five or ten fill a tenth of the time.
 Errors swing_errors(int stages, bool link, int steps) {
@@ -213,17 +226,28 @@ Errors swing_errors(int stages, bool link, int steps) {
         if (at > 0) {
             const double error = distance(seen.state.q, exact[at - 1].q);
             const double place = seen.state.time * steps / swing_end;
-            double& largest =
-                std::abs(place - std::round(place)) < 1e-9 ? errors.steps : errors.between;
+            const bool at_step = std::abs(place - std::round(place)) < 1e-9;
+            double& largest = at_step ? errors.steps : errors.between;
             largest = std::max(largest, error);
+            if (!at_step) {
+                errors.rates_between =
+                    std::max(errors.rates_between, distance(seen.state.v, exact[at - 1].v));
+                if (link)
+                    errors.multipliers_between =
+                        std::max(errors.multipliers_between,
+                                 distance(seen.state.multipliers, exact[at - 1].multipliers));
+            }
         }
         ++at;
     };
     const DynamicsReport report = run(scene.model, options, schedule);
     REQUIRE(report.status == Status::converged);
     errors.q = distance(scene.model.state().q, exact.back().q);
-    if (link)
+    if (link) {
         errors.multipliers = distance(scene.model.state().multipliers, exact.back().multipliers);
+        errors.acceleration = distance(report.memory.get("acceleration", exact.back().q.size()),
+                                       accelerations(scene.model, exact.back()));
+    }
     errors.rate = report.violation_rate;
     return errors;
 }
@@ -237,6 +261,7 @@ TEST_CASE("Radau IIA: three stages are of order 5, 3 and 2 in q, |G v| and lambd
     if (!link) return;
     CHECK(std::log2(coarse.rate / fine.rate) == Approx(3.0).margin(0.1));
     CHECK(std::log2(coarse.multipliers / fine.multipliers) == Approx(2.0).margin(0.1));
+    CHECK(std::log2(coarse.acceleration / fine.acceleration) == Approx(2.0).margin(0.1));
 }
 
 TEST_CASE("Radau IIA: five stages are of order 9, 5 and 4 in q, |G v| and lambda",
@@ -248,8 +273,65 @@ TEST_CASE("Radau IIA: five stages are of order 9, 5 and 4 in q, |G v| and lambda
     CHECK(std::log(coarse.q / fine.q) / std::log(1.5) == Approx(9.0).margin(0.6));
     if (!link) return;
     const Errors short_steps = swing_errors(5, link, 40), shorter = swing_errors(5, link, 80);
-    CHECK(std::log2(short_steps.rate / shorter.rate) == Approx(5.0).margin(0.15));
     CHECK(std::log2(short_steps.multipliers / shorter.multipliers) == Approx(4.0).margin(0.1));
+    CHECK(std::log2(short_steps.acceleration / shorter.acceleration) == Approx(4.0).margin(0.1));
+}
+
+TEST_CASE("Radau IIA: |G v| is of the order of the stages' number", "[dynamics][radau]") {
+    const int stages = GENERATE(3, 5);
+    // within a second it grows to where round-off, 2e-12, is no limit
+    double rates[2];
+    for (const int fine : {0, 1}) {
+        Chain scene = soft_swing(true);
+        RadauOptions options = fixed(stages, fine == 1 ? 1.0 / 160.0 : 1.0 / 80.0);
+        options.newton_tolerance = 1e-15;
+        const DynamicsReport report = run(scene.model, options, until(1.0));
+        REQUIRE(report.status == Status::converged);
+        rates[fine] = report.violation_rate;
+    }
+    CAPTURE(stages, rates[0], rates[1]);
+    // 2.99, 4.99 measured
+    CHECK(std::log2(rates[0] / rates[1]) == Approx(stages).margin(0.1));
+}
+
+TEST_CASE("Radau IIA: rates and accelerations along the constraints are of the order of q",
+          "[dynamics][radau]") {
+    constexpr double end = 0.7;
+    static const State exact = exact_states([] { return soft_swing(true); }, end, 3500, 1).back();
+    const int stages = GENERATE(3, 5);
+    const int coarse = stages == 3 ? 40 : 16, fine = stages == 3 ? 80 : 25;
+    enum { q, rates, output, accelerations_along, accelerations_of_output, count };
+    double errors[2][count];
+    for (const int which : {0, 1}) {
+        Chain scene = soft_swing(true);
+        DynamicProblem problem(scene.model);
+        EigenLu solver;
+        RadauOptions options = fixed(stages, end / (which == 0 ? coarse : fine));
+        options.newton_tolerance = 1e-15;
+        State seen;
+        Schedule schedule = until(end);
+        schedule.times = {end};
+        schedule.observe = [&](const Snapshot& at) { seen = at.state; };
+        const Memory memory = RadauIIA(options).integrate(problem, solver, schedule).memory;
+        const VectorX exact_acceleration = accelerations(scene.model, exact);
+        VectorX v = memory.get("v", problem.size());
+        VectorX acceleration = memory.get("acceleration", problem.size());
+        REQUIRE(problem.project_rates(end, exact.q, v));
+        REQUIRE(problem.project_accelerations(end, exact.q, exact.v, acceleration));
+        errors[which][q] = distance(memory.get("q", problem.size()), exact.q);
+        errors[which][rates] = distance(v, exact.v);
+        errors[which][output] = distance(seen.v, exact.v);
+        errors[which][accelerations_along] = distance(acceleration, exact_acceleration);
+        errors[which][accelerations_of_output] =
+            distance(accelerations(scene.model, seen), exact_acceleration);
+    }
+    const double finer = std::log(static_cast<double>(fine) / coarse);
+    for (int k = 0; k < count; ++k) {
+        CAPTURE(stages, k, errors[0][k], errors[1][k]);
+        // 4.97 to 5.00, 8.76 to 9.19 measured
+        CHECK(std::log(errors[0][k] / errors[1][k]) / finer ==
+              Approx(2.0 * stages - 1.0).margin(stages == 3 ? 0.1 : 0.4));
+    }
 }
 
 TEST_CASE("Radau IIA: output between steps is of the order of the steps", "[dynamics][radau]") {
@@ -259,11 +341,38 @@ TEST_CASE("Radau IIA: output between steps is of the order of the steps", "[dyna
     // 4.97, 5.03 measured
     CHECK(std::log(coarse.between / fine.between) / std::log(2.5) == Approx(5.0).margin(0.1));
     CHECK(fine.between <= 1.1 * fine.steps);
+    const Errors forty = swing_errors(3, link, 40), eighty = swing_errors(3, link, 80);
+    // 5.08, 4.99 measured
+    CHECK(std::log2(forty.rates_between / eighty.rates_between) == Approx(5.0).margin(0.1));
     const Errors five = swing_errors(5, link, 5), ten = swing_errors(5, link, 10);
     // 8.8, 8.6 measured, and 0.9 to 1.7 times the largest error at the ends of steps
     CHECK(std::log2(five.between / ten.between) >= 8.5);
+    // 8.8, 8.1 measured: a polynomial's derivative is of one order less
+    CHECK(std::log2(five.rates_between / ten.rates_between) >= 7.9);
     CHECK(five.between / five.steps <= 2.0);
     CHECK(ten.between / ten.steps <= 2.0);
+    if (!link) return;
+    // 1.96, 4.05 measured, at equal places within the steps
+    CHECK(std::log2(forty.multipliers_between / eighty.multipliers_between) ==
+          Approx(2.0).margin(0.1));
+    CHECK(std::log2(ten.multipliers_between / swing_errors(5, link, 40).multipliers_between) ==
+          Approx(8.0).margin(0.2));
+}
+
+TEST_CASE("Radau IIA: the estimate of the error is of order s + 1", "[dynamics][radau]") {
+    const int stages = GENERATE(3, 5);
+    const bool link = GENERATE(false, true);
+    double steps[2];
+    for (const int which : {0, 1}) {
+        Chain scene = soft_swing(link);
+        const RadauOptions options = adaptive(stages, which == 0 ? 1e-8 : 1e-10);
+        const DynamicsReport report = run(scene.model, options, until(5.0));
+        REQUIRE(report.status == Status::converged);
+        steps[which] = static_cast<double>(report.steps);
+    }
+    CAPTURE(stages, link, steps[0], steps[1]);
+    // 4.01 and 4.05, 6.12 and 6.15 measured
+    CHECK(std::log(100.0) / std::log(steps[1] / steps[0]) == Approx(stages + 1.0).margin(0.2));
 }
 
 TEST_CASE("Radau IIA: the error of adaptive runs follows the tolerance, at all times",
@@ -593,59 +702,15 @@ TEST_CASE("Radau IIA: no step, a huge one, a load that is not finite", "[dynamic
     }
 }
 
-/// A random scene: a beam of some element and mesh, of any stiffness, held, jointed and loaded at
-/// random.
-template <class Element>
-struct RandomScene {
-    static constexpr int dimension = Element::dimension;
-    using Point = Vector<double, dimension>;
-
-    BasicModel<dimension> model;
-    double step;
-    bool by_tolerance;
-    int stages;
-
-    explicit RandomScene(Random& random) {
-        const auto pick = [&](int count) { return static_cast<int>(random.uniform(0.0, count)); };
-        const double young = std::pow(10.0, random.uniform(4.0, 12.0));
-        const double length = std::pow(10.0, random.uniform(-1.0, 1.0));
-        const double depth = length * random.uniform(0.02, 0.1);
-        step = std::pow(10.0, random.uniform(-6.0, 0.0));
-        by_tolerance = pick(2) == 0;
-        stages = pick(2) == 0 ? 3 : 5;
-        const int elements = 1 + pick(3);
-        Point end = Point::Zero();
-        end[0] = length;
-        const auto beam = straight_beam<Element>(
-            model, Material::isotropic(young, 0.3, random.uniform(500.0, 8000.0)),
-            rectangle(depth, depth), Point(Point::Zero()), end, elements);
-        Point above = Point::Zero();
-        above[1] = 0.4 * length;
-        const int hold = pick(4);
-        if (hold == 0) model.pin(beam.first());
-        if (hold == 1) model.clamp(beam.first());
-        if (hold == 2) model.add(Distance<dimension>(beam.first(), above, 0.4 * length));
-        if (hold == 3) model.add(Pin<dimension>(beam.first(), Point(Point::Zero())));
-        Point gravity = Point::Zero();
-        gravity[1] = -random.uniform(0.0, 10.0);
-        model.set_gravity(gravity);
-        if (pick(2) == 0) {
-            const double weight = 1000.0 * depth * depth * length * 10.0;
-            Point force = Point::Zero();
-            for (int i = 0; i < dimension; ++i) force[i] = weight * random.uniform(-1.0, 1.0);
-            model.add(Force<dimension>(beam.last(), force));
-        }
-        if (pick(3) == 0) add_drag(model, beam, random.uniform(0.0, 10.0) * depth * depth * 1e3);
-    }
-};
-
 /// Returns the correction that the last step of a run lacks, relative to the scene's size, by
 /// Newton's method with the tangent of every stage.
 /// @param start  of that step
 double correction_left(DynamicProblem& problem, const Memory& memory, const State& start,
                        int stages) {
     const int n = problem.size(), m = problem.multipliers(), all = stages * (n + m);
-    const detail::RadauTableau table = detail::radau_tableau(stages);
+    static const detail::RadauTableau three = detail::radau_tableau(3),
+                                      five = detail::radau_tableau(5);
+    const detail::RadauTableau& table = stages == 3 ? three : five;
     const double h = memory.get("scalars", 15)[4];
     const VectorX &q = start.q, &v = start.v;
     const VectorX accelerations = memory.get("stage_accelerations", n * stages);
@@ -677,6 +742,7 @@ double correction_left(DynamicProblem& problem, const Memory& memory, const Stat
             block.topLeftCorner(n, n) += h * h * tangent.topLeftCorner(n, n);
             block.topRightCorner(n, m) = tangent.topRightCorner(n, m);
             block.bottomLeftCorner(m, n) = tangent.bottomLeftCorner(m, n);
+            block.bottomRightCorner(m, m) = tangent.bottomRightCorner(m, m);  // of those left out
         }
     }
     const VectorX correction = test::solved(matrix, rest);
@@ -689,9 +755,9 @@ double correction_left(DynamicProblem& problem, const Memory& memory, const Stat
 }
 
 /// Runs some steps of a random scene; returns the report and leaves the scene where they end.
-template <class Element>
-DynamicsReport run_random_scene(RandomScene<Element>& scene, DynamicProblem& problem,
-                                double tolerance, long steps) {
+template <class Scene>
+DynamicsReport run_random_scene(Scene& scene, DynamicProblem& problem, double tolerance,
+                                long steps) {
     EigenLu solver;
     RadauOptions options = fixed(scene.stages, scene.step);
     if (scene.by_tolerance) options.tolerance = tolerance;
@@ -701,24 +767,44 @@ DynamicsReport run_random_scene(RandomScene<Element>& scene, DynamicProblem& pro
     return RadauIIA(options).integrate(problem, solver, schedule);
 }
 
+/// Checks that a run's last step ends on the constraints to its tolerance, and the state to
+/// round-off.
+void check_constraints(DynamicProblem& problem, const DynamicsReport& report, double tolerance) {
+    if (problem.multipliers() == 0 || report.status == Status::degenerate) return;
+    const double size = std::max(1.0, problem.length_scale());
+    problem.evaluate_constraints(report.time, report.memory.get("q", problem.size()),
+                                 report.memory.get("v", problem.size()));
+    CHECK(problem.constraint_violation() <= 10.0 * tolerance * size);
+    VectorX q, v;
+    problem.numbering().gather_free(problem.model().state().q, q);
+    problem.numbering().gather_free(problem.model().state().v, v);
+    problem.evaluate_constraints(report.time, q, v);
+    CHECK(problem.constraint_violation() <= 1e-12 * size);
+    CHECK(problem.violation_rate() <= 1e-9 * size * problem.largest_ratio(v));
+}
+
 /// Runs a few steps of a random scene and checks the last one; returns whether a step converged.
-template <class Element>
+template <class Scene>
 bool check_random_scene(std::uint64_t seed) {
+    constexpr double tolerance = 1e-4;
     Random random(seed);
-    RandomScene<Element> scene(random);
-    DynamicProblem problem(scene.model);
-    const double tolerance = 1e-4;
+    Scene scene(random);
+    ProblemOptions options;
+    options.redundancy = Redundancy::minimum_norm;
+    DynamicProblem problem(scene.model, options);
     const DynamicsReport report = run_random_scene(scene, problem, tolerance, 4);
     CAPTURE(seed, report.message, report.steps, scene.step, scene.stages, scene.by_tolerance);
     const State& state = scene.model.state();
     CHECK(state.q.allFinite());
     CHECK(state.v.allFinite());
-    if (report.steps == 0) CHECK_FALSE(report.message.empty());
+    if (report.status != Status::converged) CHECK_FALSE(report.message.empty());
+    if (report.steps == 0) CHECK(report.status != Status::converged);
     if (report.steps == 0) return false;
+    CHECK(report.smallest_step >= 1e-6 * scene.step);
     // where the last step began: where a run of one step less ends
     Random again(seed);
-    RandomScene<Element> before(again);
-    DynamicProblem earlier(before.model);
+    Scene before(again);
+    DynamicProblem earlier(before.model, options);
     const Start first = earlier.start();
     State start;
     start.time = first.time;
@@ -731,33 +817,45 @@ bool check_random_scene(std::uint64_t seed) {
         start.v = memory.get("v", problem.size());
     }
     // far below the error that is allowed; fixed steps iterate to round-off
-    const double rest = correction_left(problem, report.memory, start, scene.stages) /
-                        (scene.by_tolerance ? tolerance : 1e-10);
-    CHECK(rest <= 1.0);
+    const double allowed = scene.by_tolerance ? tolerance : 1e-10;
+    CHECK(correction_left(problem, report.memory, start, scene.stages) <= allowed);
+    check_constraints(problem, report, allowed);
     return true;
 }
 
-/// Runs random scenes of every kind; returns in how many a step converged.
+/// Checks a scene of one of the elements.
+template <template <class> class Scene>
+bool check_random_scene_of_any(std::uint64_t seed) {
+    switch (seed % 4) {
+        case 0: return check_random_scene<Scene<CrossSectionBeam<2>>>(seed);
+        case 1: return check_random_scene<Scene<CrossSectionBeam<3>>>(seed);
+        case 2: return check_random_scene<Scene<Cable<2>>>(seed);
+        default: return check_random_scene<Scene<Cable<3>>>(seed);
+    }
+}
+
+/// Runs random scenes of every kind, each fifth with joints; returns in how many a step converged.
 int check_random_scenes(std::uint64_t first, int count) {
     int converged = 0;
     for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
-        bool good = false;
-        switch (seed % 4) {
-            case 0: good = check_random_scene<CrossSectionBeam<2>>(seed); break;
-            case 1: good = check_random_scene<CrossSectionBeam<3>>(seed); break;
-            case 2: good = check_random_scene<Cable<2>>(seed); break;
-            default: good = check_random_scene<Cable<3>>(seed); break;
-        }
+        const bool good = seed % 5 == 4 ? check_random_scene_of_any<JointedScene>(seed)
+                                        : check_random_scene_of_any<RandomScene>(seed);
         converged += good ? 1 : 0;
     }
     return converged;
+}
+
+TEST_CASE("Radau IIA: fixed steps do not believe a first ratio that flatters",
+          "[dynamics][radau]") {
+    // 1.3e-10 of the scene's size was left, after an estimate of 4e-14
+    CHECK(check_random_scene<RandomScene<Cable<3>>>(1026747));
 }
 
 TEST_CASE("Radau IIA: what converges has a small residual, in random scenes", "[dynamics][radau]") {
     CHECK(check_random_scenes(1, 100) >= 98);
 }
 
-// by dynamics.random_scenes, ten seconds
+// by dynamics.random_scenes, fifteen seconds
 TEST_CASE("Radau IIA: what converges has a small residual, in ten thousand random scenes",
           "[.][radau-long]") {
     CHECK(check_random_scenes(1000, 10000) >= 9900);

@@ -57,6 +57,7 @@ private:
     [[nodiscard]] double growth(double error) const;
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
+    [[nodiscard]] bool is_told(int since, double change) const;
     [[nodiscard]] double correct(double h);
     [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
     template <int Count>
@@ -362,7 +363,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
             if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
         }
         // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
-        if ((iterations_ > 1 || (tangents == 0 && !constrained)) &&
+        if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
             eta_ * change <= newton_tolerance_)
             break;
         before = change;
@@ -376,6 +377,13 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     next_.lambda = lambda_.back();
     next_.acceleration = acceleration_.back();
     return Status::converged;
+}
+
+/// Tells whether so many corrections by the matrices at hand tell what is left: where fixed steps ask
+/// for round-off the first ratio flatters by powers of ten.
+ANCF_INLINE bool RadauRun::is_told(int since, double change) const {
+    return control_.is_adaptive() || since > 2 || change <= round_off_ ||
+           iterations_ == options_.max_iterations;
 }
 
 /// Solves for one correction and adds it; returns its size.
