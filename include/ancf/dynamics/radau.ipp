@@ -379,8 +379,8 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
     return Status::converged;
 }
 
-/// Tells whether so many corrections by the matrices at hand tell what is left: where fixed steps ask
-/// for round-off the first ratio flatters by powers of ten.
+/// Tells whether so many corrections by the matrices at hand tell what is left: where fixed steps
+/// ask for round-off the first ratio flatters by powers of ten.
 ANCF_INLINE bool RadauRun::is_told(int since, double change) const {
     return control_.is_adaptive() || since > 2 || change <= round_off_ ||
            iterations_ == options_.max_iterations;
