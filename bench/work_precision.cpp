@@ -311,7 +311,7 @@ struct Request {
     bool csv = false, tables = false;
     std::string only;
     double finest = 1e-8;  // m: an integrator ends with its first run of such an error
-    double longest = 2.0;  // s: or with one that takes so long
+    double longest = 2.0;  // s: or with one that converges and takes so long
 };
 
 /// Runs an integrator, finer and finer.
@@ -324,8 +324,9 @@ void add_trials(const std::string& name, const Request& request, const Series& s
                           ? distance(trial.result.tips, exact, dimension)
                           : infinity;
         all.push_back(std::move(trial));
-        if (all.back().error <= request.finest || all.back().result.seconds > request.longest)
-            return;
+        const Trial& done = all.back();
+        if (done.error <= request.finest) return;
+        if (std::isfinite(done.error) && done.result.seconds > request.longest) return;
     }
 }
 
