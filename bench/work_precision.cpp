@@ -311,7 +311,7 @@ struct Request {
     bool csv = false, tables = false;
     std::string only;
     double finest = 1e-8;  // m: an integrator ends with its first run of such an error
-    double longest = 2.0;  // s: or with one that converges and takes so long
+    double longest = 4.0;  // s: or with one that converges and takes so long
 };
 
 /// Runs an integrator, finer and finer.
