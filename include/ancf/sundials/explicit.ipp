@@ -275,8 +275,9 @@ ANCF_INLINE bool ExplicitRun::is_stable() {
 ANCF_INLINE bool ExplicitRun::remains_stable() {
     const bool ends = now_.time >= schedule_.end;
     const bool changed = !(problem_.model().revision() == revision_);
-    const bool due = ends || report_.steps % options_.stable_interval == 0;
-    if (changed ? ends : !is_fixed() || !due) return true;
+    const bool due = is_fixed() && (ends || report_.steps % options_.stable_interval == 0);
+    const bool wanted = changed ? !ends : due;
+    if (!wanted) return true;
     revision_ = problem_.model().revision();
     system_.estimate(now_.time, now_.q, now_.v);
     return !is_fixed() || is_stable();
