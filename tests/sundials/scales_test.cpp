@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace ida_scales_test {
 
@@ -172,6 +173,27 @@ TEST_CASE("Ida: runs of any length reach their end and show the way", "[ida]") {
         CAPTURE(duration);
         CHECK(seen_in(0.0, duration) > 0.0);
         if (1.0 + duration > 1.0) CHECK(seen_in(1.0, duration) > 0.0);
+    }
+}
+
+TEST_CASE("Ida: what steps leave of a run in round-off is no step", "[ida]") {
+    for (const double left : {1e-8, 1e-10, 1e-12}) {
+        CAPTURE(left);
+        ancf::PlanarModel model = cantilever(Scale{});
+        ancf::DynamicProblem problem(model);
+        ancf::sundials::IdaOptions options;
+        constexpr double step = 1e-8;
+        options.first_step = options.max_step = step;
+        ancf::Schedule schedule;
+        schedule.end = (100.0 + left) * step;
+        schedule.times = {(100.0 + 0.5 * left) * step, schedule.end};
+        std::vector<double> seen;
+        schedule.observe = [&](const ancf::Snapshot& at) { seen.push_back(at.state.time); };
+        const auto report = ancf::sundials::Ida(options).integrate(problem, schedule);
+        CHECK(report.status == Status::converged);
+        CHECK(report.time == schedule.end);
+        CHECK(report.steps == (left > 1e-9 ? 101 : 100));
+        CHECK(seen == schedule.times);
     }
 }
 
