@@ -63,6 +63,47 @@ TEST_CASE("KktSystem: rows that nearly depend on each other are solved for or re
     CHECK(system.solve(b, x) == Status::singular);
 }
 
+TEST_CASE("KktSystem: few equations and many are solved for while they change", "[dynamics][kkt]") {
+    test::Random random(29);
+    constexpr int size = 40;
+    for (const int equations : {1, 5, 12, 13, 30}) {
+        CAPTURE(equations);
+        const int all = size + equations;
+        MatrixX dense = MatrixX::Zero(all, all);
+        for (int i = 0; i < size; ++i)
+            for (int j = std::max(0, i - 4); j <= i; ++j)
+                dense(i, j) = dense(j, i) = random.vector<1>()[0] + (i == j ? 10.0 : 0.0);
+        KktSystem system;
+        for (int change = 0; change < 8; ++change) {
+            CAPTURE(change);
+            // equation 3 is left out; in the end equation 1 is nearly equation 0
+            for (int e = 0; e < equations; ++e)
+                for (int k = 0; k < 5; ++k)
+                    dense(size + e, (7 * e + 11 * k) % size) = e == 3 ? 0.0 : random.vector<1>()[0];
+            if (equations > 3) dense(size + 3, size + 3) = 1.0;
+            if (equations > 1 && change == 6) {
+                dense.row(size + 1) = dense.row(size);
+                dense(size + 1, 0) += 1e-5;
+            }
+            dense.topRightCorner(size, equations) =
+                dense.bottomLeftCorner(equations, size).transpose();
+            SparseMatrix matrix(all, all);
+            for (int j = 0; j < all; ++j)
+                for (int i = 0; i < all; ++i)
+                    if (i == j || i < size || j < size) matrix.insert(i, j) = dense(i, j);
+            matrix.makeCompressed();
+            if (change == 0) system.analyze(matrix, size);
+            REQUIRE(system.factorize(matrix) == Status::converged);
+            VectorX exact(all), x;
+            for (double& entry : exact) entry = random.vector<1>()[0];
+            const VectorX b = dense * exact;
+            REQUIRE(system.solve(b, x) == Status::converged);
+            CHECK((dense * x - b).norm() <= 1e-13 * b.norm());  // measured 2e-15
+            if (change != 6) CHECK((x - exact).norm() <= 1e-10 * exact.norm());
+        }
+    }
+}
+
 TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough",
           "[dynamics][kkt]") {
     SparseMatrix matrix = nearly_dependent(1.0);

@@ -8,6 +8,7 @@
 #include <support/catch.hpp>
 #include <support/dense.hpp>
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -74,6 +75,48 @@ TEST_CASE("sparse LDL^T: new values of a pattern and other patterns in one objec
     check(second, pair);
     CHECK_FALSE(factor.factorize(0.0 * second, pair));
     check(second, pair);
+}
+
+TEST_CASE("sparse LDL^T: rows kept from the values before give the bits of a fresh factor",
+          "[sparse-ldlt]") {
+    const Grid grid(7, 3, 30.0);
+    ancf::SparseMatrix lower = ancf::detail::compressed(147, grid.entries);
+    const ancf::VectorX b = ancf::VectorX::LinSpaced(147, 1.0, 2.0);
+    std::mt19937 random(5);
+    for (const int last : {0, 4}) {
+        SparseLdlt kept;
+        for (int change = 0; change < 60; ++change) {
+            CAPTURE(last, change);
+            double& value = lower.valuePtr()[random() % static_cast<unsigned>(lower.nonZeros())];
+            const double before = value;
+            value = change % 10 == 9 ? std::numeric_limits<double>::quiet_NaN() : 1.01 * value;
+            SparseLdlt fresh;
+            const bool done = fresh.factorize(lower, grid.blocks, last);
+            CHECK(done == (change % 10 != 9));
+            CHECK(kept.factorize(lower, grid.blocks, last) == done);
+            if (!done) value = before;
+            if (!done) continue;
+            ancf::VectorX x = b, y = b;
+            fresh.solve(x);
+            kept.solve(y);
+            CHECK(x == y);
+        }
+        CHECK(kept.factorize(lower, grid.blocks, last));
+        CHECK(kept.factorize(lower, grid.blocks, last));  // nothing is new
+        ancf::VectorX x = b;
+        kept.solve(x);
+        const ancf::MatrixX dense = ancf::MatrixX(lower).selfadjointView<Eigen::Lower>();
+        CHECK((dense * x - b).norm() <= 1e-12);  // measured 1e-14
+    }
+}
+
+TEST_CASE("sparse LDL^T: the last rows are eliminated last", "[sparse-ldlt]") {
+    // a chain A and a row without a diagonal entry: its pivot is -(A^-1)_00
+    const auto chain = ancf::detail::compressed(
+        4, {{0, 0, 2.0}, {1, 1, 2.0}, {2, 2, 2.0}, {1, 0, 1.0}, {2, 1, 1.0}, {3, 0, 1.0}});
+    SparseLdlt factor;
+    REQUIRE(factor.factorize(chain, {0, 1, 2, 3}, 1));
+    CHECK(factor.pivot(3) == Approx(-0.75));
 }
 
 TEST_CASE("sparse LDL^T: solves and counts signs as dense matrices do", "[sparse-ldlt]") {

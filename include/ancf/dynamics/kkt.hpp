@@ -20,8 +20,12 @@ namespace ancf::detail {
 /// A factorised saddle point [A G^T; G D] of fixed pattern, A symmetric and positive definite, D
 /// zero or, in the rows of equations left out, one.
 ///
-/// Each zero of D is factorised as -e_i, e_i a small share of (G diag(A)^-1 G^T)_ii: the matrix is
-/// then quasi-definite, so that L D L^T exists in every order (Vanderbei, SIAM J. Optim. 5, 1995).
+/// A few equations, well independent of each other, are eliminated last: where A is the same, only
+/// their rows of L are computed anew.
+///
+/// Of many that would fill L. There, and where equations nearly depend on each other, each zero of
+/// D is factorised as -e_i, e_i a small share of (G diag(A)^-1 G^T)_ii: the matrix is then
+/// quasi-definite, so that L D L^T exists in every order (Vanderbei, SIAM J. Optim. 5, 1995).
 /// Refinement takes the share away again: a step leaves share/s of the error, s the smallest
 /// eigenvalue of S = G A^-1 G^T scaled by its diagonal. Where that is too slow the share is made
 /// smaller; s below about 1e-14, a row independent of the others by less than 1e-7 of its length,
@@ -45,6 +49,8 @@ public:
     [[nodiscard]] Status solve(const VectorX& b, VectorX& x);
 
 private:
+    static constexpr int most_last = 12;
+    static constexpr double least_pivot = 1e-6;  // of those, relative
     static constexpr double largest_share = 1e-8, smallest_share = 1e-13;
 
     // Solves, and returns the larger residual of the two parts, relative to |matrix| |x| + |b|,
@@ -52,10 +58,11 @@ private:
     [[nodiscard]] double refine(const VectorX& b, VectorX& x) const;
     [[nodiscard]] double relative_residual(const VectorX& b, const VectorX& x,
                                            VectorX& residual) const;
-    [[nodiscard]] bool factorize_shifted();
+    [[nodiscard]] bool factorize_values();
 
     int rows_ = 0;
     std::vector<int> blocks_;
+    int last_ = 0;  // equations that are eliminated last, all or none
     double share_ = largest_share;
     SparseMatrix matrix_;     // lower half
     std::vector<int> slots_;  // where its values stand in the pattern

@@ -23,6 +23,8 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
     blocks_ = std::move(blocks);
     if (blocks_.empty())
         for (int row = 0; row < pattern.cols(); ++row) blocks_.push_back(row);
+    const auto equations = static_cast<int>(pattern.cols()) - rows;
+    last_ = equations <= most_last ? equations : 0;
     share_ = largest_share;
     factorised_.clear();
     matrix_ = lower_half(pattern);
@@ -52,7 +54,7 @@ ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
             sizes_[j < rows_ ? 0 : 1][i] += std::abs(entry.value()) * scales_[j];
             if (i != j) sizes_[i < rows_ ? 0 : 1][j] += std::abs(entry.value()) * scales_[i];
         }
-    if (!factorize_shifted()) return Status::singular;
+    if (!factorize_values()) return Status::singular;
     factorised_.assign(first, last);
     return Status::converged;
 }
@@ -61,10 +63,11 @@ ANCF_INLINE Status KktSystem::solve(const VectorX& b, VectorX& x) {
     for (;;) {
         const double error = refine(b, x);
         if (error <= 1e-13) return Status::converged;
-        if (!all_finite(x) || share_ < smallest_share)
+        if (!all_finite(x) || (last_ == 0 && share_ < smallest_share))
             return error <= 1e-10 ? Status::converged : Status::singular;
-        share_ *= 1e-3;
-        if (!factorize_shifted()) return Status::singular;
+        if (last_ == 0) share_ *= 1e-3;
+        last_ = 0;
+        if (!factorize_values()) return Status::singular;
     }
 }
 
@@ -124,20 +127,27 @@ ANCF_INLINE double KktSystem::relative_residual(const VectorX& b, const VectorX&
     return ratio;
 }
 
-ANCF_INLINE bool KktSystem::factorize_shifted() {
+ANCF_INLINE bool KktSystem::factorize_values() {
     // the first entry of a column of the lower half is its diagonal
-    VectorX shift = VectorX::Zero(matrix_.cols());
+    VectorX sizes = VectorX::Zero(matrix_.cols());  // of G diag(A)^-1 G^T
     for (int column = 0; column < rows_; ++column) {
         const SparseMatrix::InnerIterator diagonal(matrix_, column);
         if (diagonal.value() == 0.0) continue;
         for (SparseMatrix::InnerIterator entry(matrix_, column); entry; ++entry)
             if (entry.row() >= rows_)
-                shift[entry.row()] += entry.value() * entry.value() / std::abs(diagonal.value());
+                sizes[entry.row()] += entry.value() * entry.value() / std::abs(diagonal.value());
+    }
+    if (last_ > 0) {
+        bool independent = ldlt_.factorize(matrix_, blocks_, last_);
+        for (int row = rows_; independent && row < matrix_.cols(); ++row)
+            independent = std::abs(ldlt_.pivot(row)) >= least_pivot * sizes[row];
+        if (independent) return true;
+        last_ = 0;
     }
     SparseMatrix shifted = matrix_;
     for (int row = rows_; row < matrix_.cols(); ++row) {
         SparseMatrix::InnerIterator diagonal(shifted, row);
-        if (diagonal.value() == 0.0) diagonal.valueRef() = -share_ * shift[row];
+        if (diagonal.value() == 0.0) diagonal.valueRef() = -share_ * sizes[row];
     }
     return ldlt_.factorize(shifted, blocks_);
 }

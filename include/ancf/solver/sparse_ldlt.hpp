@@ -33,14 +33,17 @@ struct MatrixEntry {
 /// Returns the block of each of the first equations: a node, a constraint.
 [[nodiscard]] std::vector<int> blocks_of(const Numbering& numbering, int equations);
 
-/// Factorises a symmetric matrix, definite or not. Of the same pattern again it keeps the order.
+/// Factorises a symmetric matrix, definite or not. Of the same pattern again it keeps the order,
+/// and the rows of L before the first one that has another value.
 class SparseLdlt {
 public:
     /// @param lower   compressed, with the lower half or more: what is above the diagonal is left
     ///                aside.
     /// @param blocks  of each row its block, from 0: a node. Rows of one block stay together.
+    /// @param last    how many of the last rows are eliminated last, with their blocks.
     /// @return        false where a pivot is zero or not finite; no solution may then be asked for.
-    [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks);
+    [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
+                                 int last = 0);
 
     /// Returns the number of rows.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(order_.size()); }
@@ -58,10 +61,13 @@ private:
     void order(const SparseMatrix& lower);
     void permute(const int* outer);
     void analyze();
-    [[nodiscard]] bool eliminate();
+    [[nodiscard]] int take_values(const double* values);
+    [[nodiscard]] bool eliminate(int from);
 
     std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
-    std::vector<int> order_, place_;           // row at a place, place of a row
+    int last_ = 0;
+    bool complete_ = false;           // whether L belongs to the values
+    std::vector<int> order_, place_;  // row at a place, place of a row
     // of the permuted matrix the upper half, by columns
     Records<std::size_t> upper_first_;
     std::vector<int> upper_row_, from_;  // from_: place among the matrix's values

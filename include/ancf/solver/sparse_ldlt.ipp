@@ -120,37 +120,66 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
     return neighbours;
 }
 
-ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks) {
+ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
+                                       int last) {
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
-    if (blocks != blocks_ || !std::equal(outer, outer_end, outer_.begin(), outer_.end()) ||
+    if (blocks != blocks_ || last != last_ ||
+        !std::equal(outer, outer_end, outer_.begin(), outer_.end()) ||
         !std::equal(inner, inner_end, inner_.begin(), inner_.end())) {
         outer_.clear();  // until all is known
         blocks_ = blocks;
+        last_ = last;
+        complete_ = false;
         inner_.assign(inner, inner_end);
         order(lower);
         permute(outer);
         analyze();
         outer_.assign(outer, outer_end);
     }
-    for (std::size_t k = 0; k < from_.size(); ++k) upper_value_[k] = lower.valuePtr()[from_[k]];
-    return eliminate();
+    const int first = take_values(lower.valuePtr());
+    return eliminate(complete_ ? first : 0);
+}
+
+/// Takes the values of a matrix; returns the first row with another one than before.
+ANCF_INLINE int SparseLdlt::take_values(const double* values) {
+    int first = size();
+    for (int k = size() - 1; k >= 0; --k)
+        for (std::size_t e = upper_first_[k]; e < upper_first_[k + 1]; ++e) {
+            if (values[from_[e]] != upper_value_[e]) first = k;
+            upper_value_[e] = values[from_[e]];
+        }
+    return first;
 }
 
 /// Finds the order of elimination.
 ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
-    const std::vector<int> sequence = minimum_degree(coupled_blocks(lower, blocks_));
+    std::vector<std::vector<int>> neighbours = coupled_blocks(lower, blocks_);
+    Records<char> waits(neighbours.size(), 0);
+    for (std::size_t row = blocks_.size() - static_cast<std::size_t>(last_); row < blocks_.size();
+         ++row)
+        waits[blocks_[row]] = 1;
+    const auto is_last = [&](int block) { return waits[block] != 0; };
+    for (std::size_t block = 0; last_ > 0 && block < neighbours.size(); ++block) {
+        std::vector<int>& of = neighbours[block];
+        of.erase(is_last(static_cast<int>(block)) ? of.begin()
+                                                  : std::remove_if(of.begin(), of.end(), is_last),
+                 of.end());
+    }
+    const std::vector<int> sequence = minimum_degree(std::move(neighbours));
     std::vector<std::vector<int>> rows(sequence.size());
     for (std::size_t row = 0; row < blocks_.size(); ++row)
         rows[blocks_[row]].push_back(static_cast<int>(row));
     order_.clear();
     place_.assign(blocks_.size(), -1);
-    for (const int block : sequence)
-        for (const int row : rows[block]) {
-            place_[row] = static_cast<int>(order_.size());
-            order_.push_back(row);
-        }
+    for (const bool late : {false, true})
+        for (const int block : sequence)
+            for (const int row : rows[block]) {
+                if (is_last(block) != late) continue;
+                place_[row] = static_cast<int>(order_.size());
+                order_.push_back(row);
+            }
 }
 
 /// Finds where each value of the lower half stands in the upper half of the permuted matrix.
@@ -199,17 +228,21 @@ ANCF_INLINE void SparseLdlt::analyze() {
     value_.resize(first_.back());
 }
 
-/// Computes L and D, a row of L after the other.
-ANCF_INLINE bool SparseLdlt::eliminate() {
+/// Computes L and D, a row of L after the other, from a row on: those before are there.
+ANCF_INLINE bool SparseLdlt::eliminate(int from) {
     const int rows = size();
-    pivots_.assign(order_.size(), 0.0);
+    pivots_.resize(order_.size());
     std::vector<double> work(order_.size(), 0.0);
     std::vector<int> seen(order_.size(), -1), pattern(order_.size()), path(order_.size());
     Records<std::size_t> end = first_;
     double* const y = work.data();
     int* const row = row_.data();
     double* const value = value_.data();
-    for (int k = 0; k < rows; ++k) {
+    for (int i = 0; i < from; ++i)
+        end.data()[i] =
+            std::lower_bound(row + first_.data()[i], row + first_.data()[i + 1], from) - row;
+    complete_ = false;
+    for (int k = from; k < rows; ++k) {
         int top = rows;
         seen.data()[k] = k;
         for (std::size_t e = upper_first_.data()[k]; e < upper_first_.data()[k + 1]; ++e) {
@@ -236,6 +269,7 @@ ANCF_INLINE bool SparseLdlt::eliminate() {
         if (pivot == 0.0 || !std::isfinite(pivot)) return false;
         pivots_.data()[k] = pivot;
     }
+    complete_ = true;
     return true;
 }
 
