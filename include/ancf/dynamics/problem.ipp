@@ -400,7 +400,7 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
         for (int i = 0; i < multipliers(); ++i)
             b[size() + i] -= weights[place] / step * (known[i] + constraints_.convection()[i]);
     }
-    evaluate_constraints(at.time, at.q, at.v);
+    evaluate_constraints(at.time, at.q, at.v, false);
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
     VectorX x;
     if (const Status status = solve_kkt(b, x); status != Status::converged) return status;
@@ -550,7 +550,7 @@ ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const V
     VectorX x;
     double before = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 20; ++iteration) {
-        evaluate_constraints(t, q, v);
+        evaluate_constraints(t, q, v, false);
         double relative = 0.0;
         const VectorX scale = constraints_.magnitude(full_scales_);
         for (int i = 0; i < multipliers(); ++i) {
@@ -574,7 +574,7 @@ ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, Vecto
     VectorX b = VectorX::Zero(numbering().unknowns());
     VectorX x;
     for (int pass = 0; pass < passes; ++pass) {
-        evaluate_constraints(t, q, v);
+        evaluate_constraints(t, q, v, false);
         if (factorize_kkt() != Status::converged) return false;
         b.tail(multipliers()) = -constraints_.rate();
         if (solve_kkt(b, x) != Status::converged) return false;
@@ -666,7 +666,7 @@ ANCF_INLINE Snapshot DynamicProblem::snapshot(double t, VectorX q, VectorX v, co
     (void)project(t, q, v);  // where it fails the violation tells
     const Energies found = energies(t, q, v, lambda);
     into = state(t, q, v, lambda);
-    evaluate_constraints(t, q, v);
+    evaluate_constraints(t, q, v, false);
     return {into, found, constraints_.largest_violation(), constraints_.largest_rate()};
 }
 

@@ -150,7 +150,7 @@ ANCF_INLINE int IdaSystem::write_residual(double t, const View& y, const View& d
         return good;
     }
     kinematic_.noalias() = mass * gap_;
-    problem_.evaluate_constraints(t, q_, v_);
+    problem_.evaluate_constraints(t, q_, v_, false);
     problem_.add_constraint_force(mu_, 1.0, kinematic_);
     q(r) = kinematic_;
     mu(r) = problem_.constraint_rate();
