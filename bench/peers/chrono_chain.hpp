@@ -105,9 +105,16 @@ inline Kind chrono_3333(const Beam& beam, bool continuous = true) {
         beams<Element, fea::ChNodeFEAxyzDD>(beam, continuous ? Method::ContInt : Method::PreInt)};
 }
 
+// The section's class has another name since the release 10.0.0.
+#if __has_include(<chrono/fea/ChBeamSectionCableANCF.h>)
+using CableSection = fea::ChBeamSectionCableANCF;
+#else
+using CableSection = fea::ChBeamSectionCable;
+#endif
+
 inline Kind chrono_cable(const Beam& beam) {
     const auto add = [=](fea::ChMesh& mesh, const std::vector<NodePointer>& nodes, double) {
-        auto section = std::make_shared<fea::ChBeamSectionCableANCF>();
+        auto section = std::make_shared<CableSection>();
         const double area = beam.side * beam.side;
         section->SetArea(area);
         section->SetInertia(area * area / 12.0);
