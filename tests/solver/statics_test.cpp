@@ -12,6 +12,7 @@
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/solver_named.hpp>
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
@@ -327,14 +328,16 @@ TEST_CASE("statics: stability stays open where nothing decides it", "[statics][s
 TEST_CASE("statics: what a residual makes of a motion without stiffness is not called stable",
           "[statics][stability]") {
     // arcs between two points of the X axis, pulled along it, turn about it freely; of the 46 that
-    // converge nine were stable and one unstable
+    // converge nine were stable and one unstable. The tangent of the last correction is not yet
+    // that of the equilibrium: by its pivots, which two of these solvers count, 46 more were
+    const std::string name = GENERATE("eigen-lu", "eigen-ldlt", "block-tridiagonal");
     const auto material = ancf::Material::isotropic(1e9, 0.3, 1000.0);
     constexpr double radius = 0.01;
     int converged = 0;
     for (int elements = 2; elements <= 9; ++elements)
         for (const double angle : {0.7, 1.3, 2.1})
             for (const double load : {3.0, 40.0}) {
-                CAPTURE(elements, angle, load);
+                CAPTURE(name, elements, angle, load);
                 const double cosine = std::cos(angle / 2.0), sine = std::sin(angle / 2.0);
                 Scene scene;
                 const auto arc = ancf::arc<ancf::TorsionBeam>(
@@ -345,7 +348,8 @@ TEST_CASE("statics: what a residual makes of a motion without stiffness is not c
                 scene.fix(arc.last(), Field::r, 2);
                 const double bending = material.young * ancf::circle(radius).moments().yy;
                 scene.add(ancf::Force<3>(arc.last(), {load * bending, 0, 0}));
-                const auto report = solve(scene);
+                const auto solver = ancf::solver_named(name);
+                const auto report = ancf::solve_statics(scene, *solver);
                 if (report.status == Status::converged) ++converged;
                 CHECK(report.stability == ancf::Stability::unknown);
             }

@@ -40,9 +40,16 @@ enum class Stability {
 /// state is stable against any static disturbance.
 /// @param counted  the factorisation of that tangent, of which a count of negative pivots serves
 ///                 where it is well conditioned; without it, one more factorisation
-[[nodiscard]] Stability stability(const Assembly& assembly, const FactorReport& counted = {});
+/// @param solver   has the factors counted where they are of an earlier state's tangent: the count
+///                 then serves only where no sign can have changed since
+[[nodiscard]] Stability stability(const Assembly& assembly, const FactorReport& counted = {},
+                                  const LinearSolver* solver = nullptr);
 
 namespace detail {
+
+/// Tells whether an assembly's tangent K is so near an earlier one K_0, whose factors a solver has,
+/// that both have the same signs: no eigenvalue of K_0^-1 (K - K_0) is of the size of 1.
+[[nodiscard]] bool has_same_signs(const Assembly& assembly, const LinearSolver& solver);
 
 /// Tells whether the softest motions of D dx/dt = -K x decay, D the diagonal of the tangent K: what
 /// pivots of the symmetric part do not say under loads without a potential.

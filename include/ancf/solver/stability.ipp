@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -197,14 +198,40 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
     return all_to_the_right(projected);
 }
 
+/// By power iteration. One product is enough where it leaves less of the probe than the share that
+/// an eigenvector has of it.
+ANCF_INLINE bool has_same_signs(const Assembly& assembly, const LinearSolver& solver) {
+    constexpr int products = 3;
+    constexpr double most = 0.25;  // of the largest eigenvalue
+    const SparseMatrix& tangent = assembly.tangent();
+    const VectorX scale = unit_scales(tangent);
+    VectorX x = scale, next;
+    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] *= probe_weight(k);
+    double before = 0.0, after = 0.0;
+    for (int product = 0; product < products; ++product) {
+        next = multiply(tangent, assembly.pattern().storage(), x);
+        solver.solve(next, next);
+        before = std::exchange(after, 0.0);
+        for (Eigen::Index k = 0; k < x.size(); ++k) {
+            x[k] = next[k] - x[k];
+            const double scaled = x[k] / scale[k];
+            after += scaled * scaled;
+        }
+        if (product == 0 && after < most * most * probe_share * probe_share) return true;
+    }
+    return after < most * most * before;
+}
+
 }  // namespace detail
 
-ANCF_INLINE Stability stability(const Assembly& assembly, const FactorReport& counted) {
+ANCF_INLINE Stability stability(const Assembly& assembly, const FactorReport& counted,
+                                const LinearSolver* solver) {
     constexpr double well_conditioned = 1e-10;
     const auto& loads = assembly.model().loads();
     const bool symmetric = std::all_of(
         loads.begin(), loads.end(), [](const ScaledLoad& load) { return load.load.symmetric(); });
-    if (!symmetric || counted.negative_pivots < 0 || !(counted.rcond > well_conditioned))
+    if (!symmetric || counted.negative_pivots < 0 || !(counted.rcond > well_conditioned) ||
+        (solver != nullptr && !detail::has_same_signs(assembly, *solver)))
         return detail::stability_of_tangent(assembly, symmetric);
     return counted.negative_pivots > assembly.numbering().multipliers() ? Stability::unstable
                                                                         : Stability::stable;

@@ -495,8 +495,10 @@ private:
         if (small && !doubted_) return true;
         if (step.damped) report_.factorisation = solver_.factorize(assembly_.tangent());
         if (report_.factorisation.status != Status::converged) return false;
-        const Stability reached = stability(assembly_, report_.factorisation);
-        reached_ = reached;
+        const Stability reached = stability(assembly_, report_.factorisation, &solver_);
+        // by stresses that are off by the square of the last correction
+        constexpr double correction_of_round_off = 1e-8;
+        if (step.corrections.back() <= correction_of_round_off) reached_ = reached;
         // of loads with a potential `unknown` is a matter of round-off
         const bool lost =
             reached == Stability::unstable ||
@@ -562,7 +564,8 @@ private:
             report_.stability =
                 counted && reached_
                     ? *reached_
-                    : stability(assembly_, counted ? report_.factorisation : FactorReport{});
+                    : stability(assembly_, counted ? report_.factorisation : FactorReport{},
+                                &solver_);
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
