@@ -22,6 +22,7 @@
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
 
+#include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/dense.hpp>
 #include <support/unmixed.hpp>
@@ -227,6 +228,7 @@ TEST_CASE("modes: a free beam has six motions without frequency, then bending", 
     // Euler's 4.730041; the shear of this slenderness takes 0.2 percent
     for (std::size_t k = 6; k < 8; ++k)
         CHECK(std::sqrt(report.modes[k].value / unit) == Approx(22.3733).epsilon(5e-3));
+    CHECK(report.message.empty());
     SECTION("without a shift that is said, not answered") {
         wanted.shift = 0.0;
         const auto refused = ancf::natural_modes(scene, solver, wanted);
@@ -292,6 +294,7 @@ TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
     CHECK(report.iterations <= 3);
     // of 15; round-off may hide the highest, whose squares are 1e13 times the lowest
     CHECK(report.modes.size() >= 11);
+    CHECK(report.message.empty() == (report.modes.size() == 15));
     wanted.count = std::numeric_limits<int>::max();  // a block twice as wide is beyond all integers
     CHECK(ancf::natural_modes(scene, solver, wanted).modes.size() == report.modes.size());
     wanted.count = 3;
@@ -299,6 +302,34 @@ TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
     const auto short_of = ancf::natural_modes(scene, solver, wanted);
     CHECK(short_of.status == Status::max_iterations);
     CHECK(short_of.iterations == 1);
+}
+
+TEST_CASE("modes: fewer than are wanted and there are reported as such", "[modal]") {
+    // a truss without weight: two masses have four modes, of six free coordinates
+    ancf::PlanarModel scene;
+    using Bar = ancf::test::Bar<2>;
+    const auto bar = scene.add_prototype(Bar(1.0, 0.0, 1.0));
+    for (const auto& at : {std::array<double, 2>{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 1}})
+        scene.add_node({at[0], at[1]});
+    const auto rigid = scene.add_prototype(Bar(1.0, 0.0, std::sqrt(2.0)));
+    for (const int node : {0, 1}) scene.pin({node});
+    for (const auto& [from, to] : {std::pair(0, 2), {1, 3}, {2, 3}, {3, 4}})
+        scene.connect<Bar>(bar, {from}, {to});
+    for (const auto& [from, to] : {std::pair(1, 2), {1, 4}})
+        scene.connect<Bar>(rigid, {from}, {to});
+    scene.add_mass({2}, 1.0);
+    scene.add_mass({3}, 1.0);
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions wanted;
+    for (const int count : {4, 6, 60}) {
+        wanted.count = count;
+        const auto report = ancf::natural_modes(scene, solver, wanted);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.modes.size() == 4);
+        CHECK(report.message.empty() == (count == 4));
+        if (count > 4)
+            CHECK_THAT(report.message, ContainsSubstring("of 6 modes 2 have no mass, or are lost"));
+    }
 }
 
 TEST_CASE("modes: constraints leave as many as supports do", "[modal]") {

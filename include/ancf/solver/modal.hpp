@@ -57,7 +57,8 @@ struct ModalReport {
     int iterations = 0;          ///< solutions with the whole subspace
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     std::string message = {};    ///< what failed; of a singular tangent, what moves without
-                                 ///< stiffness
+                                 ///< stiffness; of converged vibrations fewer than are wanted and
+                                 ///< there, why. Else empty
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.

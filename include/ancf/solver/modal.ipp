@@ -225,8 +225,17 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
     };
-    return detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, value), model,
-                              assembly, A, solver);
+    ModalReport report = detail::with_cause(
+        detail::modes_of(assembly, A, mass, solver, options, value), model, assembly, A, solver);
+    const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
+    const int wanted = std::min(options.count, std::max(left, 1));
+    const auto found = static_cast<int>(report.modes.size());
+    if (report.status == Status::converged && found < wanted)
+        report.message = detail::joined(
+            {"of ", wanted, " modes ", wanted - found,
+             " have no mass, or are lost in round-off beside the slowest one: those a negative "
+             "shift of the size of the squares wanted will find"});
+    return report;
 }
 
 ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
