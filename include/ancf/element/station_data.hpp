@@ -35,8 +35,9 @@ template <class T, int Line = 3>
 struct StationShape {
     T p[Line];   ///< of (D, g1, g2, k1, k2) in p = r0', D = r_j - r_i; 1/m, 1, 1, m, m
     T p1[Line];  ///< of the same in p1 = r0''; 1/m^2, 1/m, 1/m, 1, 1
-    T n2;        ///< of a2 in a = r_y; a1 has 1 - n2. Also of b2, and of the second node's shears
-    T n2_x;      ///< of a2 in a1 = r_y'; a1 has -n2_x, 1/m
+    T n2;        ///< of a2 in a = r_y; a1 has 1 - n2. Also of b2
+    T n2_x;      ///< of a2 in a1 = r_y'; a1 has -n2_x, 1/m. Also of the second node's shears
+    T n2_s;      ///< of the second node's shears: n2, or nearer to 1/2 (shear_weight)
 };
 
 /// A station that integrates any terms of the energy.
@@ -75,6 +76,7 @@ template <class Line = CubicLine>
     }
     shape.n2 = xi;
     shape.n2_x = 1.0 / length;
+    shape.n2_s = xi;
     return shape;
 }
 
@@ -118,6 +120,7 @@ inline void put_lane(StationData<Pack<Lanes>, Line>& to, int lane,
     put_lane(to.shape.p1, lane, from.shape.p1);
     put_lane(to.shape.n2, lane, from.shape.n2);
     put_lane(to.shape.n2_x, lane, from.shape.n2_x);
+    put_lane(to.shape.n2_s, lane, from.shape.n2_s);
     put_lane(to.reference, lane, from.reference);
     put_lane(to.stiffness.axial, lane, from.stiffness.axial);
     put_lane(to.stiffness.shear_y, lane, from.stiffness.shear_y);

@@ -236,9 +236,27 @@ private:
     template <class S>
     struct Place;
     template <class S>
-    [[nodiscard]] Place<S> place(const Vector<S, dofs>& e, double xi) const noexcept;
+    [[nodiscard]] Place<S> place(const Vector<S, dofs>& e, double xi) const noexcept {
+        return place(e, xi, xi);
+    }
+    template <class S>
+    [[nodiscard]] Place<S> place(const Vector<S, dofs>& e, double xi,
+                                 double shear_weight) const noexcept;
 
     using Row = Eigen::Matrix<double, 1, dofs>;
+    /// Returns the weight of the second node's shears in the strains at xi: xi, but for a shear
+    /// centre beside the axis nearer to 1/2, where twist, constant along the element, would hold
+    /// changes of shear. docs/theory-references.md, "The shear centre"
+    [[nodiscard]] double shear_weight(double xi) const noexcept {
+        if (!Shear::nodal || options_.section_model != SectionModel::saint_venant) return xi;
+        const auto by_shear = [](const Matrix<double, 3>& block, int twist) {
+            return block(0, twist) * block(0, twist) / block(0, 0);
+        };
+        const double twisted = by_shear(section_.shear_z, 1) + by_shear(section_.shear_y, 2);
+        if (twisted == 0.0) return xi;
+        const double torsion = torsion_stiffness().sum();
+        return 0.5 + std::sqrt(torsion / (torsion + twisted)) * (xi - 0.5);
+    }
     /// Returns the derivative by e of a director (0: y, 1: z), of its spin about the tangent, and
     /// of its shear.
     [[nodiscard]] Matrix<double, 3, dofs> director_jacobian(const Place<double>& at,
@@ -294,6 +312,7 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const 
     moduli_ << material.young, material.young, material.young, 0.5 * (shear_y + shear_z), shear_z,
         shear_y;
     kernel_.stations = line_.stations(options_.rule, section_, !Measure::engineering);
+    for (auto& station : kernel_.stations.full) station.shape.n2_s = shear_weight(station.shape.n2);
     kernel_.packs = packed<native_lanes>(kernel_.stations);
     const double length = line_.length();
     kernel_.transverse = {{section_.transverse_yy * length, section_.transverse_zz * length,

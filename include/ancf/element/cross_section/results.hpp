@@ -70,13 +70,14 @@ inline void add_form(Eigen::Matrix<double, 1, Dofs>& row, int x, double factor,
 
 template <int Dimension, class Directors, class Shear, class Measure, class Line>
 template <class S>
-auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::place(const Vector<S, dofs>& e,
-                                                                         double xi) const noexcept
-    -> Place<S> {
+auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::place(
+    const Vector<S, dofs>& e, double xi, double shear_weight) const noexcept -> Place<S> {
     using namespace detail;
     Place<S> at;
     StationData<double, Line::vectors> station{};
-    station.shape = at.shape = line_.shape(xi);
+    at.shape = line_.shape(xi);
+    at.shape.n2_s = shear_weight;
+    station.shape = at.shape;
     nodal_vectors(e, at.vectors);
     at.p = line_derivative(at.shape.p, at.vectors);
     typename Formulation::template Lanes<S> lanes;
@@ -96,7 +97,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::strains(const
                                                                            double xi) const noexcept
     -> Vector<S, 12> {
     return this->beyond_reference(e, [&](const auto& state) {
-        const auto at = place(state, xi);
+        const auto at = place(state, xi, shear_weight(xi));
         using Strains = Vector<typename std::decay_t<decltype(state)>::Scalar, 12>;
         return Strains(Eigen::Map<const Strains>(at.state.strain));
     });

@@ -122,18 +122,18 @@ template <class Shape, class S>
 inline void interpolate_shears(const Shape& shape, const S (&sines)[shear_count],
                                Invariants<S>& w) noexcept {
     const S ds = sines[1] - sines[0], dq = sines[3] - sines[2];
-    w.s = sines[0] + shape.n2 * ds;
+    w.s = sines[0] + shape.n2_s * ds;
     w.s1 = shape.n2_x * ds;
-    w.q = sines[2] + shape.n2 * dq;
+    w.q = sines[2] + shape.n2_s * dq;
     w.q1 = shape.n2_x * dq;
 }
 
 /// Turns derivatives with respect to (s, s', q, q') into those with respect to the nodal sines.
 template <class Shape, class S>
 inline void shears_to_nodes(const Shape& shape, S& s, S& s1, S& q, S& q1) noexcept {
-    s1 = shape.n2 * s + shape.n2_x * s1;
+    s1 = shape.n2_s * s + shape.n2_x * s1;
     s = s - s1;
-    q1 = shape.n2 * q + shape.n2_x * q1;
+    q1 = shape.n2_s * q + shape.n2_x * q1;
     q = q - q1;
 }
 
