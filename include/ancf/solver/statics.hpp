@@ -97,7 +97,8 @@ struct StaticsReport {
     /// `softened` it is left as it is here where that state cannot be evaluated.
     double largest_turn = 0.0;
     /// Of the state that the model is left in, an equilibrium where a step converged. Costs one
-    /// factorisation L D L^T after the last step where the solver counts no pivots.
+    /// factorisation L D L^T after the last step where the solver counts no pivots, or the tangent
+    /// of the last correction is not near that of the state.
     Stability stability = Stability::unknown;
     FactorReport factorisation;  ///< of the last tangent solved with
     VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
