@@ -220,6 +220,66 @@ TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
     CHECK(checked == 12);
 }
 
+/// Moves the swing by a whole number of steps, by a tiny part of one and by a whole one again, each
+/// with the memory of the run before; checks the multipliers of every end and what the last costs.
+/// @param margin  relative to those of the state at the end
+template <class Integrator>
+void check_tiny_run(const Integrator& integrator, double margin) {
+    for (const double part : {1e-3, 1e-6, 1e-9}) {
+        CAPTURE(part);
+        Chain scene = swing();
+        ancf::DynamicProblem problem(scene.model);
+        ancf::EigenLu solver;
+        ancf::DynamicsReport report;
+        for (const double end : {0.1, 0.1 + 1e-3 * part, 0.101 + 1e-3 * part}) {
+            CAPTURE(end);
+            report = integrator.integrate(problem, solver, until(end), report.memory);
+            REQUIRE(report.status == Status::converged);
+            const ancf::VectorX own = problem.start().multipliers;
+            CHECK(distance(scene.model.state().multipliers, own) <= margin * own.norm());
+        }
+        CHECK(report.steps == 1);
+        CHECK(report.rejected == 0);
+        CHECK(report.convergence_failures == 0);
+    }
+}
+
+TEST_CASE("A run of one tiny step that goes on ends with the multipliers of its state",
+          "[dynamics]") {
+    // they were off by 40 to 3e15 times their size, and 25 to 40 % after the next step, for which
+    // RadauIIA by tolerance took 4 to 28
+    ancf::GeneralizedAlphaOptions alpha;
+    ancf::EnergyMomentumOptions middle;
+    ancf::RadauOptions radau;
+    alpha.step = middle.step = radau.step = 1e-3;
+    for (const double tolerance : {0.0, 1e-5}) {
+        CAPTURE(tolerance);
+        alpha.tolerance = radau.tolerance = tolerance;
+        check_tiny_run(ancf::GeneralizedAlpha(alpha), 0.02);
+        for (const int stages : {3, 5}) {
+            CAPTURE(stages);
+            radau.stages = stages;
+            check_tiny_run(ancf::RadauIIA(radau), 0.02);
+        }
+    }
+    check_tiny_run(ancf::EnergyMomentum(middle), 0.02);
+}
+
+TEST_CASE("EnergyMomentum takes a whole step after a tiny one of a stiff scene", "[dynamics]") {
+    // it took 128 parts, as the change of the rates in the tiny step is round-off
+    Chain scene = swing();
+    scene.model.prototype<Bar<3>>(0) = Bar<3>(5e6, 1.0, 0.4);
+    ancf::DynamicProblem problem(scene.model);
+    ancf::EigenLu solver;
+    ancf::DynamicsReport report;
+    for (const double end : {0.01, 0.01 + 1e-13, 0.011})
+        report = ancf::EnergyMomentum().integrate(problem, solver, until(end), report.memory);
+    CAPTURE(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps == 1);
+    CHECK(report.convergence_failures == 0);
+}
+
 TEST_CASE("Runs that end shortly beside the grid go on as one does", "[dynamics]") {
     // each ends by a step of a twentieth or a hundredth: as converged they ended 1.6 m off
     ancf::GeneralizedAlphaOptions options;

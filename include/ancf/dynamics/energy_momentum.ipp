@@ -226,7 +226,7 @@ ANCF_INLINE bool EnergyMomentumRun::turns_inside_out() const {
 
 ANCF_INLINE void EnergyMomentumRun::remember_run() {
     remember("energy_momentum", now_,
-             {linearised_from_.time, linearised_to_.time, linearised_width_});
+             {linearised_from_.time, linearised_to_.time, linearised_width_, last_width_});
     Memory& memory = report_.memory;
     memory.put("acceleration", acceleration_);
     if (linearised_width_ == 0.0) return;
@@ -239,8 +239,8 @@ ANCF_INLINE void EnergyMomentumRun::remember_run() {
 ANCF_INLINE void EnergyMomentumRun::recall_run(const Memory& memory) {
     const int n = problem_.size();
     const int m = problem_.multipliers();
-    const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 3);
-    problem_.set_length_scale(values[7]);
+    const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 4);
+    problem_.set_length_scale(values[8]);
     const MotionPoint end = recall(memory, "", values[0]);
     require_continuation("EnergyMomentum", memory, problem_, now_, end);
     const double width = values[6];
@@ -255,8 +255,9 @@ ANCF_INLINE void EnergyMomentumRun::recall_run(const Memory& memory) {
         increment_ = next_.q - now_.q;
         if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
     }
-    now_ = end;
-    acceleration_ = memory.get("acceleration", n);
+    now_ = end;  // with its own rates: projected ones would have less energy
+    acceleration_ =
+        was_cut(values, values[7]) ? start_.acceleration : memory.get("acceleration", n);
 }
 
 }  // namespace detail

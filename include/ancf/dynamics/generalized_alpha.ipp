@@ -266,7 +266,7 @@ ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
 }
 
 /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
-/// Returns whether it ended beside the grid, by a step far shorter than the others.
+/// Returns whether it ended by a step that was cut.
 ANCF_INLINE bool GeneralizedAlphaRun::read(const Memory& memory) {
     const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 4);
     require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
@@ -279,20 +279,18 @@ ANCF_INLINE bool GeneralizedAlphaRun::read(const Memory& memory) {
     linearised_width_ = values[6];
     if (linearised_width_ > 0.0)
         static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
-    const bool beside = values[1] == values[0] && values[2] == 0.0;
-    return beside && 2.0 * width_ < values[3];
+    return was_cut(values, width_);
 }
 
 ANCF_INLINE void GeneralizedAlphaRun::recall_run(const Memory& memory) {
-    bool was_cut = false;
-    together(problem_.model().exchange(), [&] { was_cut = read(memory); });
+    bool begins_anew = false;
+    together(problem_.model().exchange(), [&] { begins_anew = read(memory); });
     require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
     if (linearised_width_ > 0.0 &&
         (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
          factorise(linearised_width_) != Status::converged))
         linearised_width_ = 0.0;  // the first step builds a matrix of its own
-    // its accelerations carry what is left of g and G v, over powers of the short width
-    if (was_cut && problem_.multipliers() > 0) begin_anew();
+    if (begins_anew) begin_anew();
 }
 
 }  // namespace detail

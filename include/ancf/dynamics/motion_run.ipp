@@ -350,14 +350,16 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
                                    const Between& between) {
     if (!goes_on(to)) to.time = schedule_.end;
     const double before = std::exchange(last_width_, to.time - from.time);
-    // its own carry what Newton's method leaves of g and G v, over powers of the width
+    // its own, and its rates, carry what Newton's method leaves of g and G v, over powers of the
+    // width
     has_short_step_ = problem_.multipliers() > 0 && 2.0 * last_width_ < before &&
                       problem_.model().exchange() == nullptr;
     if (has_short_step_) {
         ++report_.evaluations;
-        VectorX acceleration, lambda;
+        VectorX q = to.q, v = to.v, acceleration, lambda;
         has_short_step_ =
-            problem_.accelerations(to.time, to.q, to.v, acceleration, lambda) == Status::converged;
+            problem_.project(to.time, q, v) &&
+            problem_.accelerations(to.time, q, v, acceleration, lambda) == Status::converged;
         if (has_short_step_) to.lambda = std::move(lambda);
     }
     return recorder_.step(from, to, between);
@@ -399,9 +401,9 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
             ": the memory is of time ", numbers[0], " s, the model of ", now, " s");
     const bool adaptive = control_.is_adaptive();
     grid_.origin = numbers[0];
-    last_width_ = 0.0;
     if (adaptive || numbers[3] == control_.first) grid_ = {numbers[1], numbers[3], numbers[2]};
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
+    last_width_ = grid_.width;
     return numbers;
 }
 

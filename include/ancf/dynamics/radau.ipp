@@ -519,6 +519,11 @@ ANCF_INLINE void RadauRun::recall_run(const Memory& memory) {
     most_growth_ = values[10];
     rejected_ = values[11] != 0.0;
     failed_ = values[12] != 0.0;
+    if (was_cut(values, width_before_)) {
+        static_cast<MotionPoint&>(now_) = start_point();
+        now_.acceleration = start_.acceleration;
+        width_before_ = 0.0;
+    }
     if (values[6] == 0.0) return;
     linearised_ = recall(memory, "linearised_", values[5]);
     if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
