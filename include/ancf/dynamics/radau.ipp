@@ -461,10 +461,10 @@ ANCF_INLINE MotionPoint RadauRun::between(double time) {
     MotionPoint at;
     at.time = time;
     interpolate(knots_, time, at.q, at.v);
-    const std::vector<double> weights =
-        lagrange_weights(tableau_.nodes, (time - earlier_.time) / (now_.time - earlier_.time));
-    at.lambda = now_.lambda;
+    const double share = (time - earlier_.time) / (now_.time - earlier_.time);
+    at.lambda = (1.0 - share) * earlier_.lambda + share * now_.lambda;
     if (has_short_step_) return at;
+    const std::vector<double> weights = lagrange_weights(tableau_.nodes, share);
     at.lambda.setZero();
     for (std::size_t i = 0; i < stages_; ++i)
         for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
