@@ -66,6 +66,9 @@ public:
     Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
              bool energies);
 
+    /// Reports the multipliers that belong to each reported state, not those of the integrator.
+    void solve_multipliers() noexcept { solves_multipliers_ = true; }
+
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point);
 
@@ -98,6 +101,7 @@ private:
     const Schedule& schedule_;
     DynamicsReport& report_;
     bool energies_;
+    bool solves_multipliers_ = false;
     std::chrono::steady_clock::time_point begin_;
     std::size_t next_ = 0;
 };

@@ -179,7 +179,9 @@ ANCF_INLINE void Recorder::store(const MotionPoint& end) {
     VectorX v = end.v;
     if (!problem_.project(end.time, q, v))
         add("the last state could not be brought onto the constraints");
-    problem_.store(end.time, q, v, end.lambda);
+    VectorX acceleration, lambda = end.lambda;
+    if (solves_multipliers_) (void)problem_.accelerations(end.time, q, v, acceleration, lambda);
+    problem_.store(end.time, q, v, lambda);
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,
@@ -189,11 +191,12 @@ ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& t
         const double time = schedule_.times[next_];
         State state;
         if (time >= to.time - slack) {
-            schedule_.observe(problem_.snapshot(to.time, to.q, to.v, to.lambda, state));
+            schedule_.observe(
+                problem_.snapshot(to.time, to.q, to.v, to.lambda, state, solves_multipliers_));
         } else {
             MotionPoint at = between ? between(time) : cubic(from, to, time);
-            schedule_.observe(
-                problem_.snapshot(time, std::move(at.q), std::move(at.v), at.lambda, state));
+            schedule_.observe(problem_.snapshot(time, std::move(at.q), std::move(at.v),
+                                                std::move(at.lambda), state, solves_multipliers_));
         }
     }
 }

@@ -240,8 +240,10 @@ public:
 
     /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the
     /// state.
-    [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
-                                    State& into);
+    /// @param solve  whether to solve for the multipliers of the projected state; where that fails
+    ///               they are lambda.
+    [[nodiscard]] Snapshot snapshot(double t, VectorX q, VectorX v, VectorX lambda, State& into,
+                                    bool solve = false);
 
     /// Solves for the forces that supports exert on the coordinates that they hold or drive,
     ///

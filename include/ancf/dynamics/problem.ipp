@@ -661,9 +661,11 @@ ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
     }
 }
 
-ANCF_INLINE Snapshot DynamicProblem::snapshot(double t, VectorX q, VectorX v, const VectorX& lambda,
-                                              State& into) {
+ANCF_INLINE Snapshot DynamicProblem::snapshot(double t, VectorX q, VectorX v, VectorX lambda,
+                                              State& into, bool solve) {
     (void)project(t, q, v);  // where it fails the violation tells
+    VectorX acceleration;
+    if (solve) (void)accelerations(t, q, v, acceleration, lambda);
     const Energies found = energies(t, q, v, lambda);
     into = state(t, q, v, lambda);
     evaluate_constraints(t, q, v, false);

@@ -204,6 +204,7 @@ ANCF_INLINE double IdaRun::first_step() const {
 ANCF_INLINE IdaReport IdaRun::run() {
     if (!starts()) return std::move(report_);
     set_up();
+    if (problem_.multipliers() > 0) recorder_.solve_multipliers();  // its own may be round-off
     now_ = point(now_.time, y_.get());
     recorder_.start(now_);
     while (now_.time < schedule_.end && step()) {
