@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>
@@ -307,6 +308,41 @@ TEST_CASE("EnergyMomentum takes a whole step after a tiny one of a stiff scene",
     REQUIRE(report.status == Status::converged);
     CHECK(report.steps == 1);
     CHECK(report.convergence_failures == 0);
+}
+
+TEST_CASE("Adaptive steps see a pulse after a rest by max_step, or where a run begins with it",
+          "[dynamics]") {
+    // a push of 5 ms gives the end of free bars a rate; steps that grew at rest pass over it
+    constexpr double begin = 0.5, length = 5e-3;
+    const auto push = [&](const auto& integrator, bool split) {
+        Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0});
+        scene.model.add(ancf::Force<3>(scene.last(), {0.0, 4.0, 0.0}),
+                        [&](double t) { return t >= begin && t < begin + length ? 1.0 : 0.0; });
+        ancf::DynamicProblem problem(scene.model);
+        ancf::EigenLu solver;
+        if (split)
+            REQUIRE(integrator.integrate(problem, solver, until(begin)).status ==
+                    Status::converged);
+        REQUIRE(integrator.integrate(problem, solver, until(1.0)).status == Status::converged);
+        return momentum(problem, scene.model.state()).linear[1];
+    };
+    int checked = 0;  // the end of the push is met to the tolerance: 6 % measured
+    for (const bool split : {false, true}) {
+        CAPTURE(split);
+        const double most = split ? 1.0 : 2e-3;
+        ancf::GeneralizedAlphaOptions alpha;
+        alpha.tolerance = 1e-6;
+        alpha.max_step = most;
+        CHECK(push(ancf::GeneralizedAlpha(alpha), split) == Approx(4.0 * length).epsilon(0.1));
+        for (const int stages : {3, 5}) {
+            ancf::RadauOptions radau;
+            radau.stages = stages;
+            radau.max_step = most;
+            CHECK(push(ancf::RadauIIA(radau), split) == Approx(4.0 * length).epsilon(0.1));
+            ++checked;
+        }
+    }
+    CHECK(checked == 4);
 }
 
 TEST_CASE("Runs that end shortly beside the grid go on as one does", "[dynamics]") {

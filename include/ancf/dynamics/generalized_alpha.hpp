@@ -31,8 +31,9 @@ struct GeneralizedAlphaOptions {
     /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
     /// size, of slopes absolutely, of r_xx relative to the size's inverse.
     double tolerance = 0.0;
-    double min_step = 1e-12;                                    ///< s, of an adaptive run
-    double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
+    double min_step = 1e-12;  ///< s, of an adaptive run
+    /// s, of an adaptive run; shorter than a load or a drive that acts for a while after a rest.
+    double max_step = std::numeric_limits<double>::infinity();
     double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
     int max_iterations = 12;          ///< of Newton's method in a step
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step

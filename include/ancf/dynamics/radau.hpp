@@ -28,9 +28,10 @@ struct RadauOptions {
     /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
     /// size, of slopes absolutely, of r_xx relative to the size's inverse.
     double tolerance = 1e-6;
-    double step = 1e-3;                                         ///< s: the first one, or all
-    double min_step = 1e-12;                                    ///< s, of an adaptive run
-    double max_step = std::numeric_limits<double>::infinity();  ///< s, of an adaptive run
+    double step = 1e-3;       ///< s: the first one, or all
+    double min_step = 1e-12;  ///< s, of an adaptive run
+    /// s, of an adaptive run; shorter than a load or a drive that acts for a while after a rest.
+    double max_step = std::numeric_limits<double>::infinity();
     /// Of the coordinates of a stage, relative like tolerance; 0: 0.06 of the tolerance, with five
     /// stages 0.0125, of fixed steps 1e-13.
     double newton_tolerance = 0.0;
