@@ -36,7 +36,7 @@ enum class Status {
     singular,        ///< the matrix could not be factorised
     degenerate,      ///< an element is no beam: without directors, twisted too far or folded
     not_finite,      ///< a NaN or an infinity appeared
-    inconsistent,    ///< the start of a motion violates a constraint
+    inconsistent,    ///< the start of a motion violates a constraint, or its course one left out
     redundant,       ///< constraints say the same thing twice
     step_too_small,  ///< the step fell below its limit
     stopped          ///< a callback asked to stop

@@ -143,6 +143,29 @@ ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
     report_.fault = fault;
 }
 
+ANCF_INLINE void Recorder::check_left_out(double time) {
+    if (problem_.left_out().empty() || report_.status != Status::converged) return;
+    const ConstraintSet& constraints = problem_.constraints();
+    const VectorX sizes = constraints.magnitude(problem_.scales_of(problem_.length_scale()));
+    const std::vector<int>& out = problem_.left_out();
+    double kept = 0.0, largest = 0.0;  // |g|, relative to what the scene's size makes of it
+    int worst = -1;
+    for (int i = 0; i < constraints.size(); ++i) {
+        const double size = std::abs(constraints.violation()[i]) / sizes[i];
+        const bool is_out = std::binary_search(out.begin(), out.end(), i);
+        if (!is_out) kept = std::max(kept, size);
+        if (!is_out || !(size > largest)) continue;
+        largest = size;
+        worst = i;
+    }
+    if (largest <= 1e-3 || largest <= 10.0 * kept) return;
+    report_.status = Status::inconsistent;
+    report_.message = joined(
+        {constraints.describe(worst), " was left out as redundant and is so no longer: |g| = ",
+         std::abs(constraints.violation()[worst]), " at ", time, " s"},
+        6);
+}
+
 ANCF_INLINE void Recorder::note(const MotionPoint& point) {
     const long in_a_step = std::max(2L, report_.evaluations / std::max(1L, report_.steps));
     if (report_.steps % std::max(1L, 24 / in_a_step) == 0) inspect(point);
@@ -150,6 +173,7 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point) {
         problem_.evaluate_constraints(point.time, point.q, point.v, false);
         report_.violation = larger(report_.violation, problem_.constraint_violation());
         report_.violation_rate = larger(report_.violation_rate, problem_.violation_rate());
+        check_left_out(point.time);
     }
     if (!energies_) return;
     const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);

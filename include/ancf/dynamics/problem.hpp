@@ -34,7 +34,8 @@ class LinearSolver;
 enum class Redundancy {
     refuse,       ///< the start has Status::redundant and names them
     minimum_norm  ///< one of them is left out; reported multipliers have the least norm, each
-                  ///< measured by what the scene's size makes of its equation
+                  ///< measured by what the scene's size makes of its equation. A motion in which
+                  ///< what was left out does not follow from the rest ends as inconsistent
 };
 
 /// How a problem is set up.
