@@ -382,12 +382,14 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
     VectorX whole = VectorX::Zero(full_a_.size());
     // one-sided: a load may begin at the start, and no function of time is asked for earlier
     constexpr double weights[] = {-1.5, 2.0, -0.5};
+    VectorX values[3];  // of r, and of what d2g/dt2 has besides G v'
     for (int place = 0; place < 3; ++place) {
         const double later = place * step;
         const double t = at.time + later;
         if (const auto fault = evaluate(t, at.q, at.v, at.multipliers, Request::force))
             return fault->status;
-        for (int i = 0; i < size(); ++i) b[i] -= weights[place] / step * force_[i];
+        values[place].resize(b.size());
+        for (int i = 0; i < size(); ++i) values[place][i] = force_[i];
         if (multipliers() == 0) continue;
         evaluate_constraints(t, at.q + later * at.v + 0.5 * later * later * at.acceleration,
                              at.v + later * at.acceleration);
@@ -398,7 +400,18 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
         numbering().dependence().complete(whole);
         const VectorX known = constraints_.product(whole);
         for (int i = 0; i < multipliers(); ++i)
-            b[size() + i] -= weights[place] / step * (known[i] + constraints_.convection()[i]);
+            values[place][size() + i] = known[i] + constraints_.convection()[i];
+    }
+    for (Eigen::Index i = 0; i < b.size(); ++i) {
+        const double change = values[1][i] - values[0][i], next = values[2][i] - values[1][i];
+        const double least = std::min(std::abs(change), std::abs(next));
+        // of a function t^n they differ by the factor 2^n - 1, of one that jumps by far more, as of
+        // a load that is zero at the start itself: there the change without the jump counts
+        if (20.0 * least < std::max(std::abs(change), std::abs(next)))
+            b[i] -= (std::abs(change) == least ? change : next) / step;
+        else
+            for (int place = 0; place < 3; ++place)
+                b[i] -= weights[place] / step * values[place][i];
     }
     evaluate_constraints(at.time, at.q, at.v, false);
     if (const Status status = factorize_kkt(); status != Status::converged) return status;
