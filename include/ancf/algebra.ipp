@@ -132,28 +132,29 @@ ANCF_INLINE double power_of_two(int exponent) noexcept {
 
 ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     const auto size = static_cast<int>(matrix.cols());
-    const auto for_each_entry = [&](const auto& visit) {
-        for (int j = 0; j < size; ++j)
-            for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k)
-                if (matrix.valuePtr()[k] != 0.0 && std::isfinite(matrix.valuePtr()[k]))
-                    visit(matrix.innerIndexPtr()[k], j, std::abs(matrix.valuePtr()[k]));
-    };
+    const int *outer = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
+    const double* value = matrix.valuePtr();
+    const auto counts = [&](int k) { return value[k] != 0.0 && std::isfinite(value[k]); };
     VectorX scales = VectorX::Zero(size);
-    int first = 0;
-    bool found = false;
-    for_each_entry([&](int i, int j, double value) {
-        if (i != j) return;
-        const int exponent = std::ilogb(value);
-        if (!found) first = exponent;
-        found = true;
-        const int apart = exponent - first;
-        scales[i] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
-    });
+    int first = 0, found = 0;
+    for (int j = 0; j < size; ++j)
+        for (int k = outer[j]; k < outer[j + 1] && row[k] <= j; ++k) {
+            if (row[k] != j || !counts(k)) continue;
+            const int exponent = std::ilogb(value[k]);
+            if (found++ == 0) first = exponent;
+            const int apart = exponent - first;
+            scales[j] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
+        }
+    if (found == size) return scales;
     VectorX largest = VectorX::Zero(size);
-    for_each_entry([&](int i, int j, double value) {
-        if (scales[i] == 0.0) largest[i] = std::max(largest[i], value * scales[j]);
-        if (scales[j] == 0.0) largest[j] = std::max(largest[j], value * scales[i]);
-    });
+    for (int j = 0; j < size; ++j)
+        for (int k = outer[j]; k < outer[j + 1]; ++k) {
+            const int i = row[k];
+            if (!counts(k)) continue;
+            const double entry = std::abs(value[k]);
+            if (scales[i] == 0.0) largest[i] = std::max(largest[i], entry * scales[j]);
+            if (scales[j] == 0.0) largest[j] = std::max(largest[j], entry * scales[i]);
+        }
     for (int i = 0; i < size; ++i)
         if (scales[i] == 0.0)
             scales[i] = largest[i] > 0.0 ? power_of_two(first - std::ilogb(largest[i])) : 1.0;

@@ -482,6 +482,16 @@ private:
                last <= 1e-3 * *std::max_element(step.corrections.begin(), step.corrections.end());
     }
 
+    /// Returns the solver where its factors are of a tangent that may have other signs than that of
+    /// the state: a correction changes a tangent by about its own share, and the least eigenvalue
+    /// is rcond of the largest.
+    [[nodiscard]] const LinearSolver* counted_before(const LoadStep& step) const {
+        constexpr double same = 1e-3;  // of rcond
+        const bool negligible = !step.corrections.empty() &&
+                                step.corrections.back() <= same * report_.factorisation.rcond;
+        return negligible ? nullptr : &solver_;
+    }
+
     /// Whether a step ended where the load leads from the state before: in a stable state, or by
     /// corrections so small that no other branch was near. A beam that moments alone roll up turns
     /// unstable on its way.
@@ -495,7 +505,7 @@ private:
         if (small && !doubted_) return true;
         if (step.damped) report_.factorisation = solver_.factorize(assembly_.tangent());
         if (report_.factorisation.status != Status::converged) return false;
-        const Stability reached = stability(assembly_, report_.factorisation, &solver_);
+        const Stability reached = stability(assembly_, report_.factorisation, counted_before(step));
         // by stresses that are off by the square of the last correction
         constexpr double correction_of_round_off = 1e-8;
         if (step.corrections.back() <= correction_of_round_off) reached_ = reached;
@@ -560,12 +570,13 @@ private:
         const bool counted = report_.status == Status::converged && !report_.steps.empty() &&
                              report_.steps.back().iterations > 0;
         const bool alone = exchange_ == nullptr && !solver_.iterative();
-        if (alone)
+        if (alone && counted && reached_)
+            report_.stability = *reached_;
+        else if (alone && counted)
             report_.stability =
-                counted && reached_
-                    ? *reached_
-                    : stability(assembly_, counted ? report_.factorisation : FactorReport{},
-                                &solver_);
+                stability(assembly_, report_.factorisation, counted_before(report_.steps.back()));
+        else if (alone)
+            report_.stability = stability(assembly_);
         for (const int k : numbering.held())
             report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
                                    assembly_.external_force()[k];
