@@ -80,7 +80,7 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::place(
     station.shape = at.shape;
     nodal_vectors(e, at.vectors);
     at.p = line_derivative(at.shape.p, at.vectors);
-    typename Formulation::template Lanes<S> lanes;
+    typename Formulation::template Lanes<S> lanes{};
     Formulation::prepare(at.vectors, at.nodes, lanes);
     (void)Formulation::state(station, at.vectors, lanes, at.state);
     if constexpr (carries_directors<Directors>) {
