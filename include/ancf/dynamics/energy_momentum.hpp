@@ -48,12 +48,13 @@ public:
     /// reached, on the constraints.
     ///
     /// Steps stay on the grid start + k step; only a last, shorter step leaves it.
-    /// @param solver  any linear solver (linear_solver.hpp). One of full storage has the exact
-    ///                tangent; one of the lower half converges more slowly, to the same solution.
-    /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
+    ///
     /// What is observed is projected on the constraints, and its energy is that of the projected
     /// state. Where constraints are not linear that differs from the energy that the scheme
     /// conserves by the square of the step; the report's energy_drift is the scheme's own.
+    /// @param solver  any linear solver (linear_solver.hpp). One of full storage has the exact
+    ///                tangent; one of the lower half converges more slowly, to the same solution.
+    /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return as GeneralizedAlpha::integrate.
     /// @throws InvalidArgument as GeneralizedAlpha::integrate.
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,

@@ -31,7 +31,7 @@ namespace ancf {
 struct LeapfrogOptions {
     double step = 0.0;           ///< s, shortened to fill the run evenly; 0: the longest below
                                  ///< stable_share, chosen anew as the scene stiffens
-    double stable_share = 0.5;   ///< of the stable step, taken at most; above 0 and below 1
+    double stable_share = 0.5;   ///< largest step, as a part of the stable one; above 0, below 1
     int stable_interval = 50;    ///< steps between two estimates of the stable one, at most
     long max_steps = 1'000'000;  ///< 0: no limit
     bool follow_energy = true;   ///< report the energy drift: one evaluation of the force a step
@@ -65,8 +65,8 @@ public:
     ///         diverged where an estimate finds the step above the stable one; or why it ended
     ///         before, with what was observed until then.
     ///
-    /// Constraints cost little where they are few: systems of twice as many equations as there are
-    /// multipliers are dense.
+    /// Constraints cost little where they are few: a step solves dense systems, of two equations
+    /// for each multiplier.
     /// @throws InvalidArgument for a scene with forces that depend on rates, a schedule that does
     ///         not fit the model's time, a step below the resolution of time, or a scene without a
     ///         free coordinate.

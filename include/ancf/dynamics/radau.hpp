@@ -30,7 +30,8 @@ struct RadauOptions {
     double tolerance = 1e-6;
     double step = 1e-3;       ///< s: the first one, or all
     double min_step = 1e-12;  ///< s, of an adaptive run
-    /// s, of an adaptive run; shorter than a load or a drive that acts for a while after a rest.
+    /// s, of an adaptive run. Set it below the duration of a pulse after a rest, or the run may pass
+    /// over the pulse.
     double max_step = std::numeric_limits<double>::infinity();
     /// Of the coordinates of a stage, relative like tolerance; 0: 0.06 of the tolerance, with five
     /// stages 0.0125, of fixed steps 1e-13.
@@ -60,7 +61,7 @@ public:
     /// turns by more than pi/3, a step is taken in halves, quarters and so on. Counts of
     /// factorisations are of real and complex matrices.
     /// @param solver  any linear solver (linear_solver.hpp), of full storage with constraints;
-    ///                complex matrices go to its complex_solver_for.
+    ///                complex matrices go to its LinearSolver::complex_solver.
     /// @param memory  of the run to continue, as its report gave it; empty: a consistent start.
     /// @return as GeneralizedAlpha::integrate.
     /// @throws InvalidArgument as GeneralizedAlpha::integrate.

@@ -399,8 +399,8 @@ ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
     ancf::detail::require(
         problem.multipliers() == 0, "Explicit: the scene has constraints with ",
         problem.multipliers(),
-        " multipliers, which no explicit method takes; integrate by RadauIIA or Ida, or "
-        "join by supports, by polyline and by Scene::attach, which have no multipliers");
+        " multipliers, which ARKODE's methods do not take; integrate by Leapfrog, RadauIIA or Ida, "
+        "or join by supports, by polyline and by Scene::attach, which have no multipliers");
     ancf::detail::require_motion(problem);
     const double from = problem.model().state().time;
     schedule.check(from);
