@@ -65,9 +65,9 @@ private:
     [[nodiscard]] bool eliminate(int from);
 
     std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
-    int last_ = 0;
-    bool complete_ = false;           // whether L belongs to the values
-    std::vector<int> order_, place_;  // row at a place, place of a row
+    int last_ = 0;                             // rows that are eliminated last
+    bool complete_ = false;                    // whether L belongs to the values
+    std::vector<int> order_, place_;           // row at a place, place of a row
     // of the permuted matrix the upper half, by columns
     Records<std::size_t> upper_first_;
     std::vector<int> upper_row_, from_;  // from_: place among the matrix's values
