@@ -11,8 +11,9 @@
 /// index 1 where there are multipliers. Another method on the same mesh tells how good it is, and
 /// has to agree to 1e-9 m: IDA's second form with a tolerance of 1e-11, of stiff scenes Verner's
 /// explicit method of sixth order; without SUNDIALS, Runge-Kutta with twice the step.
-/// Times are of the processor, the least of several rounds in which all runs take turns. Of each
-/// integrator the cheapest run below each level is printed, or of --csv all runs.
+/// Times are of the processor, medians of several rounds in which all runs take turns; a run that is
+/// far from the cheapest of its integrator at every level takes part in the first round alone. Of
+/// each integrator the cheapest run below each level is printed, or of --csv all runs.
 
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
@@ -248,7 +249,14 @@ struct Trial {
     double value;
     Run result;
     double error;
+    std::vector<double> times;  // s, of every round; their median stands in result
+
+    [[nodiscard]] bool reaches(int level) const {
+        return error <= 1.1 * std::pow(10.0, -3 - level);
+    }
 };
+
+constexpr int levels = 4;  // errors of 1e-3 to 1e-6 m
 
 /// An integrator and the values of its setting, from coarse to fine.
 struct Series {
@@ -307,7 +315,7 @@ std::vector<Series> all_series(bool constrained, [[maybe_unused]] bool tables) {
 
 /// What is measured, and for how long.
 struct Request {
-    int elements = 8, rounds = 3;
+    int elements = 8, rounds = 5;
     bool csv = false, tables = false;
     std::string only;
     double finest = 1e-8;  // m: an integrator ends with its first run of such an error
@@ -318,8 +326,12 @@ struct Request {
 void add_trials(const std::string& name, const Request& request, const Series& series,
                 const std::vector<double>& exact, int dimension, std::vector<Trial>& all) {
     for (const double value : series.values) {
-        Trial trial{&series.integrator, value,
-                    run(name, request.elements, series.integrator, value), 0.0};
+        Trial trial{&series.integrator,
+                    value,
+                    run(name, request.elements, series.integrator, value),
+                    0.0,
+                    {}};
+        trial.times = {trial.result.seconds};
         trial.error = trial.result.report.status == ancf::Status::converged
                           ? distance(trial.result.tips, exact, dimension)
                           : infinity;
@@ -327,6 +339,45 @@ void add_trials(const std::string& name, const Request& request, const Series& s
         const Trial& done = all.back();
         if (done.error <= request.finest) return;
         if (std::isfinite(done.error) && done.result.seconds > request.longest) return;
+    }
+}
+
+/// Returns the cheapest run of an integrator at a level, or null.
+const Trial* cheapest(const std::vector<Trial>& all, const Integrator& integrator, int level) {
+    const Trial* best = nullptr;
+    for (const Trial& trial : all)
+        if (trial.integrator == &integrator && trial.reaches(level) &&
+            (best == nullptr || trial.result.seconds < best->result.seconds))
+            best = &trial;
+    return best;
+}
+
+/// Returns the runs that take at most half as long again as the cheapest of their integrator at a
+/// level.
+std::vector<Trial*> near_the_cheapest(std::vector<Trial>& all) {
+    std::vector<Trial*> near;
+    for (Trial& trial : all)
+        for (int level = 0; level < levels; ++level) {
+            if (!trial.reaches(level)) continue;
+            const double least = cheapest(all, *trial.integrator, level)->result.seconds;
+            if (trial.result.seconds > 1.5 * least) continue;
+            near.push_back(&trial);
+            break;
+        }
+    return near;
+}
+
+/// Times runs in further rounds.
+void time_again(const std::string& name, const Request& request, std::vector<Trial>& all) {
+    const std::vector<Trial*> near = near_the_cheapest(all);
+    for (int round = 1; round < request.rounds; ++round)
+        for (Trial* trial : near)
+            trial->times.push_back(
+                run(name, request.elements, *trial->integrator, trial->value).seconds);
+    for (Trial* trial : near) {
+        const auto middle = trial->times.begin() + static_cast<long>(trial->times.size() / 2);
+        std::nth_element(trial->times.begin(), middle, trial->times.end());
+        trial->result.seconds = *middle;
     }
 }
 
@@ -346,7 +397,7 @@ void print_rows(const std::string& name, const Request& request, const std::vect
 /// the four levels: counts that the library's integrators are held against.
 struct Counts {
     const char* integrator;
-    double forces[4], factorisations[4];
+    double forces[levels], factorisations[levels];
 };
 
 constexpr Counts prototype[] = {{"Radau 3", {660, 843, 1248, 3981}, {130, 188, 176, 984}},
@@ -354,11 +405,11 @@ constexpr Counts prototype[] = {{"Radau 3", {660, 843, 1248, 3981}, {130, 188, 1
                                 {"explicit fixed ARK436", {2400, 2400, 2400, 9600}, {0, 0, 0, 0}}};
 
 /// Prints how many times as many an integrator took.
-void print_counts(const std::string& integrator, const Trial* const (&best)[4]) {
+void print_counts(const std::string& integrator, const Trial* const (&best)[levels]) {
     for (const Counts& theirs : prototype) {
         if (integrator != theirs.integrator) continue;
         std::printf("    %-25s", "of a prototype's counts");
-        for (int level = 0; level < 4; ++level) {
+        for (int level = 0; level < levels; ++level) {
             if (best[level] == nullptr) {
                 std::printf(" | %-26s", "-");
                 continue;
@@ -379,19 +430,14 @@ void print_counts(const std::string& integrator, const Trial* const (&best)[4]) 
 void print_table(const std::string& name, const std::vector<Series>& series,
                  const std::vector<Trial>& all) {
     std::printf("\n%s\n", name.c_str());
-    double alpha[4], radau[4];
-    std::fill_n(alpha, 4, infinity);
-    std::fill_n(radau, 4, infinity);
+    double alpha[levels], radau[levels];
+    std::fill_n(alpha, levels, infinity);
+    std::fill_n(radau, levels, infinity);
     for (const Series& one : series) {
         std::printf("  %-27s", one.integrator.name.c_str());
-        const Trial* all_best[4] = {};
-        for (int level = 0; level < 4; ++level) {
-            const Trial*& best = all_best[level];
-            for (const Trial& trial : all)
-                if (trial.integrator == &one.integrator &&
-                    trial.error <= 1.1 * std::pow(10.0, -3 - level) &&
-                    (best == nullptr || trial.result.seconds < best->result.seconds))
-                    best = &trial;
+        const Trial* all_best[levels] = {};
+        for (int level = 0; level < levels; ++level) {
+            const Trial* const best = all_best[level] = cheapest(all, one.integrator, level);
             if (best == nullptr) {
                 std::printf(" | %-26s", "-");
                 continue;
@@ -408,7 +454,7 @@ void print_table(const std::string& name, const std::vector<Series>& series,
         if (name == "plane") print_counts(one.integrator.name, all_best);
     }
     std::printf("  %-27s", "times faster");
-    for (int level = 0; level < 4; ++level)
+    for (int level = 0; level < levels; ++level)
         if (std::isfinite(alpha[level]) && std::isfinite(radau[level]))
             std::printf(" | %-26.1f", alpha[level] / radau[level]);
         else
@@ -428,12 +474,7 @@ void measure(const std::string& name, const Request& request, ancf::CsvWriter* c
                  series.end());
     std::vector<Trial> all;
     for (const Series& one : series) add_trials(name, request, one, exact, swing.dimension, all);
-    for (int round = 1; round < request.rounds; ++round)
-        for (Trial& trial : all) {
-            if (trial.result.seconds > 0.3) continue;
-            const Run again = run(name, request.elements, *trial.integrator, trial.value);
-            trial.result.seconds = std::min(trial.result.seconds, again.seconds);
-        }
+    time_again(name, request, all);
     if (csv != nullptr)
         print_rows(name, request, all, *csv);
     else
