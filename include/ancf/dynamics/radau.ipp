@@ -85,8 +85,8 @@ private:
     Point now_, next_;
     Point earlier_;  // where the last step began
 
-    // of the stages: (2), accelerations, residuals, multipliers, corrections
-    Stages Y_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
+    // of the stages: (2), rates, accelerations, multipliers, residuals, corrections
+    Stages Y_, rate_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
     std::vector<MotionPoint> stage_;
     // of the step before
     Stages acceleration_before_, lambda_before_;
@@ -122,6 +122,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
+      rate_(Y_),
       acceleration_(Y_),
       lambda_(stages_, VectorX::Zero(problem.multipliers())),
       force_(Y_),
@@ -269,19 +270,16 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
     const VectorX &q = step.from.q, &v = step.from.v;
     for (std::size_t i = 0; i < stages_; ++i) {
         MotionPoint& at = stage_[i];
-        const auto row = static_cast<Eigen::Index>(i);
         const double c = tableau_.nodes[i];
         at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
         at.q = q + (h * c * v + h * h * Y_[i]);
-        at.v = v;
-        acceleration_[i].setZero();
         at.lambda = lambda_[i];
-        for (std::size_t j = 0; j < stages_; ++j) {
-            const auto column = static_cast<Eigen::Index>(j);
-            at.v += h * tableau_.inverse(row, column) * Y_[j];
-            acceleration_[i] += tableau_.square(row, column) * Y_[j];
-        }
+        rate_[i] = v;
+        acceleration_[i].setZero();
     }
+    add_sums(tableau_.inverse, h, Y_, rate_);
+    add_sums(tableau_.square, 1.0, Y_, acceleration_);
+    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = rate_[i];
 }
 
 /// Takes the first Y and multipliers from the polynomials of the step before, of its places
@@ -296,28 +294,26 @@ ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
             Status::converged)
             std::tie(acceleration, lambda) = std::tie(now_.acceleration, now_.lambda);
     }
+    const bool begins = width_before_ == 0.0 || far;
+    MatrixX weights(options_.stages, options_.stages);
     for (std::size_t i = 0; i < stages_; ++i) {
-        if (width_before_ == 0.0 || far) {
+        Y_[i].setZero();
+        if (begins) {
             acceleration_[i] = acceleration;
             lambda_[i] = lambda;
             continue;
         }
-        const std::vector<double> weights =
-            lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
         acceleration_[i].setZero();
         lambda_[i].setZero();
-        for (std::size_t j = 0; j < stages_; ++j) {
-            acceleration_[i] += weights[j] * acceleration_before_[j];
-            lambda_[i] += weights[j] * lambda_before_[j];
-        }
-    }
-    for (std::size_t i = 0; i < stages_; ++i) {
-        Y_[i].setZero();
+        const auto row = lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
         for (std::size_t j = 0; j < stages_; ++j)
-            Y_[i] += tableau_.double_integral(static_cast<Eigen::Index>(i),
-                                              static_cast<Eigen::Index>(j)) *
-                     acceleration_[j];
+            weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
     }
+    if (!begins) {
+        add_sums(weights, 1.0, acceleration_before_, acceleration_);
+        add_sums(weights, 1.0, lambda_before_, lambda_);
+    }
+    add_sums(tableau_.double_integral, 1.0, acceleration_, Y_);
 }
 
 /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at hand.
@@ -402,7 +398,7 @@ ANCF_INLINE double RadauRun::correct(double h) {
 
 /// Returns the local error of the step relative to the tolerance.
 ANCF_INLINE double RadauRun::error(double h) {
-    const double tau = h / tableau_.modes.front().eigenvalue.real();
+    const double tau = h / tableau_.eigenvalues.front().real();
     VectorX rates = now_.v, accelerations = now_.acceleration;
     for (std::size_t i = 0; i < stages_; ++i) {
         rates -= at_start_[i] * stage_[i].v;

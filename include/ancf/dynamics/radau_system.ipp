@@ -176,25 +176,69 @@ ANCF_INLINE RadauTableau radau_tableau(int stages) {
     for (int i = 0; i < stages; ++i)
         for (int j = 0; j < stages; ++j) tableau.inverse(i, j) = W[i][j];
 
-    std::vector<std::vector<Complex>> T(size);  // the kept columns, then their conjugates
-    for (const Complex& eigenvalue : radau_eigenvalues(stages)) {
-        RadauMode mode;
-        mode.eigenvalue = eigenvalue;
-        mode.column = radau_column(tableau.nodes, eigenvalue);
+    tableau.eigenvalues = radau_eigenvalues(stages);
+    tableau.to_modes.resize(stages, stages);
+    tableau.from_modes.resize(stages, stages);
+    std::vector<std::vector<Complex>> T(size);  // the kept columns, each before its conjugate
+    int at = 0;
+    for (const Complex& eigenvalue : tableau.eigenvalues) {
         const bool real = eigenvalue.imag() == 0.0;
-        for (std::size_t i = 0; i < size; ++i) {
-            T[i].push_back(mode.column[i]);
-            if (!real) T[i].push_back(std::conj(mode.column[i]));
+        const std::vector<Complex> column = radau_column(tableau.nodes, eigenvalue);
+        for (int i = 0; i < stages; ++i) {
+            // of a pair the sum of both is twice the real part
+            tableau.from_modes(i, at) = (real ? 1.0 : 2.0) * column[i].real();
+            T[i].push_back(column[i]);
+            if (real) continue;
+            tableau.from_modes(i, at + 1) = -2.0 * column[i].imag();
+            T[i].push_back(std::conj(column[i]));
         }
-        tableau.modes.push_back(std::move(mode));
+        at += real ? 1 : 2;
     }
     const auto inverse = small_inverse(T);
-    std::size_t at = 0;
-    for (RadauMode& mode : tableau.modes) {
-        mode.row = inverse[at];
-        at += mode.eigenvalue.imag() == 0.0 ? 1 : 2;
+    for (int j = 0; j < stages; ++j) {
+        tableau.to_modes(0, j) = inverse[0][j].real();
+        for (int row = 1; row < stages; row += 2) {
+            tableau.to_modes(row, j) = inverse[row][j].real();
+            tableau.to_modes(row + 1, j) = inverse[row][j].imag();
+        }
     }
     return tableau;
+}
+
+/// Adds sums over the stages of Width entries from k.
+template <int Count, int Width>
+inline void add_sums_of(const double (&weights)[Count][Count], const double* const (&in)[Count],
+                        double* const (&out)[Count], Eigen::Index k) {
+    using Part = Vector<double, Width>;
+    Part sums[Count];
+    for (int i = 0; i < Count; ++i) sums[i] = Eigen::Map<const Part>(out[i] + k);
+    for (int j = 0; j < Count; ++j) {
+        const Part part = Eigen::Map<const Part>(in[j] + k);
+        for (int i = 0; i < Count; ++i) sums[i] += weights[i][j] * part;
+    }
+    for (int i = 0; i < Count; ++i) Eigen::Map<Part>(out[i] + k) = sums[i];
+}
+
+template <int Count>
+void add_sums_of(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+    constexpr int width = 8;
+    double scaled[Count][Count];
+    const double* from[Count];
+    double* to[Count];
+    for (int i = 0; i < Count; ++i) {
+        for (int j = 0; j < Count; ++j) scaled[i][j] = scale * weights(i, j);
+        from[i] = in[i].data();
+        to[i] = out[i].data();
+    }
+    const Eigen::Index size = in[0].size();
+    Eigen::Index k = 0;
+    for (; k + width <= size; k += width) add_sums_of<Count, width>(scaled, from, to, k);
+    for (; k < size; ++k) add_sums_of<Count, 1>(scaled, from, to, k);
+}
+
+ANCF_INLINE void add_sums(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+    in.size() == 3 ? add_sums_of<3>(weights, scale, in, out)
+                   : add_sums_of<5>(weights, scale, in, out);
 }
 
 ANCF_INLINE std::vector<double> lagrange_weights(const std::vector<double>& nodes, double x) {
@@ -219,9 +263,11 @@ ANCF_LAZY RadauSystem::RadauSystem(const DynamicProblem& problem, LinearSolver& 
         for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
             stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
     solver_.analyze(system_);
-    for (std::size_t k = 1; k < tableau.modes.size(); ++k)
+    for (std::size_t k = 1; k < tableau.eigenvalues.size(); ++k)
         complex_solvers_.push_back(complex_solver_for(solver, system_));
     rhs_.resize(problem.size() + problem.multipliers());
+    modal_.resize(tableau.nodes.size());
+    modal_lengths_.resize(tableau.nodes.size());
     complex_.resize(rhs_.size());
 }
 
@@ -234,14 +280,14 @@ ANCF_INLINE Status RadauSystem::factorise(double h, long& count) {
     damped_ = std::any_of(damping, damping + entries(damping_),
                           [](double value) { return value != 0.0; });
     double* system = system_.valuePtr();
-    const double tau = h / tableau_.modes.front().eigenvalue.real();
+    const double tau = h / tableau_.eigenvalues.front().real();
     for (std::size_t k = 0; k < stiff_.size(); ++k)
         system[k] = mass[k] + (stiff_[k] != 0 ? tau * tau : 1.0) * tangent[k] + tau * damping[k];
     ++count;
     if (const Status status = solver_.factorize(system_).status; status != Status::converged)
         return status;
-    for (std::size_t mode = 1; mode < tableau_.modes.size(); ++mode) {
-        const std::complex<double> t = h / tableau_.modes[mode].eigenvalue;
+    for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode) {
+        const std::complex<double> t = h / tableau_.eigenvalues[mode];
         const double first[2] = {t.real(), t.imag()};
         const double second[2] = {(t * t).real(), (t * t).imag()};
         for (std::size_t k = 0; k < stiff_.size(); ++k) {
@@ -262,55 +308,52 @@ ANCF_INLINE Status RadauSystem::factorise(double h, long& count) {
 ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages& lengths, Stages& Y,
                                     Stages& lambda) {
     const Eigen::Index n = problem_.size(), m = problem_.multipliers();
-    const std::size_t stages = force.size();
-    for (std::size_t i = 0; i < stages; ++i) {
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        modal_[i].setZero(n);
+        modal_lengths_[i].setZero(m);
         Y[i].setZero(n);
         lambda[i].setZero(m);
     }
-    for (std::size_t mode = 0; mode < tableau_.modes.size(); ++mode) {
-        const auto& [mu, column, row] = tableau_.modes[mode];
-        const std::complex<double> square = mu * mu, inverse = 1.0 / square;
-        const std::complex<double> scale = square / (h * h);
-        // Of a pair the sum of both is twice the real part.
-        if (mode == 0) {
-            rhs_.setZero();
-            for (std::size_t i = 0; i < stages; ++i) {
-                const double w = -row[i].real();
-                rhs_.head(n) += w * force[i];
-                rhs_.tail(m) += w * scale.real() * lengths[i];
-            }
-            solver_.solve(rhs_, solution_);
-            for (std::size_t i = 0; i < stages; ++i) {
-                const double w = column[i].real();
-                Y[i] += w * inverse.real() * solution_.head(n);
-                lambda[i] += w * solution_.tail(m);
-            }
-            continue;
-        }
-        complex_.setZero();
-        double* pairs = reinterpret_cast<double*>(complex_.data());
-        for (std::size_t i = 0; i < stages; ++i) {
-            const std::complex<double> w = -row[i], u = w * scale;
-            for (Eigen::Index k = 0; k < n; ++k) {
-                pairs[2 * k] += w.real() * force[i][k];
-                pairs[2 * k + 1] += w.imag() * force[i][k];
-            }
-            for (Eigen::Index k = 0; k < m; ++k) complex_[n + k] += u * lengths[i][k];
-        }
-        complex_solvers_[mode - 1]->solve(complex_);
-        pairs = reinterpret_cast<double*>(complex_.data());  // a solver may take another memory
-        for (std::size_t i = 0; i < stages; ++i) {
-            const std::complex<double> w = 2.0 * column[i], u = w * inverse;
-            for (Eigen::Index k = 0; k < n; ++k)
-                Y[i][k] += u.real() * pairs[2 * k] - u.imag() * pairs[2 * k + 1];
-            for (Eigen::Index k = n; k < n + m; ++k)
-                lambda[i][k - n] += w.real() * pairs[2 * k] - w.imag() * pairs[2 * k + 1];
-        }
+    add_sums(tableau_.to_modes, -1.0, force, modal_);
+    add_sums(tableau_.to_modes, -1.0, lengths, modal_lengths_);
+    const double mu = tableau_.eigenvalues.front().real(), scale = mu * mu / (h * h);
+    for (Eigen::Index k = 0; k < n; ++k) rhs_[k] = modal_[0][k];
+    for (Eigen::Index k = 0; k < m; ++k) rhs_[n + k] = scale * modal_lengths_[0][k];
+    solver_.solve(rhs_, solution_);
+    for (Eigen::Index k = 0; k < n; ++k) modal_[0][k] = solution_[k] / (mu * mu);
+    for (Eigen::Index k = 0; k < m; ++k) modal_lengths_[0][k] = solution_[n + k];
+    for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode)
+        solve_pair(mode, h, modal_[2 * mode - 1], modal_[2 * mode], modal_lengths_[2 * mode - 1],
+                   modal_lengths_[2 * mode]);
+    add_sums(tableau_.from_modes, 1.0, modal_, Y);
+    add_sums(tableau_.from_modes, 1.0, modal_lengths_, lambda);
+}
+
+/// Solves for one pair, real and imaginary parts apart.
+ANCF_INLINE void RadauSystem::solve_pair(std::size_t mode, double h, VectorX& real,
+                                         VectorX& imaginary, VectorX& real_lengths,
+                                         VectorX& imaginary_lengths) {
+    const Eigen::Index n = real.size(), m = real_lengths.size();
+    const std::complex<double> square = tableau_.eigenvalues[mode] * tableau_.eigenvalues[mode];
+    const std::complex<double> inverse = 1.0 / square, scale = square / (h * h);
+    for (Eigen::Index k = 0; k < n; ++k) complex_[k] = {real[k], imaginary[k]};
+    for (Eigen::Index k = 0; k < m; ++k)
+        complex_[n + k] = scale * std::complex<double>(real_lengths[k], imaginary_lengths[k]);
+    complex_solvers_[mode - 1]->solve(complex_);
+    // by parts: the product of complex numbers looks for infinities
+    const auto* pairs = reinterpret_cast<const double*>(complex_.data());
+    for (Eigen::Index k = 0; k < n; ++k) {
+        real[k] = inverse.real() * pairs[2 * k] - inverse.imag() * pairs[2 * k + 1];
+        imaginary[k] = inverse.real() * pairs[2 * k + 1] + inverse.imag() * pairs[2 * k];
+    }
+    for (Eigen::Index k = 0; k < m; ++k) {
+        real_lengths[k] = complex_[n + k].real();
+        imaginary_lengths[k] = complex_[n + k].imag();
     }
 }
 
 ANCF_INLINE const VectorX& RadauSystem::filter(const VectorX& a, const VectorX& b) {
-    const double tau = width_ / tableau_.modes.front().eigenvalue.real();
+    const double tau = width_ / tableau_.eigenvalues.front().real();
     error_.setZero(a.size());
     add_product(problem_.compact_mass(), Storage::full, 1.0, a + b, error_);
     if (damped_) add_product(damping_, solver_.storage(), tau, a, error_);
