@@ -85,7 +85,7 @@ private:
     Point now_, next_;
     Point earlier_;  // where the last step began
 
-    // of the stages: (2), rates, accelerations, multipliers, residuals, corrections
+    // of the stages: (2), changes of rates, accelerations, multipliers, residuals, corrections
     Stages Y_, rate_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
     std::vector<MotionPoint> stage_;
     // of the step before
@@ -274,12 +274,10 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
         at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
         at.q = q + (h * c * v + h * h * Y_[i]);
         at.lambda = lambda_[i];
-        rate_[i] = v;
-        acceleration_[i].setZero();
     }
-    add_sums(tableau_.inverse, h, Y_, rate_);
-    add_sums(tableau_.square, 1.0, Y_, acceleration_);
-    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = rate_[i];
+    sum_stages(tableau_.inverse, h, Y_, rate_);
+    sum_stages(tableau_.square, 1.0, Y_, acceleration_);
+    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = v + rate_[i];
 }
 
 /// Takes the first Y and multipliers from the polynomials of the step before, of its places
@@ -297,23 +295,20 @@ ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
     const bool begins = width_before_ == 0.0 || far;
     MatrixX weights(options_.stages, options_.stages);
     for (std::size_t i = 0; i < stages_; ++i) {
-        Y_[i].setZero();
         if (begins) {
             acceleration_[i] = acceleration;
             lambda_[i] = lambda;
             continue;
         }
-        acceleration_[i].setZero();
-        lambda_[i].setZero();
         const auto row = lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
         for (std::size_t j = 0; j < stages_; ++j)
             weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
     }
     if (!begins) {
-        add_sums(weights, 1.0, acceleration_before_, acceleration_);
-        add_sums(weights, 1.0, lambda_before_, lambda_);
+        sum_stages(weights, 1.0, acceleration_before_, acceleration_);
+        sum_stages(weights, 1.0, lambda_before_, lambda_);
     }
-    add_sums(tableau_.double_integral, 1.0, acceleration_, Y_);
+    sum_stages(tableau_.double_integral, 1.0, acceleration_, Y_);
 }
 
 /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at hand.

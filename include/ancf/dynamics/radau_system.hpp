@@ -45,8 +45,8 @@ struct RadauTableau {
 /// A vector of each stage.
 using Stages = std::vector<VectorX>;
 
-/// Adds sums over the stages, three or five: out_i += scale sum_j weights(i, j) in_j.
-void add_sums(const MatrixX& weights, double scale, const Stages& in, Stages& out);
+/// Sums over the stages, three or five: out_i = scale sum_j weights(i, j) in_j, all of one size.
+void sum_stages(const MatrixX& weights, double scale, const Stages& in, Stages& out);
 
 /// The matrices [M + (h/mu) D + (h/mu)^2 K, G^T; G, 0] for all mu, and their factors; of n free
 /// coordinates and m multipliers.

@@ -205,13 +205,13 @@ ANCF_INLINE RadauTableau radau_tableau(int stages) {
     return tableau;
 }
 
-/// Adds sums over the stages of Width entries from k.
+/// Sums Width entries from k over the stages.
 template <int Count, int Width>
-inline void add_sums_of(const double (&weights)[Count][Count], const double* const (&in)[Count],
-                        double* const (&out)[Count], Eigen::Index k) {
+inline void sum_part(const double (&weights)[Count][Count], const double* const (&in)[Count],
+                     double* const (&out)[Count], Eigen::Index k) {
     using Part = Vector<double, Width>;
     Part sums[Count];
-    for (int i = 0; i < Count; ++i) sums[i] = Eigen::Map<const Part>(out[i] + k);
+    for (int i = 0; i < Count; ++i) sums[i].setZero();
     for (int j = 0; j < Count; ++j) {
         const Part part = Eigen::Map<const Part>(in[j] + k);
         for (int i = 0; i < Count; ++i) sums[i] += weights[i][j] * part;
@@ -220,7 +220,7 @@ inline void add_sums_of(const double (&weights)[Count][Count], const double* con
 }
 
 template <int Count>
-void add_sums_of(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+void sum_part(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
     constexpr int width = 8;
     double scaled[Count][Count];
     const double* from[Count];
@@ -232,13 +232,12 @@ void add_sums_of(const MatrixX& weights, double scale, const Stages& in, Stages&
     }
     const Eigen::Index size = in[0].size();
     Eigen::Index k = 0;
-    for (; k + width <= size; k += width) add_sums_of<Count, width>(scaled, from, to, k);
-    for (; k < size; ++k) add_sums_of<Count, 1>(scaled, from, to, k);
+    for (; k + width <= size; k += width) sum_part<Count, width>(scaled, from, to, k);
+    for (; k < size; ++k) sum_part<Count, 1>(scaled, from, to, k);
 }
 
-ANCF_INLINE void add_sums(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
-    in.size() == 3 ? add_sums_of<3>(weights, scale, in, out)
-                   : add_sums_of<5>(weights, scale, in, out);
+ANCF_INLINE void sum_stages(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+    in.size() == 3 ? sum_part<3>(weights, scale, in, out) : sum_part<5>(weights, scale, in, out);
 }
 
 ANCF_INLINE std::vector<double> lagrange_weights(const std::vector<double>& nodes, double x) {
@@ -309,13 +308,13 @@ ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages&
                                     Stages& lambda) {
     const Eigen::Index n = problem_.size(), m = problem_.multipliers();
     for (std::size_t i = 0; i < force.size(); ++i) {
-        modal_[i].setZero(n);
-        modal_lengths_[i].setZero(m);
-        Y[i].setZero(n);
-        lambda[i].setZero(m);
+        modal_[i].resize(n);
+        modal_lengths_[i].resize(m);
+        Y[i].resize(n);
+        lambda[i].resize(m);
     }
-    add_sums(tableau_.to_modes, -1.0, force, modal_);
-    add_sums(tableau_.to_modes, -1.0, lengths, modal_lengths_);
+    sum_stages(tableau_.to_modes, -1.0, force, modal_);
+    sum_stages(tableau_.to_modes, -1.0, lengths, modal_lengths_);
     const double mu = tableau_.eigenvalues.front().real(), scale = mu * mu / (h * h);
     for (Eigen::Index k = 0; k < n; ++k) rhs_[k] = modal_[0][k];
     for (Eigen::Index k = 0; k < m; ++k) rhs_[n + k] = scale * modal_lengths_[0][k];
@@ -325,8 +324,8 @@ ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages&
     for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode)
         solve_pair(mode, h, modal_[2 * mode - 1], modal_[2 * mode], modal_lengths_[2 * mode - 1],
                    modal_lengths_[2 * mode]);
-    add_sums(tableau_.from_modes, 1.0, modal_, Y);
-    add_sums(tableau_.from_modes, 1.0, modal_lengths_, lambda);
+    sum_stages(tableau_.from_modes, 1.0, modal_, Y);
+    sum_stages(tableau_.from_modes, 1.0, modal_lengths_, lambda);
 }
 
 /// Solves for one pair, real and imaginary parts apart.
