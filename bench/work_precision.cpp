@@ -353,11 +353,11 @@ const Trial* cheapest(const std::vector<Trial>& all, const Integrator& integrato
 }
 
 /// Returns the runs that take at most half as long again as the cheapest of their integrator at a
-/// level.
+/// level, one below those of the tables too.
 std::vector<Trial*> near_the_cheapest(std::vector<Trial>& all) {
     std::vector<Trial*> near;
     for (Trial& trial : all)
-        for (int level = 0; level < levels; ++level) {
+        for (int level = 0; level <= levels; ++level) {
             if (!trial.reaches(level)) continue;
             const double least = cheapest(all, *trial.integrator, level)->result.seconds;
             if (trial.result.seconds > 1.5 * least) continue;
