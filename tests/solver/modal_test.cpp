@@ -617,6 +617,27 @@ TEST_CASE("buckling: refuses loads that have no potential, takes those whose par
     }
 }
 
+TEST_CASE("buckling: refuses a state that bears the load already", "[modal][bad-input]") {
+    const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0;
+    Scene scene = cantilever(8, 0.01);
+    scene.add(ancf::Force<3>({8}, {-euler, 0, 0}));
+    ancf::EigenLdlt solver;
+    ancf::StaticsOptions half;
+    half.last_factor = 0.5;
+    REQUIRE(ancf::solve_statics(scene, solver, half).status == Status::converged);
+    CHECK_THROWS_WITH(ancf::buckling_modes(scene, solver),
+                      ContainsSubstring("at the factor 0.5") && ContainsSubstring("before"));
+    // one that stands under a load without a ramp is in equilibrium
+    Scene stressed = cantilever(8, 0.01);
+    stressed.add(ancf::Force<3>({8}, {-0.5 * euler, 0, 0}), [](double) { return 1.0; });
+    REQUIRE(ancf::solve_statics(stressed, solver).status == Status::converged);
+    stressed.add(ancf::Force<3>({8}, {-euler, 0, 0}));
+    const auto report = ancf::buckling_modes(stressed, solver);
+    REQUIRE(report.status == Status::converged);
+    // strain and shear of this slenderness change the load by 4e-4 of Euler's
+    CHECK(report.modes[0].value == Approx(0.5).epsilon(1e-3));
+}
+
 TEST_CASE("buckling: a narrow torsion beam under a tip load across or along its thin side",
           "[modal]") {
     const auto section = ancf::rectangle(0.002, 0.1);

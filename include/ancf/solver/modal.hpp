@@ -84,8 +84,8 @@ ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolv
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
 /// @throws InvalidArgument for options that cannot be meant, a scene that the solver's storage does
-///         not suit, supports or constraints that move with the load factor, and loads whose part
-///         in the tangent is not symmetric.
+///         not suit, supports or constraints that move with the load factor, loads whose part in
+///         the tangent is not symmetric, and a state with more than a hundredth of the load found.
 ANCF_LAZY [[nodiscard]] ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                                                    const ModalOptions& options = {});
 

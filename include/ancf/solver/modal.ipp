@@ -246,7 +246,14 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (const auto fault = deflected.evaluate(0.0, model.state().q))
         return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     detail::require_resting(assembly, model.state().q);
-    if (assembly.numbering().free_coordinates() == 0) return {};
+    const int free = assembly.numbering().free_coordinates();
+    if (free == 0) return {};
+    VectorX forces, load;
+    assembly.residual(forces);
+    assembly.numbering().gather_free(assembly.load_rate(model.state().q, 0.0), load);
+    const double largest = detail::largest_magnitude(load);
+    const double borne =
+        largest > 0.0 ? detail::largest_magnitude(forces.head(free)) / largest : 0.0;
     SparseMatrix unloaded = assembly.tangent();
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
     if (const Status status = detail::factorise(assembly, unloaded, solver);
@@ -259,10 +266,17 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     SparseMatrix B = -change;
     detail::require_potential(model, unloaded, B);
     if (solver.storage() == Storage::full) detail::symmetrise(B);
-    return detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
-                                               [](double th, double&) { return 1.0 / th; }),
-                              model, assembly, unloaded, solver,
-                              "the load makes no stress, or the scene without it is not stable");
+    ModalReport report =
+        detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
+                                            [](double th, double&) { return 1.0 / th; }),
+                           model, assembly, unloaded, solver,
+                           "the load makes no stress, or the scene without it is not stable");
+    constexpr double small = 0.01;
+    detail::require(report.modes.empty() || borne <= small * std::abs(report.modes[0].value),
+                    "buckling_modes: the model's state is not in equilibrium without load, its "
+                    "forces are as large as the load at the factor ",
+                    borne, ": call it before solve_statics()");
+    return report;
 }
 
 }  // namespace ancf
