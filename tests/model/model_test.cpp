@@ -210,6 +210,12 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(scene.pin({-1}), InvalidArgument);
     CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, 3), InvalidArgument);
     CHECK_THROWS_AS(scene.fix(beam.first(), Field::r, -1), InvalidArgument);
+    const ancf::Amplitude rate = [](double t) { return t; };
+    for (const bool first : {true, false})
+        CHECK_THROWS_WITH(
+            scene.prescribe(beam.last(), Field::r, 1, {}, first ? rate : nullptr,
+                            first ? nullptr : rate),
+            ContainsSubstring("r, component 1, of node 1") && ContainsSubstring("no value"));
     CHECK_THROWS_AS(scene.release(absent, Field::r), InvalidArgument);
     CHECK_THROWS_AS(scene.add(ancf::Force(absent, {1, 0, 0})), InvalidArgument);
     CHECK_THROWS_AS(scene.add_mass(beam.last(), 0.0), InvalidArgument);

@@ -153,7 +153,8 @@ public:
 
     /// Drives one component of a vector; rate and acceleration are needed in dynamics only, where
     /// they are taken as they are: they must be the value's derivatives.
-    /// @throws InvalidArgument for a node or component that does not exist.
+    /// @throws InvalidArgument for a node or component that does not exist, or a rate or an
+    ///         acceleration without a value.
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
                    Amplitude acceleration = {});
 

@@ -205,6 +205,9 @@ ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Ampli
     check(node);
     check_component(component);
     check_unattached("prescribe", node, field);
+    detail::require(value || !(rate || acceleration), "Model::prescribe: ", to_string(field),
+                    ", component ", component, ", of node ", node.index,
+                    " has a rate or an acceleration and no value");
     Support support{
         node, field, component, std::move(value), std::move(rate), std::move(acceleration)};
     if (const int place = support_of(node, field, component); place >= 0)
