@@ -176,6 +176,21 @@ TEST_CASE("endings: integrators say why they stopped", "[dynamics][endings]") {
         return Leapfrog().integrate(problem, schedule);
     };
     check_motions(explicitly, false);
+    check_constrained_motions(explicitly);
+}
+
+TEST_CASE("endings: multipliers that are not finite end a run", "[dynamics][endings]") {
+    PlanarModel model = cantilever(Scale{});
+    const auto zero = [](double) { return 0.0; };
+    model.add(FixedCoordinate<2>(
+        NodeId{4}, Field::r, 1,
+        Motion{zero, zero, [](double t) { return t >= 1e-4 ? no_number : 0.0; }}));
+    DynamicProblem problem(model);
+    Schedule schedule;
+    schedule.end = 2e-4;
+    const auto report = Leapfrog().integrate(problem, schedule);
+    check_ending("multipliers", report.status, report.message, {Status::not_finite},
+                 "the multipliers at the end are not finite");
 }
 
 /// A motion that an integrator cannot finish.

@@ -121,6 +121,22 @@ void check_motions(const Run& run, bool constraints = true) {
                                        [=](double t) { return t >= from ? no_number : 1.0; });
                          },
                          {Status::not_finite, Status::diverged, Status::step_too_small}});
+    const Amplitude zero = [](double) { return 0.0; };
+    for (const double from : {0.0, 1e-4})
+        table.push_back({"rate of a driven support",
+                         [=](PlanarModel& model) {
+                             model.prescribe(
+                                 {4}, Field::r, 1, zero,
+                                 [=](double t) { return t >= from ? no_number : 0.0; }, zero);
+                         },
+                         {Status::not_finite, Status::diverged, Status::step_too_small}});
+    table.push_back({"value of a driven support",
+                     [=](PlanarModel& model) {
+                         model.prescribe(
+                             {4}, Field::r, 1, [](double) { return no_number; }, zero, zero);
+                     },
+                     {Status::inconsistent},
+                     "prescribes nan"});
     for (const Ending& ending : table) check(ending, nullptr);
     const auto unchanged = [](PlanarModel&) {};
     check({"progress", unchanged, {Status::stopped}}, [](double, double) { return false; });
@@ -135,8 +151,16 @@ void check_constrained_motions(const Run& run) {
         for (int k = 0; k < 2; ++k) model.add(Pin<2>(NodeId{4}, {1.0, 0.0}));
     };
     const auto apart = [](PlanarModel& model) { model.add(Pin<2>(NodeId{4}, {1.1, 0.0})); };
-    for (const Ending& ending : {Ending{"constraint twice", twice, {Status::redundant}},
-                                 Ending{"constraint violated", apart, {Status::inconsistent}}}) {
+    const auto rate = [](PlanarModel& model) {
+        const auto zero = [](double) { return 0.0; };
+        model.add(FixedCoordinate<2>(
+            NodeId{4}, Field::r, 1,
+            Motion{zero, [](double t) { return t >= 1e-4 ? no_number : 0.0; }, zero}));
+    };
+    for (const Ending& ending :
+         {Ending{"constraint twice", twice, {Status::redundant}},
+          Ending{"constraint violated", apart, {Status::inconsistent}},
+          Ending{"rate of a motion", rate, {Status::not_finite, Status::max_iterations}}}) {
         PlanarModel model = cantilever(Scale{});
         ending.change(model);
         Schedule schedule;

@@ -87,6 +87,8 @@ private:
     // followed, energy by an evaluation of its own. It inspects at about every 24 evaluations of
     // the forces, or every 12 steps where those are not counted yet.
     void note(const MotionPoint& point);
+    // Ends a run in which the rate of a constraint is not finite.
+    void check_rates(double time);
     // Ends a run in which an equation that was left out no longer follows from the others.
     void check_left_out(double time);
     // Notes an element that is no beam any more, unless one is noted. It ends a run that may not

@@ -143,6 +143,16 @@ ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
     report_.fault = fault;
 }
 
+ANCF_INLINE void Recorder::check_rates(double time) {
+    if (std::isfinite(problem_.violation_rate()) || report_.status != Status::converged) return;
+    const ConstraintSet& constraints = problem_.constraints();
+    int worst = 0;
+    while (worst + 1 < constraints.size() && std::isfinite(constraints.rate()[worst])) ++worst;
+    report_.status = Status::not_finite;
+    report_.message = joined(
+        {constraints.describe(worst), " moves at a rate that is not finite at ", time, " s"}, 6);
+}
+
 ANCF_INLINE void Recorder::check_left_out(double time) {
     if (problem_.left_out().empty() || report_.status != Status::converged) return;
     const ConstraintSet& constraints = problem_.constraints();
@@ -173,6 +183,7 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point) {
         problem_.evaluate_constraints(point.time, point.q, point.v, false);
         report_.violation = larger(report_.violation, problem_.constraint_violation());
         report_.violation_rate = larger(report_.violation_rate, problem_.violation_rate());
+        check_rates(point.time);
         check_left_out(point.time);
     }
     if (!energies_) return;
@@ -205,6 +216,10 @@ ANCF_INLINE void Recorder::store(const MotionPoint& end) {
         add("the last state could not be brought onto the constraints");
     VectorX acceleration, lambda = end.lambda;
     if (solves_multipliers_) (void)problem_.accelerations(end.time, q, v, acceleration, lambda);
+    if (report_.status == Status::converged && !all_finite(lambda)) {
+        report_.status = Status::not_finite;
+        add("the multipliers at the end are not finite");
+    }
     problem_.store(end.time, q, v, lambda);
 }
 

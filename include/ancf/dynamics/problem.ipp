@@ -186,8 +186,10 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
             full_v_[k] = v[equation];
         }
     for (const Driven& driven : driven_) {
-        full_q_[driven.coordinate] = driven.support->value(t);
-        full_v_[driven.coordinate] = driven.support->rate(t);
+        const double rate = driven.support->rate(t);
+        // one that is not finite ends a run as such a value does
+        full_q_[driven.coordinate] = std::isfinite(rate) ? driven.support->value(t) : rate;
+        full_v_[driven.coordinate] = rate;
         full_a_[driven.coordinate] = driven.support->acceleration(t);
     }
     const Dependence& dependence = numbers.dependence();
@@ -208,7 +210,7 @@ ANCF_INLINE std::string DynamicProblem::check_supports(double t, double fastest)
         const std::string which =
             detail::joined({"the support of ", to_string(support.field), ", component ",
                             support.component, ", of node ", support.node.index});
-        if (gap > allowed)
+        if (!(gap <= allowed))
             return detail::joined(
                 {which, " prescribes ", value, " at the start, the state has ", state.q[at]}, 6);
         return detail::joined({which, " holds it, the state moves it at ", state.v[at]}, 6);
