@@ -77,5 +77,9 @@ int main() {
     good &= solve<ContinuumBeam<3>>("continuum", table, verdict);
     std::cout << "Table 1: cantilever, Model II, tip position in m\n";
     table.print(std::cout);
+    if (!std::cout.flush()) {
+        std::cerr << "cannot write standard output\n";
+        return 2;
+    }
     return good && verdict.good() ? 0 : 1;
 }

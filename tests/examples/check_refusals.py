@@ -182,7 +182,7 @@ def lost_output(folder):
     """What standard output does not take must not end as a success."""
     if not pathlib.Path("/dev/full").exists():
         return
-    for program, text in [("cantilever", ""), ("probe", " ".join(REFERENCE))]:
+    for program, text in [("cantilever", ""), ("table_1", ""), ("probe", " ".join(REFERENCE))]:
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = subprocess.run([pathlib.Path(folder) / program], input=text, text=True, stdout=full,
                                   stderr=subprocess.PIPE, check=False)
