@@ -63,6 +63,8 @@ struct ModalReport {
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
 ///
+/// The state counts as one of rest: of a body that spins its stresses count, not its gyroscopic and
+/// centrifugal terms.
 /// @param model   in the state to vibrate about; it is left as it is.
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @return        at most options.count modes; omega^2 in rad^2/s^2, shapes of unit modal mass.

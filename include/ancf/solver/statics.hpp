@@ -117,7 +117,8 @@ struct StaticsReport {
 ///
 /// The model's state is the first guess and receives the solution; where the run fails, or a
 /// function of the user's throws, it keeps the last converged load step. Loads without an amplitude
-/// grow with the load factor.
+/// grow with the load factor. State::time becomes that factor, and rates stay as they are: set both
+/// before a motion that begins at rest at another time.
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.

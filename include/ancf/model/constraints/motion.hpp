@@ -22,6 +22,10 @@
 namespace ancf {
 
 /// A scalar over time with its rate and acceleration: an angle, a length, a coordinate.
+///
+/// Rate and acceleration are taken as they are: they must be the value's derivatives. A rate that
+/// is not shows as DynamicsReport::violation_rate, but of Leapfrog, and makes rates and energies
+/// wrong; the values hold. An acceleration that is not spoils multipliers.
 struct Motion {
     Amplitude value;         ///< m or rad, over time
     Amplitude rate;          ///< first derivative
@@ -34,7 +38,7 @@ struct Motion {
     }
 };
 
-/// A point that moves on a given path.
+/// A point that moves on a given path; rate and acceleration as those of a Motion.
 template <int Dimension>
 struct PointMotion {
     using Function = std::function<Vector<double, Dimension>(double)>;  ///< a vector over time
