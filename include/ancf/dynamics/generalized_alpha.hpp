@@ -32,8 +32,8 @@ struct GeneralizedAlphaOptions {
     /// size, of slopes absolutely, of r_xx relative to the size's inverse.
     double tolerance = 0.0;
     double min_step = 1e-12;  ///< s, of an adaptive run
-    /// s, of an adaptive run. Set it below the duration of a pulse after a rest, or the run may
-    /// pass over the pulse.
+    /// s, of an adaptive run. Set it below the duration of a pulse that is shorter than `step`, or
+    /// the run may pass over the pulse: docs/limits.md, "Motion".
     double max_step = std::numeric_limits<double>::infinity();
     double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
     int max_iterations = 12;          ///< of Newton's method in a step

@@ -129,7 +129,7 @@ ANCF_INLINE void GeneralizedAlphaRun::begin_anew() {
 /// it is not.
 ANCF_INLINE bool GeneralizedAlphaRun::advance() {
     for (;;) {
-        const Step step = next_step(now_.time);
+        const Step step = next_step(now_);
         shift_algorithmic(step.width);
         if (divides(step)) continue;
         next_.time = step.end;
@@ -141,6 +141,7 @@ ANCF_INLINE bool GeneralizedAlphaRun::advance() {
         const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
         if (status == Status::converged && error <= 1.0) {
             grid_.take(step);
+            rests_ = error < resting;
             // a step keeps its width, and the matrix, unless a change is worth it
             if (control_.is_adaptive() && step.width == grid_.width &&
                 (factor < 0.95 || factor > 1.4))

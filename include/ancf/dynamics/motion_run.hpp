@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -180,7 +181,9 @@ protected:
     /// Evaluates at a point; the report has the element that failed.
     [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
 
-    [[nodiscard]] Step next_step(double now) const;
+    /// Returns the next step to try. In an adaptive run at rest it ends no later than where a load
+    /// or a drive acts that is much the same at both ends of a longer one.
+    [[nodiscard]] Step next_step(const MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
     [[nodiscard]] bool divides(const Step& step);
@@ -219,6 +222,12 @@ protected:
         return beside && 2.0 * width < numbers[3] && problem_.multipliers() > 0;
     }
 
+    // Returns where in a step a load or a drive acts most that is much the same at both ends, found
+    // by looks as far apart as the options' step or a thousandth of this one, or the step's end.
+    [[nodiscard]] double hidden_action(const MotionPoint& now, const Step& step);
+
+    static constexpr double resting = 1e-3;  // error of a step at rest, relative to the tolerance
+
     DynamicProblem& problem_;
     LinearSolver& solver_;
     const Schedule& schedule_;
@@ -227,8 +236,10 @@ protected:
     Recorder recorder_;
     Start start_;
     StepGrid grid_;
-    double duration_ = 0.0;        // s, from the start to the schedule's end
-    double last_width_ = 0.0;      // s, of the last step, at first that of the options
+    double duration_ = 0.0;    // s, from the start to the schedule's end
+    double last_width_ = 0.0;  // s, of the last step, at first that of the options
+    bool rests_ = true;        // whether the last step had next to no error
+    double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden_action()
     bool has_short_step_ = false;  // whether it ended with the multipliers of its state
 };
 

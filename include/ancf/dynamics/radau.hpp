@@ -30,8 +30,8 @@ struct RadauOptions {
     double tolerance = 1e-6;
     double step = 1e-3;       ///< s: the first one, or all
     double min_step = 1e-12;  ///< s, of an adaptive run
-    /// s, of an adaptive run. Set it below the duration of a pulse after a rest, or the run may
-    /// pass over the pulse.
+    /// s, of an adaptive run. Set it below the duration of a pulse that is shorter than `step`, or
+    /// the run may pass over the pulse: docs/limits.md, "Motion".
     double max_step = std::numeric_limits<double>::infinity();
     /// Of the coordinates of a stage, relative like tolerance; 0: 0.06 of the tolerance, with five
     /// stages 0.0125, of fixed steps 1e-13.

@@ -151,7 +151,7 @@ ANCF_INLINE DynamicsReport RadauRun::run(const Memory& memory) {
 /// it is not.
 ANCF_INLINE bool RadauRun::advance() {
     for (;;) {
-        const Step step = next_step(now_.time);
+        const Step step = next_step(now_);
         if (divides(step)) continue;
         next_.time = step.end;
         const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
@@ -190,6 +190,7 @@ ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
     const bool attempted = rejected_ || failed_;
     rejected_ = failed_ = false;
     grid_.take(step);
+    rests_ = error < resting;
     if (!control_.is_adaptive() || step.width != grid_.width) return;
     double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
     // what a fresh tangent hardly solves a longer step would not
