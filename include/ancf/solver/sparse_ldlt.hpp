@@ -75,7 +75,7 @@ private:
     std::vector<int> parent_;  // in the elimination tree, -1 for a root
     // L below its diagonal, by columns
     Records<std::size_t> first_;
-    std::vector<int> row_;
+    std::vector<int> row_, matrix_row_;  // places, and the rows of the matrix that stand there
     std::vector<double> value_;
     std::vector<double> pivots_;
 };

@@ -269,29 +269,27 @@ ANCF_INLINE bool SparseLdlt::eliminate(int from) {
         if (pivot == 0.0 || !std::isfinite(pivot)) return false;
         pivots_.data()[k] = pivot;
     }
+    matrix_row_.resize(row_.size());
+    for (std::size_t e = 0; e < row_.size(); ++e) matrix_row_[e] = order_[row_[e]];
     complete_ = true;
     return true;
 }
 
 ANCF_INLINE void SparseLdlt::solve(VectorX& x) const {
-    const int rows = size();
-    std::vector<double> permuted(order_.size());
-    double* const y = permuted.data();
-    for (int k = 0; k < rows; ++k) y[k] = x[order_.data()[k]];
-    const int* const row = row_.data();
+    double* const y = x.data();
+    const int* const row = matrix_row_.data();
     const double* const value = value_.data();
-    for (int k = 0; k < rows; ++k) {
-        const double from = y[k];
+    for (int k = 0; k < size(); ++k) {
+        const double from = y[order_.data()[k]];
         for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
             y[row[e]] -= value[e] * from;
     }
-    for (int k = rows - 1; k >= 0; --k) {
-        double sum = y[k] / pivots_.data()[k];
+    for (int k = size() - 1; k >= 0; --k) {
+        double sum = y[order_.data()[k]] / pivots_.data()[k];
         for (std::size_t e = first_.data()[k]; e < first_.data()[k + 1]; ++e)
             sum -= value[e] * y[row[e]];
-        y[k] = sum;
+        y[order_.data()[k]] = sum;
     }
-    for (int k = 0; k < rows; ++k) x[order_.data()[k]] = y[k];
 }
 
 }  // namespace ancf::detail
