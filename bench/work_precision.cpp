@@ -11,9 +11,9 @@
 /// index 1 where there are multipliers. Another method on the same mesh tells how good it is, and
 /// has to agree to 1e-9 m: IDA's second form with a tolerance of 1e-11, of stiff scenes Verner's
 /// explicit method of sixth order; without SUNDIALS, Runge-Kutta with twice the step.
-/// Times are of the processor, medians of several rounds in which all runs take turns; a run that is
-/// far from the cheapest of its integrator at every level takes part in the first round alone. Of
-/// each integrator the cheapest run below each level is printed, or of --csv all runs.
+/// Times are of the processor, medians of several rounds in which all runs take turns. A run far
+/// from the cheapest of its integrator at every level takes part in the first round alone. Of each
+/// integrator the cheapest run below each level is printed, or of --csv all runs.
 
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
