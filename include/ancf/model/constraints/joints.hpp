@@ -195,8 +195,8 @@ private:
 };
 
 /// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
-/// 6 equations. The last three multipliers are about the directions of A's frame. That of the axis
-/// is the motor's moment.
+/// 6 equations. The last three multipliers are the moment on A, N m, along t, n and t x n of A's
+/// frame. Its component along the axis is the motor's.
 class DrivenRevolute : public detail::FrameJoint {
 public:
     /// @param axis   in global components, as the model stands.
