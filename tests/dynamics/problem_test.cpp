@@ -101,8 +101,9 @@ TEST_CASE("problem: an inconsistent start is refused with the constraint and its
     SECTION("rates") {
         model.set_rate(scene.last(), Field::r, {0.0, 1e-3, 0.0});
         CHECK(start().status == Status::inconsistent);
-        CHECK_THAT(start().message,
-                   ContainsSubstring("pin of node 2") && ContainsSubstring("|G v + g_t| = 0.001"));
+        CHECK_THAT(start().message, ContainsSubstring("pin of node 2") &&
+                                        ContainsSubstring("|G v + g_t| = 0.001") &&
+                                        ContainsSubstring("by set_rate"));
     }
     SECTION("rates along the constraint are welcome") {
         model.set_rate(scene.first(), Field::r, {1.0, 0.0, 0.5});

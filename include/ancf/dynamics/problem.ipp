@@ -251,7 +251,9 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         constraints_.rate(),
         [&](int i) { return lengths[i] * fastest + std::abs(constraints_.rate()[i] - slide[i]); },
         "G v + g_t");
-    return message.empty() ? message : "the initial rates violate " + message;
+    if (message.empty()) return message;
+    return "the initial rates violate " + message +
+           "; give the nodes rates that fit by set_rate, or a drive that starts from rest";
 }
 
 ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
