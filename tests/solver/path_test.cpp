@@ -346,6 +346,22 @@ TEST_CASE("path: a path that ends names the element that failed", "[path]") {
     }
 }
 
+TEST_CASE("path: one that fails at a start out of balance says so", "[path]") {
+    Truss truss = make_truss(0.5);
+    truss.add(ancf::Force(apex, {0.3, 0, 0}));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.wanted_iterations = options.max_iterations = 1;
+    options.smallest_step = 1.0;
+    const auto balanced = ancf::follow_path(truss, solver, options);
+    REQUIRE(balanced.status == Status::diverged);
+    CHECK_THAT(balanced.message, !ContainsSubstring("out of balance"));
+    truss.add(ancf::Force(apex, {0, -0.1, 0}), [](double) { return 1.0; });  // also at factor 0
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("out of balance: solve_statics() first"));
+}
+
 /// A guide that turns with the load factor about the truss's apex at rest.
 struct TurningGuide {
     double height;

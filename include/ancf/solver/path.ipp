@@ -138,6 +138,9 @@ private:
         Point point;
     };
 
+    // Residual or violation where the path starts, relative: less is in balance, and fulfilled.
+    static constexpr double unbalanced_start = 1e-6;
+
     // How an attempt ended.
     struct Outcome {
         Status status = Status::converged;
@@ -524,14 +527,18 @@ private:
             found = controlled_ >= 0 ? "the load does not move the coordinate that is controlled"
                                      : "the load moves nothing";
         text += found.empty() ? std::string(to_string(status)) : found;
-        return report_.points.empty() ? text + unfulfilled_ : text;
+        if (!report_.points.empty()) return text;
+        if (!unfulfilled_.empty()) return text + unfulfilled_;
+        const bool balanced = evaluate(here, 0.0, Request::force) ||
+                              !(monitor_.residual(assembly_) > unbalanced_start);
+        return balanced ? text : text + "; it starts out of balance: solve_statics() first";
     }
 
     // Names the constraint that the last evaluation violates most, where one is violated.
     [[nodiscard]] std::string unfulfilled() const {
         const VectorX scale = assembly_.violation_scale(monitor_.size());
         const auto& constraints = model_.constraints();
-        double most = 1e-6;  // less is fulfilled
+        double most = unbalanced_start;  // less is fulfilled
         std::size_t worst = constraints.size();
         Eigen::Index row = 0;
         for (std::size_t k = 0; k < constraints.size(); ++k)
