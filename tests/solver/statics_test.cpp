@@ -536,6 +536,9 @@ TEST_CASE("statics: options that cannot be meant are refused", "[statics][bad-in
     refused([](auto& o) { o.min_step = std::numeric_limits<double>::quiet_NaN(); });
     refused([](auto& o) { o.first_factor = std::numeric_limits<double>::infinity(); });
     refused([](auto& o) { o.last_factor = 0.0; });
+    ancf::StaticsOptions nowhere;
+    nowhere.last_factor = 0.0;
+    CHECK_THROWS_WITH(solve(chain, nowhere), ContainsSubstring("set first_factor one lower"));
 }
 
 }  // namespace statics_test

@@ -54,7 +54,8 @@ struct StaticsOptions {
     bool adaptive = false;               ///< halve a step that fails, widen one that does well
     double min_step = 1e-4;              ///< smallest step of an adaptive run, as a part of
                                          ///< the way from first_factor to last_factor
-    double first_factor = 0.0;           ///< load factor of the state that the model is in
+    double first_factor = 0.0;           ///< load factor of the state that the model is in; to
+                                         ///< settle at one factor, such as 0, any other
     double last_factor = 1.0;            ///< load factor to reach
 
     /// Called after every converged step, not after its parts; returning false stops there, with

@@ -644,7 +644,7 @@ ANCF_INLINE void StaticsOptions::check() const {
     detail::require_finite("StaticsOptions: last_factor", last_factor);
     detail::require(first_factor != last_factor,
                     "StaticsOptions: first_factor and last_factor must differ, both are ",
-                    last_factor);
+                    last_factor, "; for the equilibrium there set first_factor one lower");
 }
 
 ANCF_INLINE StaticsReport solve_statics(Scene& model, LinearSolver& solver,
