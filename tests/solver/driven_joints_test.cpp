@@ -98,6 +98,24 @@ TEST_CASE("a free beam driven at its root turns by the angle, in any number of l
     CHECK(checked == 80);
 }
 
+TEST_CASE("DrivenRevolute: the last multipliers are the moment on the node along t, n and t x n",
+          "[constraint][statics]") {
+    Space space;
+    const auto beam = bar(space, {0.0, 0.0, 0.0}, {0.6, 0.8, 0.0}, 4);
+    space.add(DrivenRevolute(space, beam.first(), Point3(0.6, 0.0, 0.8), ramp(0.5)));
+    const Point3 force(3.0, -50.0, 20.0);
+    space.add(Force<3>(beam.last(), force));
+    EigenLu solver;
+    REQUIRE(solve_statics(space, solver).status == Status::converged);
+    const Point3 n = space.value(beam.first(), Field::r_y).normalized();
+    const Point3 c = space.value(beam.first(), Field::r_z).normalized();
+    const auto& multipliers = space.state().multipliers;
+    const Point3 moment = multipliers[3] * cross(n, c) + multipliers[4] * n + multipliers[5] * c;
+    const Point3 arm = space.position(beam.last());
+    // r_y and r_z are normal to each other but for a strain; measured 2e-9
+    CHECK((moment + cross(arm, force)).norm() <= 1e-7 * moment.norm());
+}
+
 TEST_CASE("a torsion beam is not twisted past half a turn of an element unseen",
           "[constraint][statics]") {
     int checked = 0;
