@@ -12,117 +12,16 @@
 ///
 ///     element_cost --csv > element_cost.csv
 
-#include <ancf/assembly/assembly.hpp>
-#include <ancf/element/cable/cable.hpp>
-#include <ancf/element/cross_section/beam.hpp>
-#include <ancf/element/planar/beam.hpp>
-#include <ancf/element/torsion/beam.hpp>
-#include <ancf/model/builders/beam.hpp>
-#include <ancf/model/model.hpp>
-#include <ancf/section/profiles.hpp>
-#include <ancf/solver/eigen_ldlt.hpp>
-
 #include <CLI/CLI.hpp>
 
-#include <counting.hpp>
-#include <peak.hpp>
+#include <element_cost/measure.hpp>
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
 #include <vector>
 
 namespace {
 
-using namespace ancf;
-
-struct Settings {
-    bool csv = false;
-    int repeats = 200;
-    int elements = 1000;
-};
-
-struct Cost {
-    std::string element;
-    int coordinates;    ///< of an element
-    long operations;    ///< of force and tangent
-    double evaluation;  ///< of force and tangent, ns
-    double assembly;    ///< of the scene's force and tangent, us
-    double solution;    ///< factorisation and solution, us
-};
-
-/// Returns nanoseconds of one call: the least of many runs.
-template <class Call>
-double nanoseconds(const Call& call, int calls, int repeats) {
-    double best = 1e9;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const double start = bench::detail::now();
-        for (int k = 0; k < calls; ++k) call();
-        best = std::min(best, bench::detail::now() - start);
-    }
-    return best / calls * 1e9;
-}
-
-volatile double sink;
-
-/// Returns an element's options with the rule "mixed".
-template <class Element>
-typename Element::Options mixed() {
-    typename Element::Options options;
-    options.rule = Rule::mixed();
-    return options;
-}
-
-template <class Element>
-Cost measure(const char* name, const Settings& settings,
-             const typename Element::Options& options = mixed<Element>()) {
-    using Point = Vector<double, Element::dimension>;
-    BasicModel<Element::dimension> model;
-    const auto material = Material::isotropic(2e11, 0.3, 7800.0);
-    const Point from = Point::Zero(), to = Point::Unit(0) * 0.1 * settings.elements;
-    const auto beam = straight_beam<Element>(model, material, rectangle(0.02, 0.02), from, to,
-                                             settings.elements, options);
-    model.clamp(beam.first());
-    State& state = model.state();
-    for (int k = 0; k < state.q.size(); ++k) state.q[k] += 1e-3 * ((k * 37) % 11 - 5);
-
-    Cost cost{name, Element::dofs, 0, 0.0, 0.0, 0.0};
-    const Element& element = model.template group<Element>().element(0);
-    typename Element::Coordinates e = model.template element_coordinates<Element>(1);
-    Vector<bench::Counting, Element::dofs> counted;
-    for (int k = 0; k < Element::dofs; ++k) counted[k] = e[k];
-    bench::Counting::reset();
-    sink = element.evaluate(counted).energy.value();
-    cost.operations = bench::Counting::operations();
-    cost.evaluation = nanoseconds(
-        [&] {
-            const auto evaluation = element.evaluate(e);
-            e[0] += 1e-12 * evaluation.force[1] / (1.0 + evaluation.tangent(1, 1));
-        },
-        20, settings.repeats);
-    sink = e[0];
-
-    EigenLdlt solver;
-    Assembly assembly(model, solver.storage());
-    solver.analyze(assembly.tangent());
-    const VectorX rest = VectorX::Zero(state.q.size());
-    const int repeats = std::max(3, settings.repeats / 20);
-    const auto assemble = [&] {
-        if (assembly.evaluate({state.q, rest, state.multipliers, {0.0, 1.0}}, Request::tangent))
-            std::fprintf(stderr, "%s: the state is not admissible\n", name);
-    };
-    cost.assembly = nanoseconds(assemble, 1, repeats) * 1e-3;
-    VectorX residual, correction;
-    assembly.residual(residual);
-    const auto solve = [&] {
-        if (solver.factorize(assembly.tangent()).status != Status::converged)
-            std::fprintf(stderr, "%s: the tangent has no factors\n", name);
-        solver.solve(residual, correction);
-        sink = correction[0];
-    };
-    cost.solution = nanoseconds(solve, 1, repeats) * 1e-3;
-    return cost;
-}
+using namespace ancf::bench::element_cost;
 
 /// @param reference  what the ratios divide: what it takes over what an element takes
 void report(const Settings& settings, const std::vector<Cost>& costs, const Cost& reference) {
@@ -157,16 +56,10 @@ int main(int argc, char** argv) {
     app.add_option("--elements", settings.elements, "elements of the cantilever")
         ->check(CLI::Range(2, 1'000'000));
     CLI11_PARSE(app, argc, argv);
-    measure<CrossSectionBeam<3>>("", settings);  // the first runs warm the processor up
-    const Cost beam = measure<CrossSectionBeam<3>>("CrossSectionBeam<3>", settings);
-    report(
-        settings,
-        {measure<Cable<2>>("Cable<2>", settings, {}), measure<Cable<3>>("Cable<3>", settings, {}),
-         measure<CrossSectionBeam<2>>("CrossSectionBeam<2>", settings),
-         measure<PlanarQuinticBeam<>>("PlanarQuinticBeam<>", settings, {}),
-         measure<TorsionBeam>("TorsionBeam", settings), beam,
-         measure<CrossSectionBeam<3, Geodesic>>("CrossSectionBeam<3, Geodesic>", settings),
-         measure<QuinticBeam<>>("QuinticBeam<>", settings, {})},
-        beam);
+    plane(settings);  // the first runs warm the processor up
+    std::vector<Cost> costs = plane(settings);
+    const std::vector<Cost> spatial = space(settings);
+    costs.insert(costs.end(), spatial.begin(), spatial.end());
+    report(settings, costs, spatial.front());
     return 0;
 }
