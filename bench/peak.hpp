@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// How many floating-point operations one core can do: fused multiply-adds on registers alone.
+/// How many floating-point operations one core can do, fused multiply-adds on registers alone, and
+/// how long a call takes.
 
 #pragma once
 
@@ -97,6 +98,18 @@ inline double peak_rate() {
         best = std::max(best, detail::rate(detail::avx512_chains, 8));
 #endif
     return best;
+}
+
+/// Returns nanoseconds of one call: the least of many runs.
+template <class Call>
+double nanoseconds(const Call& call, int calls, int repeats) {
+    double best = 1e9;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        const double start = detail::now();
+        for (int k = 0; k < calls; ++k) call();
+        best = std::min(best, detail::now() - start);
+    }
+    return best / calls * 1e9;
 }
 
 }  // namespace ancf::bench

@@ -38,18 +38,6 @@ struct Cost {
     double solution;    ///< factorisation and solution, us
 };
 
-/// Returns nanoseconds of one call: the least of many runs.
-template <class Call>
-double nanoseconds(const Call& call, int calls, int repeats) {
-    double best = 1e9;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const double start = detail::now();
-        for (int k = 0; k < calls; ++k) call();
-        best = std::min(best, detail::now() - start);
-    }
-    return best / calls * 1e9;
-}
-
 inline volatile double sink;
 
 /// Returns an element's options with the rule "mixed".

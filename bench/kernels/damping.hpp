@@ -29,7 +29,7 @@ void measure_damping(const Subject& subject, const Element& element) {
             damper.evaluate(state, out);
             benchmark::ClobberMemory();
         },
-        subject.settings.repeats);
+        calls, subject.settings.repeats);
     report(subject, 1, "damp", time, 0);
 }
 

@@ -18,7 +18,6 @@
 #include <counting.hpp>
 #include <peak.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -49,18 +48,7 @@ typename Element::Coordinates bent_state() {
     return e;
 }
 
-/// Returns nanoseconds of one call: the least of many runs of a few microseconds to tens of them.
-template <class Call>
-double nanoseconds(const Call& call, int repeats) {
-    constexpr int calls = 20;
-    double best = 1e9;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        const double start = detail::now();
-        for (int k = 0; k < calls; ++k) call();
-        best = std::min(best, detail::now() - start);
-    }
-    return best / calls * 1e9;
-}
+constexpr int calls = 20;  // of a run: a few microseconds to tens of them
 
 /// What is measured: an element under a rule, and its operations as counted.
 struct Subject {
@@ -91,7 +79,7 @@ void measure(const Subject& subject, const Element& element) {
             benchmark::DoNotOptimize(result.data());
             benchmark::ClobberMemory();
         },
-        subject.settings.repeats);
+        calls, subject.settings.repeats);
     report(subject, lanes, "force", force / lanes, subject.force_flops);
     const double all = nanoseconds(
         [&] {
@@ -100,7 +88,7 @@ void measure(const Subject& subject, const Element& element) {
             benchmark::DoNotOptimize(&evaluation);
             benchmark::ClobberMemory();
         },
-        subject.settings.repeats);
+        calls, subject.settings.repeats);
     report(subject, lanes, "all", all / lanes, subject.all_flops);
 }
 
