@@ -86,7 +86,7 @@ private:
     Point earlier_;  // where the last step began
 
     // of the stages: (2), changes of rates, accelerations, multipliers, residuals, corrections
-    Stages Y_, rate_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
+    Stages Y_, rate_change_, acceleration_, lambda_, force_, lengths_, change_, lambda_change_;
     std::vector<MotionPoint> stage_;
     // of the step before
     Stages acceleration_before_, lambda_before_;
@@ -122,7 +122,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
-      rate_(Y_),
+      rate_change_(Y_),
       acceleration_(Y_),
       lambda_(stages_, VectorX::Zero(problem.multipliers())),
       force_(Y_),
@@ -276,9 +276,9 @@ ANCF_INLINE void RadauRun::place_stages(const Span& step) {
         at.q = q + (h * c * v + h * h * Y_[i]);
         at.lambda = lambda_[i];
     }
-    sum_stages(tableau_.inverse, h, Y_, rate_);
+    sum_stages(tableau_.inverse, h, Y_, rate_change_);
     sum_stages(tableau_.square, 1.0, Y_, acceleration_);
-    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = v + rate_[i];
+    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = v + rate_change_[i];
 }
 
 /// Takes the first Y and multipliers from the polynomials of the step before, of its places

@@ -219,8 +219,9 @@ inline void sum_part(const double (&weights)[Count][Count], const double* const 
     for (int i = 0; i < Count; ++i) Eigen::Map<Part>(out[i] + k) = sums[i];
 }
 
+/// Sums over so many stages.
 template <int Count>
-void sum_part(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+void sum_all(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
     constexpr int width = 8;
     double scaled[Count][Count];
     const double* from[Count];
@@ -237,7 +238,7 @@ void sum_part(const MatrixX& weights, double scale, const Stages& in, Stages& ou
 }
 
 ANCF_INLINE void sum_stages(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
-    in.size() == 3 ? sum_part<3>(weights, scale, in, out) : sum_part<5>(weights, scale, in, out);
+    in.size() == 3 ? sum_all<3>(weights, scale, in, out) : sum_all<5>(weights, scale, in, out);
 }
 
 ANCF_INLINE std::vector<double> lagrange_weights(const std::vector<double>& nodes, double x) {
