@@ -3,18 +3,13 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/momentum.hpp>
-#include <ancf/element/cable/cable.hpp>
-#include <ancf/element/cross_section/beam.hpp>
-#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 
 #include <dynamics/scenes.hpp>
-#include <support/bar.hpp>
 #include <support/catch.hpp>
-#include <support/random_state.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,6 @@
 
 #include <dynamics/radau_runs.hpp>
 #include <dynamics/scenes.hpp>
-#include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/dense.hpp>
 

@@ -11,7 +11,6 @@
 
 #include <dynamics/radau_runs.hpp>
 #include <dynamics/random_scenes.hpp>
-#include <dynamics/scenes.hpp>
 #include <support/catch.hpp>
 #include <support/dense.hpp>
 #include <support/random_state.hpp>

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <ancf/algebra.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -15,7 +14,6 @@
 
 #include <dynamics/radau_runs.hpp>
 #include <dynamics/scenes.hpp>
-#include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/driven_arm.hpp>
 
