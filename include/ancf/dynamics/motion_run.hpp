@@ -160,6 +160,15 @@ struct StepGrid {
     void take(const Step& step);
 };
 
+/// The error of a step at rest, relative to the tolerance, is below this.
+constexpr double resting = 1e-3;
+
+/// Returns where in a step from rest a load or a drive acts most that is much the same at both
+/// ends, or the step's end, s.
+/// @param apart  s, between two looks, at least; they are a thousandth of the step apart or more.
+[[nodiscard]] double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
+                                   double apart);
+
 /// A run, from which those of the integrators derive.
 class MotionRun {
 protected:
@@ -221,12 +230,6 @@ protected:
         const bool beside = numbers[1] == numbers[0] && numbers[2] == 0.0;
         return beside && 2.0 * width < numbers[3] && problem_.multipliers() > 0;
     }
-
-    // Returns where in a step a load or a drive acts most that is much the same at both ends, found
-    // by looks as far apart as the options' step or a thousandth of this one, or the step's end.
-    [[nodiscard]] double hidden_action(const MotionPoint& now, const Step& step);
-
-    static constexpr double resting = 1e-3;  // error of a step at rest, relative to the tolerance
 
     DynamicProblem& problem_;
     LinearSolver& solver_;

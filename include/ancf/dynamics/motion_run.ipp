@@ -328,6 +328,35 @@ ANCF_INLINE void StepGrid::take(const Step& step) {
     *this = {on_grid ? origin : step.end, width, on_grid ? count + 1.0 : 0.0};
 }
 
+ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
+                                 double apart) {
+    const Scene& model = problem.model();
+    const double between = std::max(apart, 1e-3 * (end - now.time));
+    double found = end;
+    const auto look = [&](const auto& function) {
+        const double first = function(now.time), last = function(end);
+        double most = 10.0 * std::abs(last - first) + 1e-12 * std::abs(first), at = end;
+        for (double time = now.time + between; time < end; time += between) {
+            const double change = std::abs(function(time) - first);
+            if (!(change > most)) continue;
+            most = change;
+            at = time;
+        }
+        found = std::min(found, at);
+    };
+    for (const ScaledLoad& load : model.loads())
+        if (load.amplitude) look(load.amplitude);
+    for (const Support& support : model.supports())
+        if (support.value) look(support.value);
+    look([&](double time) { return model.gravity_scale({time, 1.0}); });
+    if (problem.multipliers() > 0)
+        look([&](double time) {
+            problem.evaluate_constraints(time, now.q, now.v, false);
+            return problem.constraints().violation().sum();
+        });
+    return found;
+}
+
 ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
                                  const Schedule& schedule, const StepControl& control,
                                  bool follow_energy, bool takes_parts)
@@ -354,39 +383,11 @@ ANCF_INLINE Status MotionRun::evaluate(const MotionPoint& at, Request request) {
     return report_.fault ? report_.fault->status : Status::converged;
 }
 
-ANCF_INLINE double MotionRun::hidden_action(const MotionPoint& now, const Step& step) {
-    const Scene& model = problem_.model();
-    const double apart = std::max(control_.first, 1e-3 * step.width);
-    double found = step.end;
-    const auto look = [&](const auto& function) {
-        const double begin = function(step.begin), end = function(step.end);
-        double most = 10.0 * std::abs(end - begin) + 1e-12 * std::abs(begin), at = step.end;
-        for (double time = step.begin + apart; time < step.end; time += apart) {
-            const double change = std::abs(function(time) - begin);
-            if (!(change > most)) continue;
-            most = change;
-            at = time;
-        }
-        found = std::min(found, at);
-    };
-    for (const ScaledLoad& load : model.loads())
-        if (load.amplitude) look(load.amplitude);
-    for (const Support& support : model.supports())
-        if (support.value) look(support.value);
-    look([&](double time) { return model.gravity_scale({time, 1.0}); });
-    if (problem_.multipliers() > 0)
-        look([&](double time) {
-            problem_.evaluate_constraints(time, now.q, now.v, false);
-            return problem_.constraints().violation().sum();
-        });
-    return found;
-}
-
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     Step step = grid_.next(now.time, schedule_.end);
     const bool looks = std::exchange(rests_, false) || now.time < acts_at_;
     if (looks && control_.is_adaptive() && problem_.model().exchange() == nullptr) {
-        const double at = hidden_action(now, step);
+        const double at = hidden_action(problem_, now, step.end, control_.first);
         if (at < step.end) {
             acts_at_ = at;
             grid_ = {step.begin, at - step.begin};

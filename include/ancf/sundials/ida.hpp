@@ -51,7 +51,7 @@ struct IdaOptions {
 
     Order order = Order::automatic;  ///< largest order of the method
     double first_step = 0.0;         ///< s; 0: from the initial accelerations
-    double max_step = 0.0;           ///< s, below the duration of a pulse after a rest; 0: no limit
+    double max_step = 0.0;           ///< s; 0: no limit
     long max_steps = 0;              ///< 0: no limit
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace ancf::sundials {
@@ -58,6 +59,8 @@ private:
     void choose_error_test();
     [[nodiscard]] double first_step() const;
     [[nodiscard]] bool step();
+    [[nodiscard]] bool rests();
+    [[nodiscard]] double stop_time();
     [[nodiscard]] bool lost_in_round_off() const;
     [[nodiscard]] MotionPoint point(double time, N_Vector y) const;
     bool fail(int code);
@@ -72,6 +75,8 @@ private:
     IdaOwner ida_;
 
     double slow_frequency_ = 0.0;  // rad/s: of the motion that is followed
+    double first_step_ = 0.0;      // s
+    double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
 };
 
 ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
@@ -122,8 +127,8 @@ ANCF_INLINE void IdaRun::set_up() {
     call(IDASetDeltaCjLSetup(ida, 0.05));
     call(IDASetMaxNonlinIters(ida, 6));
     call(IDASetNonlinConvCoef(ida, 0.1));
-    call(IDASetStopTime(ida, schedule_.end));
-    call(IDASetInitStep(ida, first_step()));
+    first_step_ = first_step();
+    call(IDASetInitStep(ida, first_step_));
     call(IDASetMinStep(ida, least_step()));
     if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
 }
@@ -227,6 +232,7 @@ ANCF_INLINE IdaReport IdaRun::run() {
 ANCF_INLINE bool IdaRun::step() {
     if (options_.max_steps > 0 && report_.steps == options_.max_steps)
         return fail(IDA_TOO_MUCH_WORK);
+    call(IDASetStopTime(ida_.get(), stop_time()));
     double reached = now_.time;
     system_.forget_fault();
     system_.begin_step(reached);
@@ -250,6 +256,28 @@ ANCF_INLINE bool IdaRun::step() {
         call(IDAGetDky(ida_.get(), std::min(time, reached), 0, dense_.get()));
         return point(time, dense_.get());
     });
+}
+
+// Whether the last step had next to no error.
+ANCF_INLINE bool IdaRun::rests() {
+    call(IDAGetEstLocalErrors(ida_.get(), dense_.get()));
+    const VectorX allowed = options_.tolerance * system_.q(view(y_.get())).cwiseAbs() +
+                            system_.q(view(tolerances_.get()));
+    const auto errors = system_.q(view(dense_.get())).cwiseQuotient(allowed);
+    return errors.squaredNorm() < ancf::detail::resting * ancf::detail::resting * errors.size();
+}
+
+// Returns the schedule's end; after a rest no later than where a load or a drive acts that the next
+// step would pass over.
+ANCF_INLINE double IdaRun::stop_time() {
+    if (report_.steps == 0 || !(now_.time < acts_at_ || rests())) return schedule_.end;
+    double next = 0.0;
+    IDAGetCurrentStep(ida_.get(), &next);
+    const double end = std::min(now_.time + next, schedule_.end);
+    const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
+    if (at == end) return schedule_.end;
+    acts_at_ = at;
+    return at;
 }
 
 // IDA halves its step where Newton's method fails and doubles it after the next, for ever.
