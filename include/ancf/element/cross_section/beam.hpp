@@ -306,6 +306,10 @@ void CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::set_up(const 
     detail::require(
         !section.has_shear_centre() || options_.section_model == SectionModel::saint_venant,
         "CrossSectionBeam: a section with a shear centre needs SectionModel::saint_venant");
+    detail::require(
+        !section.has_shear_centre() || Shear::nodal,
+        "CrossSectionBeam: a section with a shear centre needs LinearShear: PointwiseShear holds "
+        "the twist where a torque changes");
     section_ = section_stiffness(material, section, options_.section_model);
     const double shear_y = section.shear_correction_y() * material.shear;
     const double shear_z = section.shear_correction_z() * material.shear;

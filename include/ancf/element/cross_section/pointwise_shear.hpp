@@ -116,9 +116,8 @@ inline void chain(const Vec3<S> (&J)[dot_count][4], const S (&f)[dot_count],
 
 /// Shear sines evaluated at each station from r_y(x), r_z(x) and t(x).
 ///
-/// Not for a shear centre beside the axis: the constant twist of an element then holds changes of
-/// its shears, and 8 elements of an open section between forks twist by 0.019 of the angle.
-/// LinearShear has a remedy, docs/theory-references.md, "The shear centre".
+/// Does not take sections with a shear centre: the constant twist of an element would hold changes
+/// of its shears. LinearShear has a remedy, docs/theory-references.md, "The shear centre".
 struct PointwiseShear {
     static constexpr bool nodal = false;  ///< shears are not interpolated from nodes
 
