@@ -91,7 +91,8 @@ TEST_CASE("off the axis: a force beside the shear centre twists by its moment ab
     const Section moved = offset(centred.with_shear_centre({0.0, 0.0}), 0.01, 0.02);
     CHECK_THROWS_WITH(Carried(material, moved, 1.0), ContainsSubstring("saint_venant"));
     using Pointwise = CrossSectionBeam<3, Projected, PointwiseShear>;
-    const CrossSectionOptions options = CrossSectionOptions::best();
+    CrossSectionOptions options = CrossSectionOptions::best();
+    options.rule = Rule::gauss(3);
     CHECK_NOTHROW(Pointwise(material, centred, 1.0, options));
     CHECK_THROWS_WITH(Pointwise(material, moved, 1.0, options), ContainsSubstring("LinearShear"));
     CHECK_NOTHROW(Planar(material, moved, 1.0));
