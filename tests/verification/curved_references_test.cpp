@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The cantilever of MacNeal and Harder, twisted by 90 degrees in its stress-free state, against
-/// the flexibility of Timoshenko's beam. docs/theory-references.md, "Twist".
+/// Beams that are twisted or curved in their stress-free state against the flexibility of
+/// Timoshenko's beam: the twisted cantilever of MacNeal and Harder, and a deep quarter circle.
+/// docs/theory-references.md, "Twist" and "Curvature".
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section/beam.hpp>
@@ -18,7 +19,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pretwist_test {
+namespace curved_references_test {
 
 using namespace ancf;
 using Green = CrossSectionBeam<3, Geodesic>;
@@ -62,7 +63,7 @@ double theory(bool across) {
            length / (5.0 / 6.0 * shear * width * thickness);
 }
 
-TEST_CASE("pretwist: engineering strains come to Timoshenko's beam", "[verification]") {
+TEST_CASE("twisted reference: engineering strains come to Timoshenko's beam", "[verification]") {
     const bool across = GENERATE(false, true);
     CAPTURE(across);
     const double coarse = flexibility<Engineering>(across, 12) / theory(across) - 1.0;
@@ -71,7 +72,8 @@ TEST_CASE("pretwist: engineering strains come to Timoshenko's beam", "[verificat
     CHECK(std::log2(coarse / fine) >= 3.5);  // fourth order
 }
 
-TEST_CASE("pretwist: Green's stresses along twisted fibres carry shear forces", "[verification]") {
+TEST_CASE("twisted reference: Green's stresses along twisted fibres carry shear forces",
+          "[verification]") {
     const bool across = GENERATE(false, true);
     CAPTURE(across);
     const double fibres =
@@ -80,4 +82,42 @@ TEST_CASE("pretwist: Green's stresses along twisted fibres carry shear forces", 
     CHECK(fibres / theory(across) == Approx(across ? 5.2e-4 : 1.62e-3).epsilon(0.01));
 }
 
-}  // namespace pretwist_test
+/// Returns the displacement of the tip of a quarter circle of radius 1 and depth 0.15 by a unit
+/// force in its plane, in its own direction: along the tangent of the root or across it.
+template <class Element>
+double arc_flexibility(bool across, int elements) {
+    Model model;
+    const auto beam =
+        arc<Element>(model, Material::from_moduli(2e11, 8e10, 1.0), rectangle(0.1, 0.15), {0, 0, 0},
+                     {1, 0, 0}, {0, 1, 0}, 1.0, 0.5 * pi, elements, CrossSectionOptions::best());
+    model.clamp(beam.first(), Clamp::free_slope);
+    const double force = 0.3;
+    model.add(Force<3>(beam.last(), {across ? 0.0 : force, across ? force : 0.0, 0.0}));
+    BlockTridiagonal solver;
+    const Vector<double, 3> start = model.position(beam.last());
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    return (model.position(beam.last()) - start)[across ? 1 : 0] / force;
+}
+
+/// With M = F cos a or F (1 - sin a), and axial and shear forces F cos a and F sin a or in turn.
+double arc_theory(bool across) {
+    const double area = 0.1 * 0.15, bending = 2e11 * 0.1 * std::pow(0.15, 3) / 12.0;
+    const double quarter = 0.25 * pi;
+    return (across ? 3.0 * quarter - 2.0 : quarter) / bending + quarter / (2e11 * area) +
+           quarter / (5.0 / 6.0 * 8e10 * area);
+}
+
+TEST_CASE("curved reference: engineering strains come to the theory of thin arcs",
+          "[verification]") {
+    const bool across = GENERATE(false, true);
+    CAPTURE(across);
+    const double coarse = arc_flexibility<Engineering>(across, 8) / arc_theory(across) - 1.0;
+    const double fine = arc_flexibility<Engineering>(across, 16) / arc_theory(across) - 1.0;
+    CHECK(std::abs(fine) <= 3e-6);
+    CHECK(std::log2(coarse / fine) >= 3.5);  // fourth order
+    // Green's strain neglects the depth over the radius: 1.2e-2 and -3.7e-4
+    const double green = arc_flexibility<Green>(across, 16) / arc_theory(across) - 1.0;
+    CHECK(green == Approx(across ? -3.7e-4 : 1.16e-2).epsilon(0.05));
+}
+
+}  // namespace curved_references_test
