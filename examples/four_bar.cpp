@@ -38,6 +38,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -203,7 +204,7 @@ bool check(const Run& run, int elements) {
         std::cerr << run.report.message << '\n';
         return false;
     }
-    double most = 0.0, imbalance = 0.0;
+    double most = std::numeric_limits<double>::min(), imbalance = 0.0;
     for (const Sample& sample : run.samples) {
         most = std::max(most, sample.strain);
         imbalance = std::max(imbalance, std::abs(sample.energy - sample.work));
@@ -218,7 +219,7 @@ bool check(const Run& run, int elements) {
 bool study(const FourBar& problem) {
     const Run coarse = turn(problem, problem.elements), fine = turn(problem, 2 * problem.elements);
     const bool sound = check(coarse, problem.elements) && check(fine, 2 * problem.elements);
-    double across = 0.0, apart = 0.0;
+    double across = std::numeric_limits<double>::min(), apart = 0.0;
     examples::Sheet sheet(
         problem.csv, {"t", "crank", "x", "y", "z", "energy", "work"},
         {"t, s", "crank, deg", "C x, mm", "C y, mm", "C z, mm", "energy, J", "work, J"});
