@@ -6,6 +6,12 @@
 
 #pragma once
 
+// Numbers that are not finite end a run. Where the compiler takes every number for finite they
+// would pass as results, or a run would never end.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "ancf: add -fno-finite-math-only: -ffast-math and -Ofast hide numbers that are not finite"
+#endif
+
 /// Keeps a stage of a kernel a function of its own: costs nothing at run time, and inlining the
 /// stages into each other is what makes translation units slow to compile.
 #if defined(__GNUC__)

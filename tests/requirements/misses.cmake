@@ -2,12 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Compiles SOURCE, which must fail and say every text that its comments `expected:` hold; then with ANCF_CONFORMING,
-# which must succeed. COMPILER and FLAGS (a list) say how.
+# which must succeed, but not with flags that take every number for finite. COMPILER and FLAGS (a list) say how.
 
 set(command ${COMPILER} -std=c++17 -fsyntax-only ${FLAGS} ${SOURCE})
 execute_process(COMMAND ${command} -DANCF_CONFORMING RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "types that miss nothing are refused:\n${errors}")
+endif()
+execute_process(COMMAND ${command} -E -ffast-math RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE errors)
+if(result EQUAL 0 OR NOT errors MATCHES "add -fno-finite-math-only")
+    message(FATAL_ERROR "-ffast-math is accepted, or for another reason refused:\n${errors}")
+endif()
+execute_process(COMMAND ${command} -E -ffast-math -fno-finite-math-only RESULT_VARIABLE result OUTPUT_QUIET)
+if(NOT result EQUAL 0)
+    message(FATAL_ERROR "-ffast-math -fno-finite-math-only is refused")
 endif()
 execute_process(COMMAND ${command} RESULT_VARIABLE result ERROR_VARIABLE errors)
 if(result EQUAL 0)

@@ -37,7 +37,7 @@ struct TwiceSum {
     double high = 0.0;
     double low = 0.0;
 
-    /// Adds a b without round-off in the product; must not be compiled with -ffast-math.
+    /// Adds a b without round-off in the product. With -fassociative-math the sum has round-off.
     void add_product(double a, double b) noexcept {
         const double product = a * b;
         low += std::fma(a, b, -product);
