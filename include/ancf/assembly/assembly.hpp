@@ -202,6 +202,18 @@ public:
     /// Adds a square block of an element, by columns, to a matrix of this pattern.
     void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const;
 
+    // Single loads and constraints, likewise ------------------------------------------------------
+
+    /// Adds scale times a matrix on some coordinates to a matrix of this pattern.
+    void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,
+                    SparseMatrix& matrix) const;
+    /// Calls visit(i, j, place, mirrored) for the entries G_ij of one constraint, j of those of its
+    /// coordinates that are unknowns: the places of G_ij and of its mirror image in G^T among the
+    /// values of a matrix of this pattern.
+    template <class Visitor>
+    void visit_border(int constraint, const std::vector<int>& coordinates,
+                      const Visitor& visit) const;
+
 private:
     // values of the matrix from first to before last
     struct ValueRange {
@@ -256,9 +268,6 @@ private:
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, const ConstraintResult& result);
     void add_value(int row, int column, double value, SparseMatrix& matrix) const;
-    // Adds scale times a matrix on some coordinates to a matrix of this pattern.
-    void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,
-                    SparseMatrix& matrix) const;
 
     const Scene& model_;
     Numbering numbering_;
@@ -284,6 +293,23 @@ private:
     int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };
+
+template <class Visitor>
+void Assembly::visit_border(int constraint, const std::vector<int>& coordinates,
+                            const Visitor& visit) const {
+    const int own = numbering_.constraint_block(constraint);
+    const int equations = pattern_.first(own + 1) - pattern_.first(own);
+    for (int j = 0; j < static_cast<int>(coordinates.size()); ++j) {
+        const int equation = numbering_.equation(coordinates[j]);
+        if (equation < 0) continue;
+        const int node = numbering_.block(coordinates[j]);
+        const int column = equation - pattern_.first(node);
+        const int place = pattern_.base(own, node) + pattern_.column_offset(node, column);
+        const int mirrored = pattern_.base(node, own) + column;
+        for (int i = 0; i < equations; ++i)
+            visit(i, j, place + i, mirrored + pattern_.column_offset(own, i));
+    }
+}
 
 }  // namespace ancf
 

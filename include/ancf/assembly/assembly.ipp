@@ -401,35 +401,8 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
 
 ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* block,
                                      SparseMatrix& matrix) const {
-    detail::ElementIndices indices;
-    element_coordinates(place, indices.at);
     const auto group = static_cast<std::size_t>(place.group);
-    const int dofs = model_.groups()[group]->dofs(), half = dofs / 2;
-    const ElementSlots& slots = plans_[group].slots[place.element];
-    if (slots.attached >= 0) {
-        detail::add_attached(target(group, matrix.valuePtr()), slots.attached, block);
-        return;
-    }
-    for (std::size_t b = 0; b < 2; ++b)
-        for (int j = 0; j < half; ++j) {
-            const int column = static_cast<int>(b) * half + j;
-            const int equation = numbering_.equation(indices.at[column]);
-            if (equation < 0) continue;
-            const int node = slots.node[b], own = equation - pattern_.first(node);
-            for (std::size_t a = 0; a < 2; ++a) {
-                if (slots.base[a][b] < 0) continue;
-                const bool lower = slots.node[a] == node && pattern_.storage() == Storage::lower;
-                double* const values =
-                    matrix.valuePtr() + slots.base[a][b] + pattern_.column_offset(node, own);
-                for (int i = 0; i < half; ++i) {
-                    const int row =
-                        numbering_.equation(indices.at[static_cast<int>(a) * half + i]) -
-                        pattern_.first(slots.node[a]);
-                    if (row >= (lower ? own : 0))
-                        values[row] += block[column * dofs + static_cast<int>(a) * half + i];
-                }
-            }
-        }
+    model_.groups()[group]->add_block(place.element, target(group, matrix.valuePtr()), block);
 }
 
 ANCF_INLINE void Assembly::add_value(int row, int column, double value,
@@ -623,22 +596,12 @@ ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
 
 ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const ConstraintResult& result) {
     const std::vector<int>& coordinates = constraint_coordinates_[constraint].acted();
-    const int own = numbering_.constraint_block(constraint);
-    const int size = static_cast<int>(coordinates.size());
     add_matrix(coordinates, 1.0, result.stiffness, tangent_);
-    double* values = tangent_.valuePtr();
-    for (int j = 0; j < size; ++j) {
-        const int coordinate = coordinates[j];
-        const int equation = numbering_.equation(coordinate);
-        if (equation < 0) continue;
-        const int node = numbering_.block(coordinate);
-        const int place = equation - pattern_.first(node);
-        for (int i = 0; i < result.jacobian.rows(); ++i) {
-            const double value = result.jacobian(i, j);
-            values[pattern_.base(own, node) + pattern_.column_offset(node, place) + i] += value;
-            values[pattern_.base(node, own) + pattern_.column_offset(own, i) + place] += value;
-        }
-    }
+    double* const values = tangent_.valuePtr();
+    visit_border(constraint, coordinates, [&](int i, int j, int place, int mirrored) {
+        values[place] += result.jacobian(i, j);
+        values[mirrored] += result.jacobian(i, j);
+    });
 }
 
 ANCF_INLINE void Assembly::check_size(const char* call, const char* what,

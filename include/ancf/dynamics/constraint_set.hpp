@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include <ancf/assembly/block_pattern.hpp>
+#include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/model/constraint.hpp>
@@ -62,14 +62,14 @@ public:
 
     /// Writes G and G^T into a matrix of the system's pattern (full storage); equations left out
     /// get a 1 on the diagonal.
-    void write_jacobian(const BlockPattern& pattern, SparseMatrix& matrix) const;
+    void write_jacobian(const Assembly& assembly, SparseMatrix& matrix) const;
 
     /// Writes G into a dense matrix: each free coordinate has a column, or -1.
     void write_rows(const std::vector<int>& columns, MatrixX& rows) const;
 
     /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's
     /// pattern.
-    void add_velocity_level(const BlockPattern& pattern, const VectorX& mu,
+    void add_velocity_level(const Assembly& assembly, const VectorX& mu,
                             SparseMatrix& matrix) const;
 
     /// Returns G^T of the free coordinates, all equations included, as n x m.

@@ -123,32 +123,23 @@ ANCF_INLINE void ConstraintSet::add_transpose_product(const VectorX& mu, double 
     });
 }
 
-ANCF_INLINE void ConstraintSet::write_jacobian(const BlockPattern& pattern,
+ANCF_INLINE void ConstraintSet::write_jacobian(const Assembly& assembly,
                                                SparseMatrix& matrix) const {
-    double* values = matrix.valuePtr();
+    const BlockPattern& pattern = assembly.pattern();
+    double* const values = matrix.valuePtr();
     for_each(
         [&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
+            assembly.visit_border(constraint, at, [&](int, int, int place, int mirrored) {
+                values[place] = values[mirrored] = 0.0;
+            });
+            // added: a coupling may list a vector twice
+            assembly.visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
+                if (left_out(first + i)) return;
+                values[place] += result.jacobian(i, j);
+                values[mirrored] += result.jacobian(i, j);
+            });
             const int own = numbering_.constraint_block(constraint);
-            const int equations = static_cast<int>(result.jacobian.rows());
-            for (std::size_t j = 0; j < at.size(); ++j) {
-                const int equation = numbering_.equation(at[j]);
-                if (equation < 0) continue;
-                const int node = numbering_.block(at[j]);
-                const int place = equation - pattern.first(node);
-                const int row = pattern.base(own, node) + pattern.column_offset(node, place);
-                const int column = pattern.base(node, own) + place;
-                for (int i = 0; i < equations; ++i) {
-                    // assigned, not added: a vector listed twice in a coupling is summed here
-                    double value = 0.0;
-                    if (!left_out(first + i))
-                        for (std::size_t k = 0; k < at.size(); ++k)
-                            if (at[k] == at[j])
-                                value += result.jacobian(i, static_cast<Eigen::Index>(k));
-                    values[row + i] = value;
-                    values[column + pattern.column_offset(own, i)] = value;
-                }
-            }
-            for (int i = 0; i < equations; ++i)
+            for (int i = 0; i < result.jacobian.rows(); ++i)
                 values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
                     left_out(first + i) ? 1.0 : 0.0;
         });
@@ -168,7 +159,7 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
     });
 }
 
-ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, const VectorX& mu,
+ANCF_INLINE void ConstraintSet::add_velocity_level(const Assembly& assembly, const VectorX& mu,
                                                    SparseMatrix& matrix) const {
     double* values = matrix.valuePtr();
     ConstraintState local;
@@ -177,9 +168,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = model_.constraints()[k];
         const std::vector<int>&read = coordinates_[k].read(), &at = coordinates_[k].acted();
-        const auto size = static_cast<Eigen::Index>(at.size());
         const int equations = constraint.equations();
-        const int own = numbering_.constraint_block(static_cast<int>(k));
         gather(q_, read, local.q);
         gather(v_, read, local.v);
         for (int e = 0; e < equations; ++e) {
@@ -192,23 +181,11 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const BlockPattern& pattern, 
             VectorX row = multiply(result.stiffness, local.v);
             coordinates_[k].carry(row);
             coordinates_[k].carry(result.stiffness);
+            assembly.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
+                if (i == e) values[place] += row[j];
+            });
             const double weight = mu[first_[k] + e];
-            for (Eigen::Index j = 0; j < size; ++j) {
-                const int coordinate = at[j];
-                const int equation = numbering_.equation(coordinate);
-                if (equation < 0) continue;
-                const int node = numbering_.block(coordinate);
-                const int offset = pattern.column_offset(node, equation - pattern.first(node));
-                values[pattern.base(own, node) + offset + e] += row[j];
-                if (weight == 0.0) continue;
-                for (Eigen::Index i = 0; i < size; ++i) {
-                    const int to = at[i];
-                    if (numbering_.equation(to) < 0 || result.stiffness(i, j) == 0.0) continue;
-                    const int block = numbering_.block(to);
-                    values[pattern.base(block, node) + offset + numbering_.equation(to) -
-                           pattern.first(block)] += weight * result.stiffness(i, j);
-                }
-            }
+            if (weight != 0.0) assembly.add_matrix(at, weight, result.stiffness, matrix);
         }
     }
 }

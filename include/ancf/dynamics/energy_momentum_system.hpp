@@ -61,7 +61,6 @@ private:
     void evaluate_constraint(std::size_t k, int first, const VectorX& q1, const VectorX& lambda,
                              ConstraintResult& middle, ConstraintResult& end) const;
     [[nodiscard]] bool is_left_out(int equation) const { return left_out_[equation] != 0; }
-    void add_block(const std::vector<int>& at, const MatrixX& block, double scale);
     void add_inertia(const VectorX& v1);
     void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,
                     const MatrixX& middle, int first);

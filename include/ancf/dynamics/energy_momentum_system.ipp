@@ -221,8 +221,9 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
         if (!matrix) continue;
         place.at.carry(result.stiffness);
         place.at.carry(result.damping);
-        add_block(place.at.acted(), result.stiffness, -0.25 * h_ * h_ * scale);
-        add_block(place.at.acted(), result.damping, -0.5 * h_ * scale);
+        const Assembly& assembly = problem_.assembly();
+        assembly.add_matrix(place.at.acted(), -0.25 * h_ * h_ * scale, result.stiffness, matrix_);
+        assembly.add_matrix(place.at.acted(), -0.5 * h_ * scale, result.damping, matrix_);
     }
 }
 
@@ -294,29 +295,10 @@ ANCF_INLINE void EnergyMomentumSystem::add_constraints(const VectorX& q1, const 
             map.carry(middle.stiffness);
             map.carry_columns(end.jacobian);
             map.carry_columns(middle.jacobian);
-            add_block(at, middle.stiffness, 0.25 * h_ * h_);
+            problem_.assembly().add_matrix(at, 0.25 * h_ * h_, middle.stiffness, matrix_);
             write_rows(static_cast<int>(k), at, end.jacobian, middle.jacobian, first);
         }
         first += equations;
-    }
-}
-
-ANCF_INLINE void EnergyMomentumSystem::add_block(const std::vector<int>& at, const MatrixX& block,
-                                                 double scale) {
-    double* values = matrix_.valuePtr();
-    for (std::size_t j = 0; j < at.size(); ++j) {
-        const int column = numbering_.equation(at[j]);
-        if (column < 0) continue;
-        const int b = numbering_.block(at[j]);
-        const int offset = pattern_.column_offset(b, column - pattern_.first(b));
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            const int row = numbering_.equation(at[i]);
-            const double value = block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-            if (row < 0 || value == 0.0 || (pattern_.storage() == Storage::lower && row < column))
-                continue;
-            const int a = numbering_.block(at[i]);
-            values[pattern_.base(a, b) + offset + row - pattern_.first(a)] += scale * value;
-        }
     }
 }
 
@@ -324,21 +306,12 @@ ANCF_INLINE void EnergyMomentumSystem::add_block(const std::vector<int>& at, con
 ANCF_INLINE void EnergyMomentumSystem::write_rows(int constraint, const std::vector<int>& at,
                                                   const MatrixX& end, const MatrixX& middle,
                                                   int first) {
-    double* values = matrix_.valuePtr();
+    double* const values = matrix_.valuePtr();
+    problem_.assembly().visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
+        values[place] += end(i, j);
+        values[mirrored] += middle(i, j);
+    });
     const int own = numbering_.constraint_block(constraint);
-    for (std::size_t j = 0; j < at.size(); ++j) {
-        const int equation = numbering_.equation(at[j]);
-        if (equation < 0) continue;
-        const int node = numbering_.block(at[j]);
-        const int place = equation - pattern_.first(node);
-        const int row = pattern_.base(own, node) + pattern_.column_offset(node, place);
-        const int column = pattern_.base(node, own) + place;
-        for (int i = 0; i < end.rows(); ++i) {
-            values[row + i] += end(i, static_cast<Eigen::Index>(j));
-            values[column + pattern_.column_offset(own, i)] +=
-                middle(i, static_cast<Eigen::Index>(j));
-        }
-    }
     for (int i = 0; i < end.rows(); ++i)
         if (is_left_out(first + i))
             values[pattern_.base(own, own) + pattern_.column_offset(own, i) + i] = 1.0;

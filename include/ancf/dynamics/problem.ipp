@@ -341,7 +341,7 @@ ANCF_INLINE Start DynamicProblem::start() {
 
 ANCF_INLINE Status DynamicProblem::factorize_kkt() {
     if (exchange_ != nullptr) return Status::converged;  // M alone
-    if (multipliers() > 0) constraints_.write_jacobian(assembly_.pattern(), kkt_matrix_);
+    if (multipliers() > 0) constraints_.write_jacobian(assembly_, kkt_matrix_);
     return kkt_.factorize(kkt_matrix_);
 }
 
@@ -455,7 +455,7 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
     if (request != Request::force && !left_out_.empty()) {
         tangent_ = assembly_.tangent();
         constraints_.evaluate(t, full_q_, full_v_);
-        constraints_.write_jacobian(assembly_.pattern(), tangent_);
+        constraints_.write_jacobian(assembly_, tangent_);
     }
     return fault;
 }
@@ -546,7 +546,7 @@ ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double 
 ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
     if (detail::entries(out) != detail::entries(mass_)) out = mass_;
     std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
-    constraints_.add_velocity_level(assembly_.pattern(), mu, out);
+    constraints_.add_velocity_level(assembly_, mu, out);
 }
 
 // --- projection --------------------------------------------------------------------------------

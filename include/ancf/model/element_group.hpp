@@ -180,6 +180,9 @@ public:
     /// @return their strain energy, J; 0 where the force alone is wanted.
     virtual double add(const ElementRun& run, const GroupTarget& target) const = 0;
 
+    /// Adds a matrix of one element, by its index, to the values of a tangent.
+    virtual void add_block(int index, const GroupTarget& target, const double* block) const = 0;
+
 protected:
     /// What a type of element is.
     struct Type {

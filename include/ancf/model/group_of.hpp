@@ -133,6 +133,11 @@ public:
         }
     }
     double add(const ElementRun& run, const GroupTarget& target) const override;
+    void add_block(int index, const GroupTarget& target, const double* block) const override {
+        Matrix<double, Element::dofs> own;
+        std::copy_n(block, Element::dofs * Element::dofs, own.data());
+        add_block(target.slots[index], target, own);
+    }
 
 private:
     [[nodiscard]] const Element& prototype(int k) const { return prototypes[k]; }
@@ -282,8 +287,8 @@ void GroupOf<Element>::add_block(const ElementSlots& slots, const GroupTarget& t
         return;
     }
     constexpr int half = Element::dofs / 2;
-    for (int a = 0; a < 2; ++a)
-        for (int b = 0; b < 2; ++b)
+    for (int b = 0; b < 2; ++b)
+        for (int a = 0; a < 2; ++a)
             detail::scatter_part<Element>(target, slots, a, b,
                                           tangent.template block<half, half>(a * half, b * half));
 }
