@@ -121,6 +121,10 @@ public:
     [[nodiscard]] const VectorX& external_force() const noexcept { return external_; }
     /// Returns the force of the constraints, G^T lambda.
     [[nodiscard]] const VectorX& constraint_force() const noexcept { return constraint_; }
+    /// Returns what is out of balance at a coordinate, Q_e + G^T lambda - Q.
+    [[nodiscard]] double unbalanced(int k) const noexcept {
+        return internal_[k] + constraint_[k] - external_[k];
+    }
     /// Returns g of the constraints, one entry per equation; m where g is a length.
     [[nodiscard]] const VectorX& violation() const noexcept { return violation_; }
     /// Returns what one coordinate can make of each g, to first order: a position that changes by

@@ -716,7 +716,7 @@ ANCF_INLINE void Assembly::residual(VectorX& out) const {
     out.resize(numbering_.unknowns());
     for (int k = 0; k < numbering_.coordinates(); ++k)
         if (const int equation = numbering_.equation(k); equation >= 0)
-            out[equation] = internal_[k] + constraint_[k] - external_[k];
+            out[equation] = unbalanced(k);
     std::copy_n(violation_.data(), violation_.size(), out.data() + numbering_.free_coordinates());
 }
 

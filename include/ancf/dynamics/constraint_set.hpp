@@ -31,6 +31,9 @@ public:
     /// Leaves equations out of everything but violations and their largest values.
     void leave_out(const std::vector<int>& equations);
 
+    /// Tells whether an equation is left out.
+    [[nodiscard]] bool left_out(int equation) const { return left_out_[equation] != 0; }
+
     /// Evaluates every constraint at one instant; without c it is cheaper.
     void evaluate(double time, const VectorX& q, const VectorX& v, bool convection = true);
 
@@ -82,8 +85,6 @@ public:
     [[nodiscard]] std::string describe(int equation) const;
 
 private:
-    [[nodiscard]] bool left_out(int equation) const { return left_out_[equation] != 0; }
-
     // Calls visit(constraint, result, its coordinates, its first equation).
     template <class Visitor>
     void for_each(const Visitor& visit) const;

@@ -60,7 +60,9 @@ private:
     void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
     void evaluate_constraint(std::size_t k, int first, const VectorX& q1, const VectorX& lambda,
                              ConstraintResult& middle, ConstraintResult& end) const;
-    [[nodiscard]] bool is_left_out(int equation) const { return left_out_[equation] != 0; }
+    [[nodiscard]] bool is_left_out(int equation) const {
+        return problem_.constraints().left_out(equation);
+    }
     void add_inertia(const VectorX& v1);
     void write_rows(int constraint, const std::vector<int>& at, const MatrixX& end,
                     const MatrixX& middle, int first);
@@ -71,7 +73,6 @@ private:
     StepTangent tangent_;
     std::vector<LocalLoad> loads_, constraints_;
     std::vector<char> invariant_;
-    std::vector<char> left_out_;
     Revision revision_;    // of the model that gravity_ is of
     VectorX gravity_;      // at unit scale
     double length_ = 1.0;  // of an element: the weight of slopes in joints and loads

@@ -41,8 +41,6 @@ ANCF_INLINE EnergyMomentumSystem::EnergyMomentumSystem(DynamicProblem& problem)
         constraints_.push_back(local(constraint.coupling()));
         invariant_.push_back(is_invariant(constraint, constraints_.back()) ? 1 : 0);
     }
-    left_out_.assign(static_cast<std::size_t>(problem.multipliers()), 0);
-    for (const int equation : problem.left_out()) left_out_[static_cast<std::size_t>(equation)] = 1;
     for (const Support& support : model.supports()) driven_ = driven_ || support.value;
 }
 

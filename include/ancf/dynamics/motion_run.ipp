@@ -157,12 +157,11 @@ ANCF_INLINE void Recorder::check_left_out(double time) {
     if (problem_.left_out().empty() || report_.status != Status::converged) return;
     const ConstraintSet& constraints = problem_.constraints();
     const VectorX sizes = constraints.magnitude(problem_.scales_of(problem_.length_scale()));
-    const std::vector<int>& out = problem_.left_out();
     double kept = 0.0, largest = 0.0;  // |g|, relative to what the scene's size makes of it
     int worst = -1;
     for (int i = 0; i < constraints.size(); ++i) {
         const double size = std::abs(constraints.violation()[i]) / sizes[i];
-        const bool is_out = std::binary_search(out.begin(), out.end(), i);
+        const bool is_out = constraints.left_out(i);
         if (!is_out) kept = std::max(kept, size);
         if (!is_out || !(size > largest)) continue;
         largest = size;

@@ -438,12 +438,9 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
     force_.resize(size());
-    const double* internal = assembly_.internal_force().data();
-    const double* constraint = assembly_.constraint_force().data();
-    const double* external = assembly_.external_force().data();
     for (int k = 0; k < numbering().coordinates(); ++k)
         if (const int equation = numbering().equation(k); equation >= 0)
-            force_[equation] = internal[k] + constraint[k] - external[k];
+            force_[equation] = assembly_.unbalanced(k);
     if (drives_) {
         VectorX inertia;
         numbering().gather_free(assembly_.mass_product(full_a_), inertia);
@@ -571,7 +568,7 @@ ANCF_INLINE bool DynamicProblem::project_positions(double t, VectorX& q, const V
         double relative = 0.0;
         const VectorX scale = constraints_.magnitude(full_scales_);
         for (int i = 0; i < multipliers(); ++i) {
-            const bool out = std::binary_search(left_out_.begin(), left_out_.end(), i);
+            const bool out = constraints_.left_out(i);
             b[size() + i] = out ? 0.0 : -constraints_.violation()[i];
             if (!out && scale[i] > 0.0)
                 relative = std::max(relative, std::abs(constraints_.violation()[i]) / scale[i]);

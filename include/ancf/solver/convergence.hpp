@@ -58,6 +58,8 @@ private:
 
     template <class Entry>
     [[nodiscard]] Norms norms(const Entry& entry) const;
+    // Of the forces that no support takes.
+    [[nodiscard]] Norms unbalanced(const Assembly& assembly) const;
     [[nodiscard]] double violation(const Assembly& assembly) const;
 
     const Numbering& numbering_;

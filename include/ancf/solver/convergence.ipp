@@ -89,6 +89,11 @@ ConvergenceMonitor::Norms ConvergenceMonitor::norms(const Entry& entry) const {
     return {std::sqrt(sums.force), std::sqrt(sums.moment)};
 }
 
+ANCF_INLINE ConvergenceMonitor::Norms ConvergenceMonitor::unbalanced(
+    const Assembly& assembly) const {
+    return norms([&](int k) { return numbering_.equation(k) < 0 ? 0.0 : assembly.unbalanced(k); });
+}
+
 ANCF_INLINE double ConvergenceMonitor::violation(const Assembly& assembly) const {
     const VectorX scale = assembly.violation_scale(size_);
     double sum = 0.0;
@@ -104,16 +109,11 @@ ANCF_INLINE double ConvergenceMonitor::violation(const Assembly& assembly) const
 }
 
 ANCF_INLINE double ConvergenceMonitor::residual(const Assembly& assembly) const {
-    const VectorX& internal = assembly.internal_force();
-    const VectorX& external = assembly.external_force();
-    const VectorX& constraint = assembly.constraint_force();
-    const auto unbalanced = [&](int k) { return internal[k] + constraint[k] - external[k]; };
-    const Norms loads = norms([&](int k) { return external[k]; });
-    const Norms joints = norms([&](int k) { return constraint[k]; });
+    const Norms loads = norms([&](int k) { return assembly.external_force()[k]; });
+    const Norms joints = norms([&](int k) { return assembly.constraint_force()[k]; });
     const Norms reactions =
-        norms([&](int k) { return numbering_.equation(k) < 0 ? unbalanced(k) : 0.0; });
-    const Norms rest =
-        norms([&](int k) { return numbering_.equation(k) < 0 ? 0.0 : unbalanced(k); });
+        norms([&](int k) { return numbering_.equation(k) < 0 ? assembly.unbalanced(k) : 0.0; });
+    const Norms rest = unbalanced(assembly);
 
     const double moment = loads.moment + joints.moment + reactions.moment;
     const double force = loads.force + joints.force + reactions.force;
@@ -165,12 +165,7 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
         exchange_->add(sums);
     }
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const Norms rest = norms([&](int k) {
-        return numbering_.equation(k) < 0
-                   ? 0.0
-                   : assembly.internal_force()[k] + assembly.constraint_force()[k] -
-                         assembly.external_force()[k];
-    });
+    const Norms rest = unbalanced(assembly);
     const Norms limit = norms([&](int k) {
         const int equation = numbering_.equation(k);
         if (equation < 0) return 0.0;

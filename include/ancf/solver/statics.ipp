@@ -577,9 +577,7 @@ private:
                 stability(assembly_, report_.factorisation, counted_before(report_.steps.back()));
         else if (alone)
             report_.stability = stability(assembly_);
-        for (const int k : numbering.held())
-            report_.reactions[k] = assembly_.internal_force()[k] + assembly_.constraint_force()[k] -
-                                   assembly_.external_force()[k];
+        for (const int k : numbering.held()) report_.reactions[k] = assembly_.unbalanced(k);
         if (report_.status == Status::singular && alone) {
             std::string found =
                 singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
