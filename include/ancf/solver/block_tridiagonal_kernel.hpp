@@ -271,4 +271,20 @@ private:
     }
 };
 
+/// Factorises a chain by the kernel of its width; see BlockKernel::factorize.
+template <class Scalar>
+PivotSummary factorize_chain(const BlockLayout& layout, const LowerColumns<Scalar>& matrix,
+                             Scalar* panels, double* roots, double* probe) {
+    return with_block_width(layout.width, [&](auto width) {
+        return BlockKernel<width(), Scalar>::factorize(layout, matrix, panels, roots, probe);
+    });
+}
+
+/// Solves L D L^T x = x in place, by the same kernel.
+template <class Scalar>
+void solve_chain(const BlockLayout& layout, const Scalar* panels, Scalar* x) {
+    with_block_width(layout.width,
+                     [&](auto width) { BlockKernel<width(), Scalar>::solve(layout, panels, x); });
+}
+
 }  // namespace ancf::detail

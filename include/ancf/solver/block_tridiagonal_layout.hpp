@@ -10,7 +10,7 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -19,21 +19,17 @@ namespace ancf::detail {
 /// Unknowns in the widest block.
 inline constexpr int widest_compiled_block = 24;
 
-/// The widths of blocks that are compiled.
-using BlockWidths = std::integer_sequence<int, 6, 12, widest_compiled_block>;
-
 /// Returns the smallest compiled width that holds `widest`, which is at most the widest.
-template <int... Width>
-int fitting_width(int widest, std::integer_sequence<int, Width...>) {
-    int fitting = widest_compiled_block;
-    ((fitting = widest <= Width ? std::min(fitting, Width) : fitting), ...);
-    return fitting;
+[[nodiscard]] constexpr int fitting_width(int widest) noexcept {
+    return widest <= 6 ? 6 : widest <= 12 ? 12 : widest_compiled_block;
 }
 
-/// Calls action(std::integral_constant<int, N>()) with the N that `width` is.
-template <class Action, int... Width>
-void with_block_width(int width, Action&& action, std::integer_sequence<int, Width...>) {
-    ((width == Width ? action(std::integral_constant<int, Width>()) : void()), ...);
+/// Returns action(std::integral_constant<int, N>()) with the N that a fitting_width() is.
+template <class Action>
+auto with_block_width(int width, const Action& action) {
+    if (width == 6) return action(std::integral_constant<int, 6>());
+    if (width == 12) return action(std::integral_constant<int, 12>());
+    return action(std::integral_constant<int, widest_compiled_block>());
 }
 
 /// Where the blocks of a chain start, and how wide the panels are.
@@ -45,6 +41,10 @@ struct BlockLayout {
     [[nodiscard]] int blocks() const noexcept { return static_cast<int>(starts.size()) - 1; }
     [[nodiscard]] int start(int block) const noexcept { return starts[block]; }
     [[nodiscard]] int size(int block) const noexcept { return start(block + 1) - start(block); }
+    /// Returns the number of scalars in all panels.
+    [[nodiscard]] Eigen::Index panel_entries() const noexcept {
+        return Eigen::Index{2} * width * width * blocks();
+    }
 };
 
 /// Returns starts of blocks that couple with their neighbours only, and the size at the end.
@@ -65,6 +65,11 @@ struct BlockLayout {
 /// Returns the layout of a chain in panels of the given width.
 [[nodiscard]] BlockLayout block_layout(const SparseMatrix& lower, const std::vector<int>& starts,
                                        int width);
+
+/// Returns the layout of a chain in panels of the narrowest compiled width that holds its blocks.
+/// @param solver  for the message
+/// @throws InvalidArgument for a block that is too wide.
+[[nodiscard]] BlockLayout chain_layout(std::string_view solver, const SparseMatrix& lower);
 
 /// Returns whether the columns of all blocks that are not dense stay within their panel. Dense ones
 /// do if they have as many entries as when they were found dense.

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 
 #include <algorithm>
@@ -86,6 +87,14 @@ ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vecto
         layout.dense[block] = dense ? 1 : 0;
     }
     return layout;
+}
+
+ANCF_INLINE BlockLayout chain_layout(std::string_view solver, const SparseMatrix& lower) {
+    const std::vector<int> starts = chain_starts(lower);
+    const int widest = widest_block(starts);
+    require(widest <= widest_compiled_block, solver, " needs a chain of blocks of at most ",
+            widest_compiled_block, " unknowns, got a block of ", widest);
+    return block_layout(lower, starts, fitting_width(widest));
 }
 
 ANCF_INLINE bool stays_within(const SparseMatrix& lower, const BlockLayout& layout) {

@@ -62,7 +62,6 @@ private:
     [[nodiscard]] int border_of(const Scalar* values) const;
     [[nodiscard]] bool factorize_chain(const Scalar* values);
     [[nodiscard]] bool factorize_border(const Scalar* values);
-    void solve_chain(Scalar* x) const;
     [[nodiscard]] bool scale(const Scalar* values);
     [[nodiscard]] bool proves_right(const Scalar* values);
 

@@ -36,7 +36,7 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
     for (int border = std::min(max_border, size - 1); border >= least_border; --border) {
         const int widest = widest_block(chain_starts(lower, size - border));
         if (widest > widest_compiled_block) break;  // as it is with more rows
-        const int fitting = fitting_width(widest, BlockWidths());
+        const int fitting = fitting_width(widest);
         if (width > 0 && fitting > width) break;
         width = fitting;
         found = border;
@@ -47,8 +47,7 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
     SparseMatrix chain = lower.topLeftCorner(chain_, chain_);
     chain.makeCompressed();
     layout_ = block_layout(chain, chain_starts(chain), width);
-    panels_.resize(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(width) *
-                   static_cast<std::size_t>(layout_.blocks()));
+    panels_.resize(static_cast<std::size_t>(layout_.panel_entries()));
     const int* outer = pattern_.outerIndexPtr();
     const int* inner = pattern_.innerIndexPtr();
     chain_outer_.assign(1, 0);
@@ -133,25 +132,10 @@ template <class Scalar>
 bool BorderedFactors<Scalar>::factorize_chain(const Scalar* values) {
     for (std::size_t k = 0; k < chain_slots_.size(); ++k)
         chain_values_[k] = values[chain_slots_[k]];
-    int failed = -1;
-    with_block_width(
-        layout_.width,
-        [&](auto width) {
-            failed = BlockKernel<width(), Scalar>::factorize(
-                         layout_, {chain_outer_.data(), chain_inner_.data(), chain_values_.data()},
-                         panels_.data(), roots_.data(), load_.data())
-                         .failed_column;
-        },
-        BlockWidths());
-    return failed < 0;
-}
-
-template <class Scalar>
-void BorderedFactors<Scalar>::solve_chain(Scalar* x) const {
-    with_block_width(
-        layout_.width,
-        [&](auto width) { BlockKernel<width(), Scalar>::solve(layout_, panels_.data(), x); },
-        BlockWidths());
+    return detail::factorize_chain<Scalar>(
+               layout_, {chain_outer_.data(), chain_inner_.data(), chain_values_.data()},
+               panels_.data(), roots_.data(), load_.data())
+               .failed_column < 0;
 }
 
 /// Makes A^-1 B^T and the factors of S, by Gauss with the largest pivot of each column.
@@ -163,7 +147,8 @@ bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
     for (const Entry& entry : across_)
         columns_[static_cast<std::size_t>(entry.row) * n + static_cast<std::size_t>(entry.column)] =
             values[entry.slot];
-    for (std::size_t k = 0; k < m; ++k) solve_chain(columns_.data() + k * n);
+    for (std::size_t k = 0; k < m; ++k)
+        solve_chain(layout_, panels_.data(), columns_.data() + k * n);
     for (const Entry& entry : corner_)
         small_[static_cast<std::size_t>(entry.row) * m + static_cast<std::size_t>(entry.column)] +=
             values[entry.slot];
@@ -200,7 +185,7 @@ void BorderedFactors<Scalar>::solve(Scalar* x) const {
         for (std::size_t j = k + 1; j < m; ++j) y[k] -= product(small_[k * m + j], y[j]);
         y[k] /= small_[k * m + k];
     }
-    solve_chain(x);
+    solve_chain(layout_, panels_.data(), x);
     for (std::size_t k = 0; k < m; ++k)
         for (std::size_t i = 0; i < n; ++i) x[i] -= product(columns_[k * n + i], y[k]);
 }
