@@ -44,12 +44,11 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
             model.constraints().empty(),
             "Assembly: constraints make the tangent indefinite; choose a solver of full "
             "storage such as EigenLu, Klu or Umfpack");
-        for (const ScaledLoad& load : model.loads())
-            detail::require(
-                load.load.symmetric(),
-                "Assembly: a load has an unsymmetric stiffness; choose a solver of full storage "
-                "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
-                "`constant_force` or `symmetric_stiffness` where that is so");
+        detail::require(
+            model.has_symmetric_loads(),
+            "Assembly: a load has an unsymmetric stiffness; choose a solver of full storage "
+            "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
+            "`constant_force` or `symmetric_stiffness` where that is so");
     }
     list_followed();
     build_pattern(storage);

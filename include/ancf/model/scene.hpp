@@ -256,6 +256,8 @@ public:
     [[nodiscard]] const std::vector<Support>& supports() const noexcept { return supports_; }
     /// Returns the loads.
     [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
+    /// Tells whether the stiffness of every load is symmetric.
+    [[nodiscard]] bool has_symmetric_loads() const noexcept;
     /// Returns the constraints.
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
         return constraints_;

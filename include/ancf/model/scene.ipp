@@ -391,6 +391,11 @@ ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {
     ++revision_.scene;
 }
 
+ANCF_INLINE bool Scene::has_symmetric_loads() const noexcept {
+    return std::all_of(loads_.begin(), loads_.end(),
+                       [](const ScaledLoad& load) { return load.load.symmetric(); });
+}
+
 ANCF_INLINE void Scene::add_constraint(AnyConstraint constraint) {
     for (const NodeField& at : constraint.coupling()) check(at.node);
     detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),

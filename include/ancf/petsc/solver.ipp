@@ -142,9 +142,7 @@ struct SolverRun {
                 partition = alone.get();
             }
             rows = partition->rows(*scene, numbering);
-            const auto& loads = partition->whole().loads();
-            symmetric = std::all_of(loads.begin(), loads.end(),
-                                    [](const ScaledLoad& load) { return load.load.symmetric(); });
+            symmetric = partition->whole().has_symmetric_loads();
         }
         condensation = ancf::detail::Condensation(pattern, rows.sets, symmetric);
 

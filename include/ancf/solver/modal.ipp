@@ -119,10 +119,7 @@ ANCF_INLINE void require_resting(const Assembly& assembly, const VectorX& q) {
 ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
                                    const SparseMatrix& B) {
     constexpr double round_off = 1e-6;  // of the largest entry
-    const auto& loads = model.loads();
-    if (std::all_of(loads.begin(), loads.end(),
-                    [](const ScaledLoad& load) { return load.load.symmetric(); }))
-        return;
+    if (model.has_symmetric_loads()) return;
     VectorX unit = VectorX::Zero(A.cols());
     for (Eigen::Index k = 0; k < A.cols(); ++k)
         if (const double own = std::abs(A.coeff(k, k)); own > 0.0) unit[k] = 1.0 / std::sqrt(own);

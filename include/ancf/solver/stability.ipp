@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -227,9 +226,7 @@ ANCF_INLINE bool has_same_signs(const Assembly& assembly, const LinearSolver& so
 ANCF_INLINE Stability stability(const Assembly& assembly, const FactorReport& counted,
                                 const LinearSolver* solver) {
     constexpr double well_conditioned = 1e-10;
-    const auto& loads = assembly.model().loads();
-    const bool symmetric = std::all_of(
-        loads.begin(), loads.end(), [](const ScaledLoad& load) { return load.load.symmetric(); });
+    const bool symmetric = assembly.model().has_symmetric_loads();
     if (!symmetric || counted.negative_pivots < 0 || !(counted.rcond > well_conditioned) ||
         (solver != nullptr && !detail::has_same_signs(assembly, *solver)))
         return detail::stability_of_tangent(assembly, symmetric);

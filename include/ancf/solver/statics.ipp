@@ -48,9 +48,7 @@ public:
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
           without_sections_(
               !some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
-          newton_(possible(options.newton)),
-          potential_(std::all_of(model.loads().begin(), model.loads().end(),
-                                 [](const ScaledLoad& load) { return load.load.symmetric(); })) {
+          newton_(possible(options.newton)) {
         solver_.analyze(assembly_.tangent());
     }
 
@@ -510,9 +508,9 @@ private:
         constexpr double correction_of_round_off = 1e-8;
         if (step.corrections.back() <= correction_of_round_off) reached_ = reached;
         // of loads with a potential `unknown` is a matter of round-off
-        const bool lost =
-            reached == Stability::unstable ||
-            (reached == Stability::unknown && !potential_ && !softest_decay(assembly_, solver_));
+        const bool lost = reached == Stability::unstable ||
+                          (reached == Stability::unknown && !model_.has_symmetric_loads() &&
+                           !softest_decay(assembly_, solver_));
         // small corrections from a stable state to an unstable one: the path itself gets there
         if (small) stable_ = !lost;
         doubted_ = lost && !small;
@@ -603,7 +601,6 @@ private:
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
     bool without_sections_;                          // no element has r_y
     NewtonKind newton_;
-    bool potential_;  // of all loads
     static constexpr int none_failed = 2;
     int successes_ = none_failed;  // steps that converged since one failed
     int spent_ = 0;                // iterations before the step that the options ask for
