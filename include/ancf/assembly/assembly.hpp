@@ -202,6 +202,8 @@ public:
 
     /// Writes the indices of the nodal coordinates of an element, as many as its type has.
     void element_coordinates(const ElementPlace& place, int* out) const;
+    /// Writes the nodal coordinates of an element, taken from all coordinates.
+    void gather_element(const ElementPlace& place, const VectorX& q, double* e) const;
 
     /// Adds a square block of an element, by columns, to a matrix of this pattern.
     void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const;

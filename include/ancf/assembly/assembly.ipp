@@ -22,20 +22,6 @@
 
 namespace ancf {
 
-namespace detail {
-
-/// The indices of an element's coordinates.
-struct ElementIndices {
-    int at[ElementGroup::max_dofs];
-};
-
-/// Copies the entries of an element from a vector of all coordinates.
-inline void gather(const VectorX& all, const ElementIndices& indices, int dofs, double* out) {
-    for (int i = 0; i < dofs; ++i) out[i] = all[indices.at[i]];
-}
-
-}  // namespace detail
-
 ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     : model_(model), numbering_(model), revision_(model.revision()) {
     list_coordinates();
@@ -217,13 +203,21 @@ ANCF_INLINE void Assembly::element_coordinates(const ElementPlace& place, int* o
                                 plans_[group].slots[place.element], out);
 }
 
+ANCF_INLINE void Assembly::gather_element(const ElementPlace& place, const VectorX& q,
+                                          double* e) const {
+    int indices[ElementGroup::max_dofs];
+    element_coordinates(place, indices);
+    const int dofs = model_.groups()[place.group]->dofs();
+    for (int i = 0; i < dofs; ++i) e[i] = q[indices[i]];
+}
+
 template <class Visitor>
 void Assembly::for_each_element(std::size_t group, const Visitor& visit) const {
-    detail::ElementIndices indices;
+    int indices[ElementGroup::max_dofs];
     const int count = static_cast<int>(plans_[group].slots.size());
     for (int element = 0; element < count; ++element) {
         const ElementPlace place{static_cast<int>(group), element};
-        element_coordinates(place, indices.at);
+        element_coordinates(place, indices);
         visit(place, indices);
     }
 }
@@ -239,9 +233,9 @@ ANCF_INLINE void Assembly::build_gravity() {
         forces.resize(static_cast<std::size_t>(dofs * group.prototype_count()));
         for (int k = 0; k < group.prototype_count(); ++k)
             group.gravity(k, acceleration, forces.data() + dofs * k);
-        for_each_element(g, [&](const ElementPlace& at, const detail::ElementIndices& indices) {
+        for_each_element(g, [&](const ElementPlace& at, const int* indices) {
             const double* const force = forces.data() + dofs * group.prototype_of(at.element);
-            for (int i = 0; i < group.dofs(); ++i) gravity_[indices.at[i]] += force[i];
+            for (int i = 0; i < group.dofs(); ++i) gravity_[indices[i]] += force[i];
         });
     }
     for (const PointMass& point : model_.masses()) {
@@ -342,10 +336,8 @@ ANCF_INLINE double Assembly::strain_energy() const {
         strain_energy_ += plans_[index].schedule.sum([&](const ElementRun& run, std::size_t) {
             double energy = 0.0;
             for (int k = run.first; k < run.last; ++k) {
-                detail::ElementIndices indices;
                 double e[ElementGroup::max_dofs];
-                element_coordinates({static_cast<int>(index), k}, indices.at);
-                detail::gather(force_q_, indices, group.dofs(), e);
+                gather_element({static_cast<int>(index), k}, force_q_, e);
                 energy += group.energy(group.prototype_of(k), e);
             }
             return energy;
@@ -698,13 +690,11 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
 template <class Judge>
 std::optional<ElementPlace> Assembly::find_element(const VectorX& q, const Judge& judge) const {
     double e[ElementGroup::max_dofs];
-    detail::ElementIndices indices;
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
         for (int k = 0; k < group.size(); ++k) {
             const ElementPlace place{static_cast<int>(g), k};
-            element_coordinates(place, indices.at);
-            detail::gather(q, indices, group.dofs(), e);
+            gather_element(place, q, e);
             if (judge(group, group.prototype_of(k), e)) return place;
         }
     }
@@ -766,13 +756,13 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
         const ElementGroup& group = *model_.groups()[g];
         const int dofs = group.dofs();
         const std::vector<double> masses = detail::prototype_masses(group);
-        for_each_element(g, [&](const ElementPlace& at, const detail::ElementIndices& indices) {
+        for_each_element(g, [&](const ElementPlace& at, const int* indices) {
             const double* mass = masses.data() + static_cast<std::ptrdiff_t>(dofs) * dofs *
                                                      group.prototype_of(at.element);
             double e[ElementGroup::max_dofs];
-            detail::gather(a, indices, dofs, e);
+            for (int i = 0; i < dofs; ++i) e[i] = a[indices[i]];
             for (int j = 0; j < dofs; ++j)
-                for (int i = 0; i < dofs; ++i) result[indices.at[i]] += *mass++ * e[j];
+                for (int i = 0; i < dofs; ++i) result[indices[i]] += *mass++ * e[j];
         });
     }
     for (const PointMass& point : model_.masses()) {

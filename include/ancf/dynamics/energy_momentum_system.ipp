@@ -117,9 +117,7 @@ ANCF_INLINE void EnergyMomentumSystem::begin(double t0, double h, const VectorX&
     std::size_t index = 0;
     for_each_element([&](const ElementGroup& group, const ElementPlace& place) {
         double e[ElementGroup::max_dofs];
-        int at[ElementGroup::max_dofs];
-        problem_.assembly().element_coordinates(place, at);
-        for (int i = 0; i < group.dofs(); ++i) e[i] = q0_[at[i]];
+        problem_.assembly().gather_element(place, q0_, e);
         before_[index++] = group.energy(group.prototype_of(place.element), e);
     });
 }
