@@ -65,6 +65,12 @@ public:
             if (equation_[k] >= 0) free[equation_[k]] = coordinates[static_cast<Eigen::Index>(k)];
     }
 
+    /// Writes the free entries of a vector of coordinates; what is attached to them stays.
+    void set_free(const VectorX& free, VectorX& coordinates) const {
+        for (std::size_t k = 0; k < equation_.size(); ++k)
+            if (equation_[k] >= 0) coordinates[static_cast<Eigen::Index>(k)] = free[equation_[k]];
+    }
+
     /// Adds to the free entries of a vector of coordinates, and to what is attached to them.
     void add_free(const VectorX& free, double scale, VectorX& coordinates) const {
         add_free_force(free, scale, coordinates);

@@ -180,11 +180,8 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
     detail::require(q.size() == size() && v.size() == size(), "DynamicProblem: expected ", size(),
                     " free coordinates and rates, got ", q.size(), " and ", v.size());
     time_ = t;
-    for (int k = 0; k < numbers.coordinates(); ++k)
-        if (const int equation = numbers.equation(k); equation >= 0) {
-            full_q_[k] = q[equation];
-            full_v_[k] = v[equation];
-        }
+    numbers.set_free(q, full_q_);
+    numbers.set_free(v, full_v_);
     for (const Driven& driven : driven_) {
         const double rate = driven.support->rate(t);
         // one that is not finite ends a run as such a value does
@@ -398,9 +395,7 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
         evaluate_constraints(t, at.q + later * at.v + 0.5 * later * later * at.acceleration,
                              at.v + later * at.acceleration);
         whole = full_a_;  // of driven coordinates at that time
-        for (int k = 0; k < numbering().coordinates(); ++k)
-            if (const int equation = numbering().equation(k); equation >= 0)
-                whole[k] = at.acceleration[equation];
+        numbering().set_free(at.acceleration, whole);
         numbering().dependence().complete(whole);
         const VectorX known = constraints_.product(whole);
         for (int i = 0; i < multipliers(); ++i)
@@ -603,9 +598,7 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
     evaluate_constraints(t, q, v);
     if (factorize_kkt() != Status::converged) return false;
     VectorX whole = full_a_;  // of driven coordinates
-    for (int k = 0; k < numbering().coordinates(); ++k)
-        if (const int equation = numbering().equation(k); equation >= 0)
-            whole[k] = acceleration[equation];
+    numbering().set_free(acceleration, whole);
     VectorX b = VectorX::Zero(numbering().unknowns()), x;
     const VectorX slide = constraints_.product(whole);
     for (int i = 0; i < multipliers(); ++i)
