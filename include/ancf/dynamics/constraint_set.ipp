@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace ancf::detail {
 
@@ -214,14 +215,9 @@ ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
     return columns;
 }
 
-ANCF_INLINE int ConstraintSet::constraint_of(int equation) const {
-    return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), equation) -
-                            first_.begin()) -
-           1;
-}
-
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
-    const auto constraint = static_cast<std::size_t>(constraint_of(equation));
+    const auto next = std::upper_bound(first_.begin(), first_.end(), equation);
+    const std::ptrdiff_t constraint = next - first_.begin() - 1;
     return joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
                    "), equation ", equation - first_[constraint]});
 }

@@ -368,7 +368,6 @@ private:
     void refresh() const;
     [[nodiscard]] std::vector<double> torsion_shares() const;
     void check(NodeId node) const;
-    void check_component(int component) const;
 
     // Returns the place of a support in supports_, -1 where there is none.
     [[nodiscard]] int support_of(NodeId node, Field field, int component) const noexcept;

@@ -203,7 +203,8 @@ ANCF_INLINE void Scene::fix(NodeId node, Field field, int component) {
 ANCF_INLINE void Scene::prescribe(NodeId node, Field field, int component, Amplitude value,
                                   Amplitude rate, Amplitude acceleration) {
     check(node);
-    check_component(component);
+    detail::require(component >= 0 && component < dimension_, "Model: a vector has ", dimension_,
+                    " components, got component ", component);
     check_unattached("prescribe", node, field);
     detail::require(value || !(rate || acceleration), "Model::prescribe: ", to_string(field),
                     ", component ", component, ", of node ", node.index,
@@ -494,11 +495,6 @@ ANCF_INLINE void Scene::check_state(const VectorX& of, const Layout& layout) {
 ANCF_INLINE void Scene::check(NodeId node) const {
     detail::require(node.index >= 0 && node.index < nodes(), "Model: there are ", nodes(),
                     " nodes, got node ", node.index);
-}
-
-ANCF_INLINE void Scene::check_component(int component) const {
-    detail::require(component >= 0 && component < dimension_, "Model: a vector has ", dimension_,
-                    " components, got component ", component);
 }
 
 }  // namespace ancf

@@ -75,8 +75,6 @@ public:
     [[nodiscard]] const LinearSolver& inner() const noexcept { return *solver_; }
 
 private:
-    [[nodiscard]] VectorX scaled_residual(const VectorX& x, const VectorX& b) const;
-
     std::unique_ptr<LinearSolver> solver_;
     ScaledOptions options_;
     Storage storage_ = Storage::lower;

@@ -114,20 +114,17 @@ ANCF_INLINE FactorReport Scaled::factorize(const SparseMatrix& matrix) {
 ANCF_INLINE void Scaled::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
     const VectorX right = scale_.cwiseProduct(b);
+    const auto residual = options_.residual == ResidualPrecision::twice
+                              ? detail::residual<detail::TwiceSum>
+                              : detail::residual<detail::PlainSum>;
     VectorX correction;
     VectorX solution;
     solver_->solve(right, solution);
     for (int step = 0; step < options_.refinement_steps; ++step) {
-        solver_->solve(scaled_residual(solution, right), correction);
+        solver_->solve(residual(scaled_, storage(), solution, right), correction);
         solution += correction;
     }
     x = scale_.cwiseProduct(solution);
-}
-
-ANCF_INLINE VectorX Scaled::scaled_residual(const VectorX& x, const VectorX& b) const {
-    return options_.residual == ResidualPrecision::twice
-               ? detail::residual<detail::TwiceSum>(scaled_, storage(), x, b)
-               : detail::residual<detail::PlainSum>(scaled_, storage(), x, b);
 }
 
 }  // namespace ancf
