@@ -95,16 +95,10 @@ ANCF_LAZY void add_joint_body(Scene& model, NodeId joint, const JointBlock& bloc
                               BodyPrototypes& made);
 
 /// The prototypes of members that were made, by profile and length of an element.
-class MemberPrototypes {
-public:
-    /// Returns the prototype of a length equal to 1e-12, -1 where there is none.
-    [[nodiscard]] int find(int profile, double length) const;
-    /// Keeps a prototype.
-    void add(int profile, double length, int prototype) { made_[{profile, length}] = prototype; }
+using MemberPrototypes = std::map<std::pair<int, double>, int>;
 
-private:
-    std::map<std::pair<int, double>, int> made_;
-};
+/// Returns the prototype of a length equal to 1e-12, -1 where there is none.
+[[nodiscard]] int find_prototype(const MemberPrototypes& made, int profile, double length);
 
 /// @throws InvalidArgument unless all components of all points are finite.
 void check_points(const char* name, const double* components, std::size_t count, int dimension);
@@ -145,12 +139,12 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         const auto& to = points[member.second];
         const double apart = member_length(name, k, member, span(between<Dimension>(from, to)));
         const double length = apart / member.elements / (1.0 + strain);
-        int prototype = made.find(member.profile, length);
+        int prototype = find_prototype(made, member.profile, length);
         if (prototype < 0) {
             const Profile& profile = profiles[member.profile];
             prototype = static_cast<int>(prototypes.size());
             prototypes.push_back(Element(profile.material, profile.section, length, options...));
-            made.add(member.profile, length, prototype);
+            made[{member.profile, length}] = prototype;
         }
         prototype_of.push_back(prototype);
     }

@@ -50,9 +50,9 @@ ANCF_LAZY void add_joint_body(Scene& model, NodeId joint, const JointBlock& bloc
         add(AffineJoint<3>(block.material, volume, block.size));
 }
 
-ANCF_INLINE int MemberPrototypes::find(int profile, double length) const {
-    const auto next = made_.lower_bound({profile, (1.0 - 1e-12) * length});
-    const bool equal = next != made_.end() && next->first.first == profile &&
+ANCF_INLINE int find_prototype(const MemberPrototypes& made, int profile, double length) {
+    const auto next = made.lower_bound({profile, (1.0 - 1e-12) * length});
+    const bool equal = next != made.end() && next->first.first == profile &&
                        next->first.second <= (1.0 + 1e-12) * length;
     return equal ? next->second : -1;
 }
