@@ -165,12 +165,10 @@ ANCF_INLINE void DynamicProblem::set_length_scale(double length) {
 
 ANCF_INLINE VectorX DynamicProblem::scales_of(double length) const {
     const Layout& layout = model_.layout();
-    VectorX scales = VectorX::Ones(layout.size());
-    for (int node = 0; node < layout.nodes(); ++node)
-        for (const Field field : {Field::r, Field::r_xy, Field::r_xx})
-            if (const int first = layout.index({{node}, field}); first >= 0)
-                for (int i = 0; i < model_.dimension(); ++i)
-                    scales[first + i] = field == Field::r ? length : 1.0 / length;
+    const double scale_of[] = {1.0 / length, 1.0, length};  // r_xx, slopes, positions
+    VectorX scales(layout.size());
+    for (int k = 0; k < layout.size(); ++k)
+        scales[k] = scale_of[length_power(layout.field_of(k)) + 1];
     return scales;
 }
 

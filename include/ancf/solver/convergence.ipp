@@ -45,11 +45,7 @@ ANCF_INLINE double diagonal_of(const Layout& layout, int dimension, const Vector
 ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Numbering& numbering)
     : numbering_(numbering), exchange_(model.exchange()) {
     const Layout& layout = model.layout();
-    power_.assign(static_cast<std::size_t>(layout.size()), 0);
-    for (int node = 0; node < layout.nodes(); ++node)
-        for (const Field field : {Field::r, Field::r_xy, Field::r_xx})
-            if (const int first = layout.index({{node}, field}); first >= 0)
-                std::fill_n(power_.begin() + first, model.dimension(), length_power(field));
+    for (int k = 0; k < layout.size(); ++k) power_.push_back(length_power(layout.field_of(k)));
     double length = 0.0, count = 0.0;
     for (const auto& group : model.groups()) {
         if (group->one_node()) continue;
