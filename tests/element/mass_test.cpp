@@ -8,6 +8,7 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
+#include <ancf/error.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/polygon.hpp>
 #include <ancf/section/section.hpp>
@@ -51,6 +52,22 @@ TEMPLATE_TEST_CASE("mass: rotary inertia at the nodes is the whole of it and cou
     CHECK(across(mass, 0, 0) == Approx(1.5 * across(consistent, 0, 0)));
     CHECK(mass.template topLeftCorner<line, line>() ==
           consistent.template topLeftCorner<line, line>());
+}
+
+TEMPLATE_TEST_CASE("mass: elements that have it on their line refuse a centre beside the line",
+                   "[element][mass][errors]", ancf::Cable<2>, ancf::Cable<3>, ancf::TorsionBeam) {
+    const auto material = ancf::Material::from_moduli(2e9, 8e8, 1200.0);
+    const ancf::Section plain = ancf::circle(0.1);
+    const auto with = [&](double y, double z) {
+        const ancf::Moments mass = ancf::offset(ancf::circle(0.15), y, z).moments();
+        return TestType(material, plain.with_mass_moments(mass), 0.7);
+    };
+    CHECK_NOTHROW(with(0.0, 0.0));
+    CHECK_THROWS_WITH(with(0.02, 0.0), ContainsSubstring("mass") && ContainsSubstring("0.02 m"));
+    if (TestType::dimension == 3)
+        CHECK_THROWS_AS(with(0.0, 0.02), ancf::InvalidArgument);
+    else
+        CHECK_NOTHROW(with(0.0, 0.02));  // it moves with the plane
 }
 
 }  // namespace mass_test

@@ -16,6 +16,8 @@
 #include <ancf/element/mass.hpp>
 #include <ancf/element/reference_line.hpp>
 #include <ancf/error.hpp>
+#include <ancf/section/moments.hpp>
+#include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -89,6 +91,20 @@ template <int Dimension, class Line = CubicLine, int Dofs>
         std::copy_n(triad[0], Dimension, before);
     }
     return true;
+}
+
+/// Returns the moments of a section's mass where an element has its mass on its line alone.
+/// @tparam Dimension  in the plane a mass beside it along z does not count
+/// @throws InvalidArgument for a centre of mass beside the line.
+template <int Dimension>
+[[nodiscard]] const Moments& mass_on_line(const Section& section) {
+    const Moments& m = section.mass_moments();
+    const double distance = (Dimension == 3 ? std::hypot(m.y, m.z) : std::abs(m.y)) / m.area;
+    require(distance <= 1e-9 * std::sqrt(m.polar() / m.area),
+            "the element has its mass on its line, got mass moments with their centre at a "
+            "distance of ",
+            distance, " m");
+    return m;
 }
 
 }  // namespace ancf::detail

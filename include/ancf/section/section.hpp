@@ -95,7 +95,7 @@ public:
 
     /// Returns the same section with other moments of its mass: of a coated, filled or composite
     /// section, or of rotary inertia of its own. The density multiplies them; those up to second
-    /// order are used.
+    /// order are used. Cable and TorsionBeam refuse a centre of mass beside the axis.
     /// @throws InvalidArgument unless the moments can belong to an area, see validate().
     [[nodiscard]] Section with_mass_moments(const Moments& moments) const;
 

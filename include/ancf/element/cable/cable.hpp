@@ -89,9 +89,9 @@ public:
     /// Makes the element of a straight cable.
     /// @param section  in the plane bending meets int y^2 dA; in space it must equal int z^2 dA
     /// @param length   l, m, > 0
-    /// @throws InvalidArgument for bad values; for a section that is not centred on the line or, in
-    ///         space, not equally stiff in all directions; for a rule that leaves the element a
-    ///         mechanism (three axial and two bending points are needed).
+    /// @throws InvalidArgument for bad values; for a section that is not centred on the line, or
+    ///         whose mass is not; in space, for one not equally stiff in all directions; for a rule
+    ///         that leaves the element a mechanism (three axial and two bending points are needed).
     Cable(const Material& material, const Section& section, double length,
           const CableOptions& options = {});
 
@@ -234,7 +234,8 @@ void Cable<Dimension, Measure>::set_up(const Material& material, const Section& 
     young_ = material.young;
     axial_stiffness_ = material.young * section.moments().area;
     bending_stiffness_ = detail::line_bending_stiffness<Dimension>(material, section);
-    mass_weights_ = line_.template mass<2>(material.density, section.mass_moments());
+    mass_weights_ =
+        line_.template mass<2>(material.density, detail::mass_on_line<Dimension>(section));
     detail::require(options_.compression >= 0.0 && options_.compression <= 1.0,
                     "compression must lie in [0, 1], got ", options_.compression);
     detail::require_points(options_.rule, StrainGroup::axial, "axial", 3);

@@ -57,9 +57,9 @@ public:
     /// Makes a straight element.
     /// @param section  centred on the axis, with a torsion constant
     /// @param length   l, m, > 0
-    /// @throws InvalidArgument for bad values; for a section whose centroid is off the axis; for a
-    ///         rule that leaves the element a mechanism (three axial, two bending points are
-    ///         needed).
+    /// @throws InvalidArgument for bad values; for a section whose centroid or centre of mass is
+    ///         off the axis; for a rule that leaves the element a mechanism (three axial, two
+    ///         bending points are needed).
     ANCF_LAZY TorsionBeam(const Material& material, const Section& section, double length,
                           const Options& options = {});
 

@@ -75,8 +75,9 @@ ANCF_LAZY void TorsionBeam::set_up(const Material& material, const Section& sect
         hold.shear = 0.5 * material.shear * m.area * line_.length();
     }
     Moments polar;
-    polar.area = section.mass_moments().area;
-    polar.yy = section.mass_moments().polar();
+    const Moments& mass = detail::mass_on_line<3>(section);
+    polar.area = mass.area;
+    polar.yy = mass.polar();
     mass_weights_ = line_.mass<3>(material.density, polar);
 }
 
