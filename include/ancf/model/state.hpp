@@ -42,8 +42,9 @@ struct Support {
 
 /// What a clamp holds of a node.
 enum class Clamp {
-    full,       ///< position and slopes: with r_x and r_y held the shear strain is zero at the
-                ///< node, docs/theory.md, "Section forces". r_xx and r_xy stay free
+    full,       ///< position and slopes: with r_x and r_y held the shear strain and the axis'
+                ///< axial strain are zero at the node, docs/theory.md, "Section forces": a beam
+                ///< with an eccentric axis takes free_slope. r_xx and r_xy stay free
     free_slope  ///< position and slopes but r_x: the clamp of the paper's cantilevers. Of a
                 ///< TorsionBeam, whose frame turns with r_x, it is a hinge
 };
