@@ -5,6 +5,7 @@
 /// Builders of curved beams and frames: their geometry, mass and stiffness.
 
 #include <ancf/constants.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
@@ -431,12 +432,35 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
              beam_through<Spatial>(a, m, s, {{o, reference_slopes(x)}, {x, reference_slopes(x)}},
                                    {1.0, 1.0});
          }},
+        {"beam_through: one length, the second element twice as long",
+         [&](Model& a) {
+             beam_through<Spatial>(a, m, s,
+                                   {{o, reference_slopes(x)},
+                                    {x, reference_slopes(x)},
+                                    {3.0 * x, reference_slopes(x)}},
+                                   {1.0});
+         }},
+        {"beam_through: one length, the second element bent",
+         [&](Model& a) {
+             beam_through<Spatial>(a, m, s,
+                                   {{o, reference_slopes(x)},
+                                    {x, reference_slopes(x)},
+                                    {2.0 * x, reference_slopes(P3(1.0, 0.1, 0.0))}},
+                                   {1.0});
+         }},
     };
     for (const Case& each : cases) {
         INFO(each.what);
         Model model;
         CHECK_THROWS_AS(each.build(model), InvalidArgument);
     }
+    // a cable has no slopes across: they may differ
+    Model cables;
+    CHECK_NOTHROW(beam_through<Cable<3>>(cables, m, circle(0.1),
+                                         {{o, reference_slopes(x, y)},
+                                          {x, reference_slopes(x)},
+                                          {2.0 * x, reference_slopes(x, P3(0, 0, 1))}},
+                                         {1.0}));
     PlanarModel plane;
     CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 0.0, 1.0, 4), InvalidArgument);
     CHECK_THROWS_AS(arc<Planar>(plane, m, s, P2(0, 0), P2(1, 0), 1.0, 0.0, 4), InvalidArgument);

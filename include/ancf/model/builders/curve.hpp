@@ -61,6 +61,13 @@ template <int Dimension>
                                                   const std::vector<CurvePoint<Dimension>>& points,
                                                   const std::vector<double>& lengths);
 
+/// @param fields  that the elements carry at a node
+/// @throws InvalidArgument where a single length is given and an element is not the first one but
+///         for a rigid motion.
+template <int Dimension>
+void check_equal_elements(Fields fields, const std::vector<CurvePoint<Dimension>>& points,
+                          const std::vector<double>& lengths);
+
 /// Writes an element's coordinates from the curve points at its ends.
 template <int Dimension>
 void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
@@ -72,13 +79,15 @@ void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
 ///
 /// @param lengths  parameter range of each element, m: with unit slopes r_x the arc length. One
 ///                 entry: all elements are equal up to a rigid motion and share one prototype.
-/// @throws InvalidArgument for fewer than two points or a number of lengths that does not fit.
+/// @throws InvalidArgument for fewer than two points, a number of lengths that does not fit, or one
+///         length and elements that are not equal.
 template <class Element = void, int Dimension, class... Options>
 auto beam_through(BasicModel<Dimension>& model, const Material& material, const Section& section,
                   const std::vector<CurvePoint<Dimension>>& points,
                   const std::vector<double>& lengths, Options&&... options) {
     using Chosen = detail::named_element_t<Element, Dimension>;
     Beam<Chosen> beam;
+    detail::check_equal_elements<Dimension>(Chosen::fields, points, lengths);
     beam.nodes = detail::add_curve_nodes<Dimension>(model, points, lengths);
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         if (k < lengths.size()) {

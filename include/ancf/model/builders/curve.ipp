@@ -151,7 +151,41 @@ void reference_coordinates(Fields fields, const CurvePoint<Dimension>& first,
     }
 }
 
+template <int Dimension>
+void check_equal_elements(Fields fields, const std::vector<CurvePoint<Dimension>>& points,
+                          const std::vector<double>& lengths) {
+    if (points.size() <= 2 || lengths.size() != 1) return;
+    if (!(lengths[0] > 0.0)) return;  // elements refuse it
+    const int count = fields.count();
+    // products of an element's vectors, those of positions its chord, all by the length: what a
+    // rigid motion does not change
+    const auto products = [&](std::size_t element) {
+        Eigen::Matrix<double, Dimension, Eigen::Dynamic> e(Dimension, 2 * count);
+        reference_coordinates(fields, points[element], points[element + 1], e.data());
+        e.col(0) = e.col(count) - e.col(0);
+        e.col(count).setZero();
+        for (int k = 0; k < 2 * count; ++k)
+            e.col(k) *= std::pow(lengths[0], -length_power(fields.at(k % count)));
+        std::vector<double> all;
+        for (int i = 0; i < 2 * count; ++i)
+            for (int k = 0; k <= i; ++k) all.push_back(e.col(i).dot(e.col(k)));
+        return all;
+    };
+    const std::vector<double> first = products(0);
+    for (std::size_t element = 1; element + 1 < points.size(); ++element) {
+        const std::vector<double> other = products(element);
+        for (std::size_t k = 0; k < first.size(); ++k)
+            require(std::abs(other[k] - first[k]) <= 1e-6 * std::max(1.0, std::abs(first[k])),
+                    "beam_through: element ", element, " is not as the first one, give ",
+                    points.size() - 1, " lengths");
+    }
+}
+
 #if defined(ANCF_SOURCE)
+template void check_equal_elements<2>(Fields, const std::vector<CurvePoint<2>>&,
+                                      const std::vector<double>&);
+template void check_equal_elements<3>(Fields, const std::vector<CurvePoint<3>>&,
+                                      const std::vector<double>&);
 template std::vector<NodeId> add_curve_nodes<2>(BasicModel<2>&, const std::vector<CurvePoint<2>>&,
                                                 const std::vector<double>&);
 template void reference_coordinates<2>(Fields, const CurvePoint<2>&, const CurvePoint<2>&, double*);
