@@ -460,6 +460,24 @@ TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {
     }
 }
 
+TEST_CASE("modes: a state that is no beam has none", "[modal]") {
+    Scene scene = cantilever(2, 0.05);
+    const ancf::NodeId tip{2};  // its section is half a turn off: no strain tells of it
+    scene.set_value(tip, ancf::Field::r_y, {0.0, -1.0, 0.0});
+    scene.set_value(tip, ancf::Field::r_z, {0.0, 0.0, -1.0});
+    scene.add(ancf::Force<3>(tip, {-1.0, 0.0, 0.0}));
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions options;
+    options.shift = -1e9;
+    for (const auto& report : {ancf::natural_modes(scene, solver, options),
+                               ancf::buckling_modes(scene, solver, options)}) {
+        CHECK(report.status == Status::degenerate);
+        REQUIRE(report.fault);
+        CHECK(report.fault->element == 1);
+        CHECK(report.modes.empty());
+    }
+}
+
 /// Returns the magnitude of the first load factor at which a scene buckles.
 double first_load(const ancf::PlanarModel& scene) {
     ancf::EigenLdlt solver;

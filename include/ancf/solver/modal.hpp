@@ -70,6 +70,8 @@ struct ModalReport {
 /// @return        at most options.count modes; omega^2 in rad^2/s^2, shapes of unit modal mass.
 /// @throws InvalidArgument for options that cannot be meant, or a scene that the solver's storage
 ///         does not suit.
+/// @note  a state with an element that is no beam (docs/limits.md, "Directors") has no modes, and
+///        no buckling loads either: status degenerate.
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
 ///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
 ///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.

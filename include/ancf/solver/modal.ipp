@@ -209,9 +209,9 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     const State& state = model.state();
     const VectorX rest = VectorX::Zero(state.q.size());
     const Instant instant{options.factor, options.factor};
-    if (const auto fault =
-            assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
+    auto fault = assembly.evaluate({state.q, rest, state.multipliers, instant}, Request::tangent);
+    if (!fault) fault = assembly.inspect(state.q);
+    if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
     const SparseMatrix mass = assembly.mass();
     SparseMatrix A = assembly.tangent() - options.shift * mass;
@@ -240,8 +240,9 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     options.check();
     Assembly assembly(model, solver.storage());
     detail::Deflected deflected(model, assembly);
-    if (const auto fault = deflected.evaluate(0.0, model.state().q))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
+    auto fault = deflected.evaluate(0.0, model.state().q);
+    if (!fault) fault = assembly.inspect(model.state().q);
+    if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     detail::require_resting(assembly, model.state().q);
     const int free = assembly.numbering().free_coordinates();
     if (free == 0) return {};
@@ -258,8 +259,8 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
         return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver);
     deflected.respond(solver);
     SparseMatrix change;
-    if (const auto fault = deflected.change(unloaded, change))
-        return {fault->status, {}, 0, fault, assembly.describe(*fault)};
+    fault = deflected.change(unloaded, change);
+    if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
     detail::require_potential(model, unloaded, B);
     if (solver.storage() == Storage::full) detail::symmetrise(B);
