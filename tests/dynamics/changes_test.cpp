@@ -97,6 +97,31 @@ TEST_CASE("changes: a motion goes on from a change like a scene built in that st
           Approx(momentum(other, fresh.model.state()).linear[1]).epsilon(1e-10));
 }
 
+/// A force that has a potential and does not say so.
+struct Push {
+    NodeId node;
+    static constexpr bool constant_force = true;
+    ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& /*state*/, ancf::LoadResult& out) const {
+        out.force[1] = 1.0;
+    }
+};
+
+TEST_CASE("changes: a memory is refused where a scene at rest gets a load without potential",
+          "[dynamics]") {
+    const bool conserving = GENERATE(false, true);
+    Chain before = pendulum(1.0);
+    before.model.set_gravity({0.0, 0.0, 0.0});
+    ancf::DynamicProblem problem(before.model);
+    const DynamicsReport first = run(problem, conserving, until(0.01));
+    REQUIRE(first.status == Status::converged);
+    ancf::Model after = before.model;  // no rate and so no power tells of the load
+    after.add(Push{before.last()});
+    ancf::DynamicProblem other(after);
+    CHECK_THROWS_WITH(run(other, conserving, until(0.02), first.memory),
+                      ContainsSubstring("another scene"));
+}
+
 TEST_CASE("changes: a memory is refused even where the energies are those before the change",
           "[dynamics]") {
     Chain scene = pendulum(1.0);

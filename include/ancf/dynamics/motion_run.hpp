@@ -43,7 +43,8 @@ struct MotionPoint {
     VectorX q, v, lambda;
 };
 
-/// Energies and power of a point, sizes of M and K there: what tells one scene from another.
+/// Energies and power of a point, sizes of the loads, of M and K there: what tells one scene from
+/// another.
 [[nodiscard]] VectorX signature(DynamicProblem& problem, const MotionPoint& point);
 
 /// Throws unless a run that a memory continues goes on from where it ended: the model's state, as

@@ -57,13 +57,16 @@ ANCF_INLINE void require_same_storage(const LinearSolver& solver, const DynamicP
 ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point) {
     (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
     const Energies at = problem.energies();
-    VectorX values(6);
+    VectorX loads;
+    problem.numbering().gather_free(problem.assembly().external_force(), loads);
+    VectorX values(7);
     values[0] = at.kinetic;
     values[1] = at.strain;
     values[2] = at.potential;
     values[3] = at.load_power;
-    values[4] = problem.sum_of_parts(trace_of_magnitudes(problem.mass(), problem.size()));
-    values[5] = problem.sum_of_parts(trace_of_magnitudes(problem.tangent(), problem.size()));
+    values[4] = problem.sum_of_parts(loads.lpNorm<1>());
+    values[5] = problem.sum_of_parts(trace_of_magnitudes(problem.mass(), problem.size()));
+    values[6] = problem.sum_of_parts(trace_of_magnitudes(problem.tangent(), problem.size()));
     return values;
 }
 
@@ -79,20 +82,20 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     const double sped = problem.largest_distance(v, start.v);
     require(moved <= same && sped <= same * fastest, who,
             ": the model's state is not the one that the memory belongs to");
-    const VectorX then = memory.get("signature", 6);
+    const VectorX then = memory.get("signature", 7);
     const VectorX here = signature(problem, point);
     const auto differ = [&](int k) {
         return !(std::abs(here[k] - then[k]) <= same * (std::abs(then[k]) + std::abs(here[k])));
     };
     const double energy = std::abs(then[0]) + std::abs(then[1]) + std::abs(then[2]);
-    bool same_scene = !differ(3);
+    bool same_scene = !differ(3) && !differ(4);
     for (int k = 0; k < 3; ++k)
         same_scene = same_scene && std::abs(here[k] - then[k]) <= same * energy;
     require(same_scene, who,
-            ": the memory is of another scene: kinetic, strain and potential energy and the "
-            "loads' power are ",
-            Components{here.data(), 4}, " here, ", Components{then.data(), 4}, " there");
-    require(!differ(4) && !differ(5), who,
+            ": the memory is of another scene: kinetic, strain and potential energy, the loads' "
+            "power and the sum of their forces are ",
+            Components{here.data(), 5}, " here, ", Components{then.data(), 5}, " there");
+    require(!differ(5) && !differ(6), who,
             ": the memory is of another scene: mass or stiffness has changed since; a run after "
             "such a change starts without a memory");
 }
