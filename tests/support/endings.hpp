@@ -129,7 +129,8 @@ void check_motions(const Run& run, bool constraints = true) {
                                  {4}, Field::r, 1, zero,
                                  [=](double t) { return t >= from ? no_number : 0.0; }, zero);
                          },
-                         {Status::not_finite, Status::diverged, Status::step_too_small}});
+                         {Status::not_finite, Status::diverged, Status::step_too_small},
+                         from > 0.0 ? "the support of r, component 1, of node 4" : ""});
     table.push_back({"value of a driven support",
                      [=](PlanarModel& model) {
                          model.prescribe(

@@ -61,6 +61,8 @@ struct Fault {
     Status status;  ///< degenerate or not_finite
     int group;      ///< place of the element's type in the model's list; -1: not an element
     int element;    ///< index in that group
+    /// Place of the driven support whose value or rate is not finite; -1: none.
+    int support = -1;
 };
 
 /// The potential of a load that works through an angle.
@@ -155,8 +157,8 @@ public:
     /// Returns the same of all parts of a scene, collectively: an element of another part is -1.
     [[nodiscard]] std::optional<Fault> inspect_parts(const VectorX& q) const;
 
-    /// Returns what failed in the last evaluation, in words: the element, or the load or constraint
-    /// whose values are no numbers.
+    /// Returns what failed in the last evaluation, in words: the element, or the driven support,
+    /// load or constraint whose values are no numbers.
     [[nodiscard]] std::string describe(const Fault& fault) const;
 
     /// Returns the first element so short that its law softens; CrossSectionBeam tells, with any
@@ -221,6 +223,8 @@ public:
                       const Visitor& visit) const;
 
 private:
+    // Returns the place of the first driven support whose entry is not finite, -1: none.
+    [[nodiscard]] int faulty_support(const VectorX& entries) const;
     // values of the matrix from first to before last
     struct ValueRange {
         int first;

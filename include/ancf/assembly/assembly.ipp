@@ -325,7 +325,9 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
     if (std::isfinite(strain_energy_) && detail::all_finite(internal_) &&
         detail::all_finite(external_) && detail::all_finite(constraint_))
         return std::nullopt;
-    return inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+    Fault fault = inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+    if (increment != nullptr && fault.support < 0) fault.support = faulty_support(*increment);
+    return fault;
 }
 
 ANCF_INLINE double Assembly::strain_energy() const {
@@ -614,7 +616,18 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
             return status != Status::converged;
         });
     if (!found) return std::nullopt;
-    return Fault{status, found->group, found->element};
+    return Fault{status, found->group, found->element,
+                 status == Status::not_finite ? faulty_support(q) : -1};
+}
+
+ANCF_INLINE int Assembly::faulty_support(const VectorX& entries) const {
+    const auto& supports = model_.supports();
+    for (int k = 0; k < static_cast<int>(supports.size()); ++k) {
+        const Support& held = supports[static_cast<std::size_t>(k)];
+        const int at = model_.coordinate(held.node, held.field) + held.component;
+        if (held.value && !std::isfinite(entries[at])) return k;
+    }
+    return -1;
 }
 
 ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const {
@@ -627,6 +640,12 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const
 }
 
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
+    if (fault.support >= 0) {
+        const Support& support = model_.supports()[static_cast<std::size_t>(fault.support)];
+        return detail::joined({"the support of ", to_string(support.field), ", component ",
+                               support.component, ", of node ", support.node.index,
+                               " has a value or a rate that is not finite"});
+    }
     if (fault.element >= 0)
         return detail::joined({"element ",
                                model_.exchange() == nullptr
@@ -642,7 +661,7 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                model_.constraints()[at].name(),
                                ") is not finite: do points coincide?"});
     }
-    return detail::joined({"a load, a constraint or a coordinate is ", to_string(fault.status)});
+    return detail::joined({"gravity, a constraint or a coordinate is ", to_string(fault.status)});
 }
 
 ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) const {
