@@ -28,6 +28,17 @@ using Engineering = CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasur
 constexpr double length = 12.0, width = 1.1, thickness = 0.32, young = 29e6, shear = young / 2.44;
 constexpr double twist = 0.5 * pi / length;  // rad/m
 
+/// Clamps a beam and returns the displacement of its tip along a force there, for a unit of it.
+template <class Element>
+double displacement(Model& model, const Beam<Element>& beam, const Vector<double, 3>& force) {
+    model.clamp(beam.first(), Clamp::free_slope);
+    model.add(Force<3>(beam.last(), force));
+    const Vector<double, 3> start = model.position(beam.last());
+    BlockTridiagonal solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    return (model.position(beam.last()) - start).dot(force) / force.squaredNorm();
+}
+
 /// Returns the displacement of the tip by a unit force along the width of the root, or across it.
 template <class Element>
 double flexibility(bool across, int elements) {
@@ -43,12 +54,7 @@ double flexibility(bool across, int elements) {
     const auto beam = beam_through<Element>(model, Material::from_moduli(young, shear, 1.0),
                                             rectangle(thickness, width), points,
                                             {length / elements}, CrossSectionOptions::best());
-    model.clamp(beam.first(), Clamp::free_slope);
-    const double force = 1e-3;
-    model.add(Force<3>(beam.last(), {0.0, across ? 0.0 : force, across ? force : 0.0}));
-    BlockTridiagonal solver;
-    REQUIRE(solve_statics(model, solver).status == Status::converged);
-    return model.position(beam.last())[across ? 2 : 1] / force;
+    return displacement(model, beam, 1e-3 * Vector<double, 3>::Unit(across ? 2 : 1));
 }
 
 /// The integral of (L - x)^2 (cos^2/EI_1 + sin^2/EI_2) + 1/kGA along the beam.
@@ -90,13 +96,7 @@ double arc_flexibility(bool across, int elements) {
     const auto beam =
         arc<Element>(model, Material::from_moduli(2e11, 8e10, 1.0), rectangle(0.1, 0.15), {0, 0, 0},
                      {1, 0, 0}, {0, 1, 0}, 1.0, 0.5 * pi, elements, CrossSectionOptions::best());
-    model.clamp(beam.first(), Clamp::free_slope);
-    const double force = 0.3;
-    model.add(Force<3>(beam.last(), {across ? 0.0 : force, across ? force : 0.0, 0.0}));
-    BlockTridiagonal solver;
-    const Vector<double, 3> start = model.position(beam.last());
-    REQUIRE(solve_statics(model, solver).status == Status::converged);
-    return (model.position(beam.last()) - start)[across ? 1 : 0] / force;
+    return displacement(model, beam, 0.3 * Vector<double, 3>::Unit(across ? 1 : 0));
 }
 
 /// With M = F cos a or F (1 - sin a), and axial and shear forces F cos a and F sin a or in turn.

@@ -61,6 +61,7 @@ template <int Dimension>
                                                   const std::vector<CurvePoint<Dimension>>& points,
                                                   const std::vector<double>& lengths);
 
+/// Checks that elements which share a prototype are equal.
 /// @param fields  that the elements carry at a node
 /// @throws InvalidArgument where a single length is given and an element is not the first one but
 ///         for a rigid motion.
