@@ -83,6 +83,25 @@ Tip bent(const Section& section, const Vector<double, 3>& force) {
             model.value(beam.last(), Field::r_y)[2]};
 }
 
+TEST_CASE("off the axis: the full clamp keeps a pulled bar from bending there", "[element]") {
+    // docs/recipes.md: 20 mm square, 1 m, pulled along an axis 30 mm beside it
+    const auto bends = [](Clamp clamp, int elements) {
+        Model model;
+        const auto beam = straight_beam<Paper>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                               offset(rectangle(0.02, 0.02), 0.03, 0.0), {0, 0, 0},
+                                               {1, 0, 0}, elements, CrossSectionOptions::best());
+        model.clamp(beam.first(), clamp);
+        model.add(Force<3>(beam.last(), {1.0, 0.0, 0.0}));
+        BlockTridiagonal solver;
+        REQUIRE(solve_statics(model, solver).status == Status::converged);
+        const double bending = 2e11 * std::pow(0.02, 4) / 12.0;
+        return std::abs(model.position(beam.last())[1]) / (0.5 * 0.03 / bending);
+    };
+    CHECK(bends(Clamp::full, 8) == Approx(0.930).margin(1e-3));
+    CHECK(bends(Clamp::full, 32) == Approx(0.983).margin(1e-3));
+    CHECK(bends(Clamp::free_slope, 1) == Approx(1.0).margin(3e-4));
+}
+
 TEST_CASE("off the axis: a force beside the shear centre twists by its moment about it",
           "[element]") {
     const double J = 1e-8, F = 1.0;
