@@ -17,6 +17,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace ancf::test {
@@ -122,15 +123,18 @@ void check_motions(const Run& run, bool constraints = true) {
                          },
                          {Status::not_finite, Status::diverged, Status::step_too_small}});
     const Amplitude zero = [](double) { return 0.0; };
-    for (const double from : {0.0, 1e-4})
-        table.push_back({"rate of a driven support",
-                         [=](PlanarModel& model) {
-                             model.prescribe(
-                                 {4}, Field::r, 1, zero,
-                                 [=](double t) { return t >= from ? no_number : 0.0; }, zero);
-                         },
-                         {Status::not_finite, Status::diverged, Status::step_too_small},
-                         from > 0.0 ? "the support of r, component 1, of node 4" : ""});
+    for (const double from : {0.0, 1e-4}) {
+        const Amplitude broken = [=](double t) { return t >= from ? no_number : 0.0; };
+        for (const auto& [name, rate, acceleration] :
+             {std::tuple{"rate of a driven support", broken, zero},
+              std::tuple{"acceleration of a driven support", zero, broken}})
+            table.push_back({name,
+                             [rate = rate, acceleration = acceleration, zero](PlanarModel& model) {
+                                 model.prescribe({4}, Field::r, 1, zero, rate, acceleration);
+                             },
+                             {Status::not_finite, Status::diverged, Status::step_too_small},
+                             from > 0.0 ? "the support of r, component 1, of node 4" : ""});
+    }
     table.push_back({"value of a driven support",
                      [=](PlanarModel& model) {
                          model.prescribe(

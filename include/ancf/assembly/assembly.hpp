@@ -61,7 +61,7 @@ struct Fault {
     Status status;  ///< degenerate or not_finite
     int group;      ///< place of the element's type in the model's list; -1: not an element
     int element;    ///< index in that group
-    /// Place of the driven support whose value or rate is not finite; -1: none.
+    /// Place of the driven support whose value, rate or acceleration is not finite; -1: none.
     int support = -1;
 };
 

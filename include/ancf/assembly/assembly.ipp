@@ -644,7 +644,7 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
         const Support& support = model_.supports()[static_cast<std::size_t>(fault.support)];
         return detail::joined({"the support of ", to_string(support.field), ", component ",
                                support.component, ", of node ", support.node.index,
-                               " has a value or a rate that is not finite"});
+                               " has a value, rate or acceleration that is not finite"});
     }
     if (fault.element >= 0)
         return detail::joined({"element ",

@@ -182,10 +182,12 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
     numbers.set_free(v, full_v_);
     for (const Driven& driven : driven_) {
         const double rate = driven.support->rate(t);
+        const double acceleration = driven.support->acceleration(t);
         // one that is not finite ends a run as such a value does
-        full_q_[driven.coordinate] = std::isfinite(rate) ? driven.support->value(t) : rate;
+        const bool finite = std::isfinite(rate) && std::isfinite(acceleration);
+        full_q_[driven.coordinate] = finite ? driven.support->value(t) : rate + acceleration;
         full_v_[driven.coordinate] = rate;
-        full_a_[driven.coordinate] = driven.support->acceleration(t);
+        full_a_[driven.coordinate] = acceleration;
     }
     const Dependence& dependence = numbers.dependence();
     for (VectorX* const full : {&full_q_, &full_v_, &full_a_}) dependence.complete(*full);
