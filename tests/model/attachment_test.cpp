@@ -254,6 +254,60 @@ TEST_CASE("attachments: a rigid arm turns and does not stretch", "[model][attach
     CHECK((reach - frame * arm).norm() <= 1e-14);
 }
 
+TEST_CASE("attachments: beams with and without r_z bend as one by a weld or a joint, not by a node",
+          "[model][attachment][statics]") {
+    // docs/theory-frames.md: the tip's deflection over that of one beam, half of each element
+    enum class By { node, attachment, weld, joint };
+    const auto deflection = [](By by, int elements) {
+        const Section section = rectangle(0.05, 0.05);
+        const auto best = CrossSectionOptions::best();
+        Model model;
+        NodeId root, joint, tip;
+        if (by == By::joint) {
+            const auto built = frame<Spatial>(model, {{steel(), section}}, {{0, 0, 0}, {0.5, 0, 0}},
+                                              {{0, 1, 0, elements}}, {}, best);
+            root = built.joints[0];
+            joint = built.joints[1];
+        } else {
+            const auto beam = straight_beam<Spatial>(model, steel(), section, {0, 0, 0},
+                                                     {0.5, 0, 0}, elements, best);
+            root = beam.first();
+            joint = beam.last();
+        }
+        model.clamp(root);
+        if (by == By::node) {
+            const double length = 0.5 / elements;
+            const int prototype = model.add_prototype(TorsionBeam(steel(), section, length));
+            tip = joint;
+            for (int k = 1; k <= elements; ++k) {
+                const NodeId next = model.add_node({0.5 + k * length, 0, 0});
+                model.connect<TorsionBeam>(prototype, tip, next);
+                tip = next;
+            }
+        } else {
+            const auto beam = straight_beam<TorsionBeam>(model, steel(), section, {0.5, 0, 0},
+                                                         {1, 0, 0}, elements);
+            tip = beam.last();
+            if (by == By::weld)
+                model.add(Weld(model, joint, beam.first()));
+            else
+                model.attach(beam.first(), joint);
+        }
+        model.add(Force<3>(tip, {0.0, 0.0, 1.0}));
+        EigenLu solver;
+        REQUIRE(solve_statics(model, solver).status == Status::converged);
+        return model.position(tip)[2] * 3.0 * steel().young * section.moments().zz;
+    };
+    for (const By by : {By::node, By::attachment}) {
+        CHECK(deflection(by, 4) == Approx(1.016).margin(1e-3));
+        CHECK(deflection(by, 16) == Approx(1.057).margin(1e-3));
+        CHECK(deflection(by, 64) == Approx(1.219).margin(1e-3));
+    }
+    for (const By by : {By::weld, By::joint})
+        for (const int elements : {4, 16, 64})
+            CHECK(deflection(by, elements) == Approx(1.001).margin(1e-3));
+}
+
 TEST_CASE("attachments: a force on an arm is a force and a moment on its joint",
           "[model][attachment][statics]") {
     const auto deflected = [](bool by_arm) {
