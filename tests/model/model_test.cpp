@@ -237,7 +237,7 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(ancf::reference_slopes(Vector3(0, 0, 0)), InvalidArgument);
 }
 
-TEST_CASE("Model: one that is assigned counts as changed, one that was moved from is empty",
+TEST_CASE("Model: one that is assigned counts as changed, one that was moved from too and is empty",
           "[model]") {
     Scene scene;
     const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 2);
@@ -254,6 +254,8 @@ TEST_CASE("Model: one that is assigned counts as changed, one that was moved fro
     CHECK(scene.nodes() == 0);
     CHECK(scene.layout().size() == 0);
     CHECK(scene.groups().empty());
+    CHECK(scene.revision().scene > before.scene + 1);
+    CHECK(scene.revision().properties > before.properties + 1);
     scene = moved;
     CHECK(scene.position(beam.last()) == Vector3(1, 0, 0));
 

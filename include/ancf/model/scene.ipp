@@ -43,7 +43,10 @@ ANCF_INLINE Scene::Scene(const Scene& other)
     for (const auto& group : other.groups_) groups_.push_back(group->clone());
 }
 
-ANCF_INLINE Scene::Scene(Scene&& other) noexcept : dimension_(other.dimension_) { swap(other); }
+ANCF_INLINE Scene::Scene(Scene&& other) noexcept : dimension_(other.dimension_) {
+    swap(other);
+    other.revision_ = {revision_.scene + 1, revision_.properties + 1};
+}
 
 ANCF_INLINE Scene& Scene::operator=(const Scene& other) { return *this = Scene(other); }
 
