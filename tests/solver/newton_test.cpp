@@ -301,6 +301,9 @@ TEST_CASE("statics: a default step that fails is cut, within the user's own boun
     CHECK(cut.status == Status::converged);
     CHECK(cut.steps.size() > 1);
     CHECK(cut.iterations() <= 40);  // measured 27
+    const auto unbounded = solve(std::numeric_limits<int>::max());
+    CHECK(unbounded.status == Status::converged);
+    CHECK(unbounded.steps.size() == cut.steps.size());
     const auto bounded = solve(2);
     CHECK(bounded.status == Status::max_iterations);
     CHECK(bounded.steps.size() == 1);

@@ -182,8 +182,8 @@ private:
 
     /// Whether a step that failed is worth a shorter one, as long as that is not endless.
     [[nodiscard]] bool cuts(const LoadStep& failed) const {
-        return options_.adaptive ||
-               (may_retry(failed) && report_.iterations() - spent_ < 10 * options_.max_iterations);
+        return options_.adaptive || (may_retry(failed) && (report_.iterations() - spent_) / 10 <
+                                                              options_.max_iterations);
     }
 
     /// Whether an automatic step that failed may do better in another way: not where it could not
@@ -467,9 +467,10 @@ private:
     }
 
     [[nodiscard]] int most_iterations(const LoadStep& step) const {
-        const int shared = step.damped ? 2 * options_.mixed_iterations : options_.mixed_iterations;
-        return step.newton == NewtonKind::plain ? options_.max_iterations
-                                                : std::min(shared, options_.max_iterations);
+        const int most = options_.max_iterations;
+        if (step.newton == NewtonKind::plain) return most;
+        const int shared = std::min(options_.mixed_iterations, most);
+        return step.damped ? shared + std::min(shared, most - shared) : shared;
     }
 
     /// Whether the last correction is far below its tolerance and beside what the step has moved.
