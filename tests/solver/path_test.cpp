@@ -346,6 +346,17 @@ TEST_CASE("path: a path that ends names the element that failed", "[path]") {
     }
 }
 
+TEST_CASE("path: one whose smallest step is the least number above zero fails too", "[path]") {
+    Truss truss = make_truss(0.5);
+    truss.add(ancf::Force(apex, {0.3, 0, 0}), [calls = 0](double factor) mutable {
+        return ++calls > 6 ? std::numeric_limits<double>::quiet_NaN() : factor;
+    });
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.smallest_step = std::numeric_limits<double>::denorm_min();
+    CHECK(ancf::follow_path(truss, solver, options).status == Status::diverged);
+}
+
 TEST_CASE("path: one that fails at a start out of balance says so", "[path]") {
     Truss truss = make_truss(0.5);
     truss.add(ancf::Force(apex, {0.3, 0, 0}));

@@ -101,7 +101,7 @@ public:
             if (tried.failed()) {
                 note_failure(tried);
                 step_ *= 0.5;
-                if (std::abs(step_) >= options_.smallest_step * first_) continue;
+                if (step_ != 0.0 && std::abs(step_) >= options_.smallest_step * first_) continue;
                 report_.message = cause(tried.status, "the smallest step failed", here);
                 return finish(Status::diverged, here);
             }
