@@ -222,6 +222,40 @@ TEST_CASE("A run ends at its end, however close that is to a point of the grid",
     check_ends(ancf::RadauIIA(radau), ends);
 }
 
+/// Runs bars that fall and get a blow, from a time on, with adaptive steps.
+template <class Options, class Integrator>
+ancf::DynamicsReport run_late(Options options, double start, double tolerance) {
+    Chain scene = falling();
+    scene.model.state().time = start;
+    scene.model.add(ancf::Force<3>(scene.last(), {0.0, 20.0, 0.0}),
+                    [=](double time) { return time > start + 0.0103 ? 1.0 : 0.0; });
+    options.tolerance = tolerance;
+    ancf::DynamicProblem problem(scene.model);
+    ancf::EigenLu solver;
+    ancf::Schedule schedule = until(start + 0.05);
+    int steps = 0;
+    schedule.progress = [&](double, double) { return ++steps < 5000; };
+    return Integrator(options).integrate(problem, solver, schedule);
+}
+
+template <class Options, class Integrator>
+void check_late(const Options& options) {
+    const auto run = run_late<Options, Integrator>;
+    const auto early = run(options, 0.0, 1e-9), late = run(options, 1e6, 1e-9);
+    CHECK(early.status == Status::converged);
+    CHECK(late.status == Status::converged);
+    CHECK(late.steps < 2 * early.steps);
+    const auto endless = run(options, 1e6, 1e-300);
+    CHECK(endless.status == Status::step_too_small);
+    CHECK_THAT(endless.message, ContainsSubstring("the step fell below 3.55271e-09 s"));
+}
+
+TEST_CASE("Adaptive steps late in time grow after a blow, and end where time resolves none",
+          "[dynamics]") {
+    check_late<ancf::GeneralizedAlphaOptions, ancf::GeneralizedAlpha>({});
+    check_late<ancf::RadauOptions, ancf::RadauIIA>({});
+}
+
 TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
     int checked = 0;
     // of the short step the multipliers, g/h^2, are round-off

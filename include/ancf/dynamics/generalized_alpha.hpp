@@ -31,7 +31,7 @@ struct GeneralizedAlphaOptions {
     /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
     /// size, of slopes absolutely, of r_xx relative to the size's inverse.
     double tolerance = 0.0;
-    double min_step = 1e-12;  ///< s, of an adaptive run
+    double min_step = 1e-12;  ///< s, of an adaptive run; at least what time resolves
     /// s, of an adaptive run. Set it below the duration of a pulse that is shorter than `step`, or
     /// the run may pass over the pulse: docs/limits.md, "Motion".
     double max_step = std::numeric_limits<double>::infinity();

@@ -235,7 +235,7 @@ protected:
     DynamicProblem& problem_;
     LinearSolver& solver_;
     const Schedule& schedule_;
-    const StepControl control_;
+    StepControl control_;
     DynamicsReport report_;
     Recorder recorder_;
     Start start_;

@@ -314,7 +314,8 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
     const double to = on_grid ? point : end, rest = to - now;
     if (part > 0.0 && rest > part * (1.0 + 1e-6))
         return {part, now, now + part, Step::Ends::within};
-    const bool whole = on_grid && std::abs(rest - width) <= 1e-6 * width;
+    const double round_off = 0.25 * time_resolution(now, to);
+    const bool whole = on_grid && std::abs(rest - width) <= 1e-6 * width + round_off;
     return {whole ? width : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
 }
 
@@ -373,6 +374,7 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
     const double time = problem.model().state().time;
     schedule.check(time);
     require_resolved(control.first, time, schedule.end);
+    control_.least = std::max(control.least, time_resolution(time, schedule.end));
     start_ = start_run(problem, report_);
     grid_.origin = start_.time;
     duration_ = schedule.end - start_.time;
