@@ -347,6 +347,18 @@ TEST_CASE("write_vtk: files that cannot be written are refused by name", "[outpu
                       ContainsSubstring("a&b_0.vtu"));
 }
 
+TEST_CASE("write_vtk: a full disk is refused", "[output]") {
+    Scene<ancf::CrossSectionBeam<3>> scene;
+    ancf::Surface surface;
+    surface.add(scene.model, scene.beam, scene.section);
+    const Folder folder;
+    for (const char* name : {"full.vtp", "full.vtu", "full.vtk"}) {
+        std::filesystem::create_symlink("/dev/full", folder.path / name);
+        CHECK_THROWS_WITH(ancf::write_vtk(folder.path / name, surface),
+                          ContainsSubstring("could not write all of") && ContainsSubstring(name));
+    }
+}
+
 TEST_CASE("VtkSeries: the index lists every frame with its time and is complete at once",
           "[output]") {
     Scene<ancf::CrossSectionBeam<3>> scene;
@@ -372,6 +384,18 @@ TEST_CASE("VtkSeries: the index lists every frame with its time and is complete 
     CHECK_THROWS_AS(ancf::VtkSeries(folder.path, ""), ancf::InvalidArgument);
     std::ofstream(folder.path / "file") << "x";
     CHECK_THROWS_WITH(ancf::VtkSeries(folder.path / "file", "a"), ContainsSubstring("file"));
+}
+
+TEST_CASE("VtkSeries: an index that cannot be written at first can be later", "[output]") {
+    const Folder folder;
+    ancf::VtkSeries series(folder.path, "a");
+    std::filesystem::create_directory(series.index());
+    CHECK_THROWS_WITH(series.add(0.0, ancf::Surface()), ContainsSubstring("a.pvd"));
+    CHECK(series.size() == 0);
+    std::filesystem::remove(series.index());
+    series.add(0.0, ancf::Surface());
+    CHECK(series.size() == 1);
+    CHECK_THAT(text_of(series.index()), ContainsSubstring("a_000000.vtp"));
 }
 
 }  // namespace surface_test

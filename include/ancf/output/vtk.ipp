@@ -14,8 +14,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -153,15 +155,14 @@ ANCF_INLINE VtkFormat vtk_format(const std::filesystem::path& file) {
 
 ANCF_INLINE void write_vtk(std::ostream& out, const Surface& surface, VtkFormat format,
                            double time) {
-    struct Classic {  // of whatever locale the stream is
-        std::ostream& out;
-        std::locale given = out.imbue(std::locale::classic());
-        ~Classic() { out.imbue(given); }
-    } classic{out};
+    std::ostringstream text;  // a file on a full disk takes no other locale
+    text.imbue(std::locale::classic());
     if (format == VtkFormat::legacy)
-        detail::write_legacy(out, surface, time);
+        detail::write_legacy(text, surface, time);
     else
-        detail::write_xml(out, surface, format, time);
+        detail::write_xml(text, surface, format, time);
+    const std::string all = text.str();
+    out.write(all.data(), static_cast<std::streamsize>(all.size()));
 }
 
 ANCF_INLINE void write_vtk(const std::filesystem::path& file, const Surface& surface, double time) {
@@ -210,7 +211,7 @@ ANCF_INLINE void VtkSeries::add(double time, const Surface& surface) {
     const std::string file = name_ + '_' + number + ".vtp";
     write_vtk(folder_ / file, surface, time);
 
-    if (frames_++ == 0) {
+    if (!list_.is_open()) {
         list_ = detail::opened(index());
         list_ << "<?xml version=\"1.0\"?>\n"
               << "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
@@ -222,6 +223,7 @@ ANCF_INLINE void VtkSeries::add(double time, const Surface& surface) {
     list_ << "</Collection>\n</VTKFile>\n" << std::flush;
     list_.seekp(next);
     detail::require(!list_.fail(), "could not write all of ", index().string());
+    ++frames_;
 }
 
 }  // namespace ancf
