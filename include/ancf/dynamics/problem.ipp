@@ -331,6 +331,10 @@ ANCF_INLINE Start DynamicProblem::start() {
     if (start.status == Status::converged) return start;
     start.message = "the initial accelerations could not be solved for: " +
                     std::string(to_string(start.status));
+    if (start.status == Status::not_finite && exchange_ == nullptr)
+        if (const auto fault = evaluate(start.time, start.q, start.v, VectorX::Zero(multipliers()),
+                                        Request::force))
+            start.message += "; " + assembly_.describe(*fault);
     if (exchange_ != nullptr && !options_.mass_solver->failure().empty())
         start.message += "; " + options_.mass_solver->failure();
     return start;
