@@ -35,7 +35,7 @@ ANCF_INLINE double largest_eigenvalue(VectorX& x, const LinearMap& stiffness, co
     for (int k = 0; k < iterations; ++k) {
         // by a power of two: units that differ by such a factor then change no bit
         const double square = x.dot(mass(x));
-        const double factor = std::ldexp(1.0, -std::ilogb(square) / 2);
+        const double factor = std::ldexp(1.0, std::ilogb(square) / -2);
         x *= factor;
         const VectorX force = stiffness(x);
         const double quotient = std::abs(x.dot(force)) / (square * factor * factor);

@@ -139,6 +139,7 @@ ANCF_INLINE bool LeapfrogRun::begin() {
     none_ = VectorX::Zero(problem_.multipliers());
     if (!read_constraints()) return false;
     estimate();
+    if (report_.status != Status::converged) return false;
     require_no_damping();
     // what has no stiffness where it starts gets it as it moves
     const double ahead = std::min(options_.stable_share * least_stable_, schedule_.end - now_.time);
@@ -177,6 +178,8 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     const double before = report_.highest_frequency;
     const double now = problem_.highest_frequency(now_.time, now_.q, at_.lambda, fastest_);
     if (now > 0.0) report_.highest_frequency = now;
+    if (std::isnan(now))
+        fail(Status::not_finite, joined({"the stiffness is not finite at ", now_.time, " s"}, 6));
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
     least_stable_ = std::min(least_stable_, report_.stable_step);
@@ -229,6 +232,7 @@ ANCF_INLINE bool LeapfrogRun::fill(double step) {
 
 /// Tells whether the step is below the stable one; chooses it anew where the margin has changed.
 ANCF_INLINE bool LeapfrogRun::is_stable() {
+    if (report_.status != Status::converged) return false;
     const double stable = report_.stable_step, most = options_.stable_share * least_stable_;
     if (step_ > stable) {
         fail(Status::diverged,
