@@ -505,6 +505,60 @@ TEST_CASE("problem: a link between points that coincide is refused by name", "[d
     CHECK_THAT(start.message, ContainsSubstring("coincide"));
 }
 
+TEST_CASE("problem: a load that is no number at the start is named", "[dynamics]") {
+    Chain scene = falling();
+    scene.model.add(ancf::Force<3>(scene.last(), {0.0, 1.0, 0.0}),
+                    [](double) { return std::numeric_limits<double>::quiet_NaN(); });
+    ancf::DynamicProblem problem(scene.model);
+    const Start start = problem.start();
+    CHECK(start.status == Status::not_finite);
+    CHECK_THAT(start.message, ContainsSubstring("the force of load 0 is not finite"));
+}
+
+/// A force whose stiffness is no number from a time on.
+struct Unknown {
+    NodeId node;
+    double from;
+
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
+        if (at.time >= from) out.stiffness(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    }
+};
+
+TEST_CASE("Leapfrog: a stiffness that is no number ends a run", "[dynamics][leapfrog]") {
+    Chain scene = falling();
+    scene.model.add(Unknown{scene.last(), GENERATE(0.0, 0.5)});
+    ancf::DynamicProblem problem(scene.model);
+    const auto report = ancf::Leapfrog().integrate(problem, until(1.0));
+    CHECK(report.status == Status::not_finite);
+    CHECK_THAT(report.message, ContainsSubstring("the stiffness is not finite"));
+}
+
+/// Gives results of another size, and says so of none.
+struct Resizing {
+    NodeId node;
+    bool jacobian;
+
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    [[nodiscard]] int equations() const { return 1; }
+    [[nodiscard]] std::string name() const { return "resizing"; }
+    void evaluate(const ancf::ConstraintState&, ancf::ConstraintResult& out) const {
+        if (jacobian)
+            out.jacobian.setZero(2, 1);
+        else
+            out.violation.setZero(2);
+    }
+};
+
+TEST_CASE("problem: a constraint that changes the size of its results is refused", "[dynamics]") {
+    Chain scene = falling();
+    scene.model.add(Resizing{scene.last(), GENERATE(false, true)});
+    ancf::DynamicProblem problem(scene.model);
+    CHECK_THROWS_WITH(problem.start(),
+                      ContainsSubstring("constraint resizing of 1 equations on 3 coordinates"));
+}
+
 TEST_CASE("problem: a mechanism without stiffness has no frequency", "[dynamics]") {
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     scene.model.add(ancf::Distance<3>(scene.first(), scene.last(), 1.0));

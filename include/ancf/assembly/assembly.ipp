@@ -549,14 +549,6 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
             result.reset(equations, size);
             constraint.evaluate(local, result);
         }
-        detail::require(result.violation.size() == equations &&
-                            result.jacobian.rows() == equations && result.jacobian.cols() == size &&
-                            result.rate.size() == equations &&
-                            (terms_alone ||
-                             (result.stiffness.rows() == size && result.stiffness.cols() == size &&
-                              result.convection.size() == equations)),
-                        "constraint ", constraint.name(), " of ", equations, " equations on ", size,
-                        " coordinates changed the size of its results");
         map.carry_columns(result.jacobian);
         if (!terms_alone) map.carry(result.stiffness);
         size = result.jacobian.cols();

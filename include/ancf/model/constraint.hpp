@@ -118,12 +118,16 @@ public:
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return held_->name(); }
     /// Evaluates it.
+    /// @throws InvalidArgument where it changes the size of a result.
     void evaluate(const ConstraintState& state, ConstraintResult& out) const {
         held_->evaluate(state, out);
+        check_sizes(state, out, false);
     }
     /// Evaluates g, G and g_t into `out` of any size; what else stands in it has no meaning then.
+    /// @throws InvalidArgument where it changes the size of a result.
     void terms(const ConstraintState& state, ConstraintResult& out) const {
         held_->terms(state, out);
+        check_sizes(state, out, true);
     }
     /// Returns the angle that it is driven to, rad; 0 where it drives none.
     [[nodiscard]] double driven_angle(double time) const { return held_->driven_angle(time); }
@@ -138,6 +142,9 @@ private:
         virtual void terms(const ConstraintState&, ConstraintResult&) const = 0;
         [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
+
+    void check_sizes(const ConstraintState& state, const ConstraintResult& out,
+                     bool terms_alone) const;
 
     template <class Constraint>
     struct Holder final : Interface {

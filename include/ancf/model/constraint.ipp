@@ -15,7 +15,21 @@
 #include <string>
 #include <vector>
 
-namespace ancf::detail {
+namespace ancf {
+
+ANCF_INLINE void AnyConstraint::check_sizes(const ConstraintState& state,
+                                            const ConstraintResult& out, bool terms_alone) const {
+    const Eigen::Index size = state.q.size(), equations = state.multipliers.size();
+    if (out.violation.size() == equations && out.rate.size() == equations &&
+        out.jacobian.rows() == equations && out.jacobian.cols() == size &&
+        (terms_alone || (out.stiffness.rows() == size && out.stiffness.cols() == size &&
+                         out.convection.size() == equations)))
+        return;
+    detail::reject("constraint ", name(), " of ", equations, " equations on ", size,
+                   " coordinates changed the size of its results");
+}
+
+namespace detail {
 
 ANCF_INLINE DrivenTurn driven_turn(const std::vector<AnyConstraint>& constraints, double from,
                                    double to) {
@@ -52,4 +66,5 @@ ANCF_INLINE std::string driven_turn_text(const std::vector<AnyConstraint>& const
                   6);
 }
 
-}  // namespace ancf::detail
+}  // namespace detail
+}  // namespace ancf
