@@ -179,7 +179,10 @@ ANCF_INLINE void LeapfrogRun::estimate() {
     const double now = problem_.highest_frequency(now_.time, now_.q, at_.lambda, fastest_);
     if (now > 0.0) report_.highest_frequency = now;
     if (std::isnan(now))
-        fail(Status::not_finite, joined({"the stiffness is not finite at ", now_.time, " s"}, 6));
+        fail(Status::not_finite,
+             joined(
+                 {"the highest frequency of stiffness and mass is no number at ", now_.time, " s"},
+                 6));
     report_.stable_step = report_.highest_frequency > 0.0 ? reach / report_.highest_frequency
                                                           : std::numeric_limits<double>::infinity();
     least_stable_ = std::min(least_stable_, report_.stable_step);
