@@ -53,7 +53,6 @@ struct AngleCourse {
 /// @param turn         phi
 template <class S>
 inline AngleCourse<S> chord_course(const S& part, const S& part_x, const S& turn) noexcept {
-    using std::atan;
     using std::cos;
     using std::sin;
     using std::sqrt;
@@ -62,7 +61,7 @@ inline AngleCourse<S> chord_course(const S& part, const S& part_x, const S& turn
     const S square = along * along + across * across, inverse = 1.0 / square;
     const S skew = part * rest * inverse, k = skew * sine, slant = (2.0 * part - 1.0) * inverse;
     AngleCourse<S> psi;
-    psi.value = 2.0 * atan(S(across / (sqrt(square) + along)));
+    psi.value = 2.0 * arctan(S(across / (sqrt(square) + along)));
     psi.rate = part_x * inverse * sine;
     psi.share = part * inverse * (part + rest * cosine);
     psi.share_x = part_x * inverse * (cosine + 2.0 * k * sine);
@@ -100,8 +99,7 @@ inline NodalDirector<S> nodal_director(const Vec3<S>& g, const Vec3<S>& a) noexc
 /// Returns the angle about the axis of a turn with this cosine and sine, in (-pi, pi).
 template <class S>
 inline S turn_angle(const S& cosine, const S& sine) noexcept {
-    using std::atan;
-    return 2.0 * atan(S(sine / (1.0 + cosine)));
+    return 2.0 * arctan(S(sine / (1.0 + cosine)));
 }
 
 /// Places of the scalars at the nodes whose variations a station sees besides the vectors p, p1,

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <ancf/element/pack.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/types.hpp>
 
 #include <Eigen/Core>
@@ -87,8 +88,7 @@ struct Dual {
     }
     /// Returns the angle and its rate.
     friend Dual atan(const Dual& a) noexcept {
-        using std::atan;
-        return {atan(a.value), a.rate / (Base(1.0) + a.value * a.value)};
+        return {detail::arctan(a.value), a.rate / (Base(1.0) + a.value * a.value)};
     }
 };
 

@@ -12,6 +12,7 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
+#include <complex>
 
 namespace ancf::detail {
 
@@ -111,6 +112,19 @@ inline auto scaled(const T& factor, const Block<S>& a) noexcept {
 template <class S>
 inline Block<S> cross_block(const Vec3<S>& a) noexcept {
     return {{S(0), a[2], -a[1], -a[2], S(0), a[0], a[1], -a[0], S(0)}};
+}
+
+/// Returns the arctangent.
+template <class S>
+inline S arctan(const S& x) noexcept {
+    using std::atan;
+    return atan(x);
+}
+
+/// Likewise for a complex step, to first order in the imaginary part: what a standard library
+/// returns may have lost it.
+inline std::complex<double> arctan(const std::complex<double>& z) noexcept {
+    return {std::atan(z.real()), z.imag() / (1.0 + z.real() * z.real())};
 }
 
 }  // namespace ancf::detail

@@ -74,7 +74,6 @@ struct Triad {
     /// The frame of a section with slopes p and a across, r_y and r_z.
     /// @param share  of p in a moment about t, 0 to 1
     static Triad of_section(const Vec& p, const Vec& a, double share) {
-        using std::atan;
         using std::cos;
         using std::sin;
         Triad f;
@@ -88,7 +87,7 @@ struct Triad {
         const Vec normal = cross(f.u, f.w);
         f.al = length(normal);
         const Vec t = normal / f.al, tu = cross(t, f.u), tw = cross(t, f.w);
-        const Scalar lack = atan(dot(f.u, f.w) / f.al);
+        const Scalar lack = arctan(Scalar(dot(f.u, f.w) / f.al));
         const Scalar cosine = cos((1.0 - share) * lack), sine = sin((1.0 - share) * lack);
         f.axes = {t, cosine * f.u - sine * tu, cosine * tu + sine * f.u};
         for (int k = 0; k < 3; ++k) {

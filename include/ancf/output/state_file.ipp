@@ -13,10 +13,13 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
@@ -76,7 +79,11 @@ public:
         stream.imbue(std::locale::classic());
         Value result{};
         stream >> std::noskipws >> result;
-        expect(!stream.fail() && stream.peek() == std::char_traits<char>::eof(), "a number", text);
+        // some standard libraries fail at a subnormal number, which they read, and some take "nan"
+        if (result != 0 && std::abs(result) < std::numeric_limits<Value>::min()) stream.clear();
+        expect(!stream.fail() && stream.peek() == std::char_traits<char>::eof() &&
+                   text.find_first_not_of("0123456789+-.eE") == std::string::npos,
+               "a number", text);
         return result;
     }
 
