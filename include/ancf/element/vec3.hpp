@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// A plain vector of three scalars for kernels.
+/// A plain vector of three scalars for kernels, and the arctangent of such a scalar.
 ///
 /// The scalar may be a double, a complex number or a pack of doubles. Unlike an expression library
 /// it costs little to compile and nothing at -O2.

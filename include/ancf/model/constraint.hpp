@@ -143,6 +143,7 @@ private:
         [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
 
+    // Throws where results have another size than was asked for; `terms_alone`: g, G, g_t.
     void check_sizes(const ConstraintState& state, const ConstraintResult& out,
                      bool terms_alone) const;
 
