@@ -141,7 +141,8 @@ private:
         const int damper = pick(6);
         const double eta = step * std::pow(10.0, uniform(-3.0, 0.0));
         // of a cable in space it is not smooth where the line is straight
-        if (damper == 0 && (frame_a || dimension == 2)) damp(model, beam, eta);
+        if constexpr (frame_a || dimension == 2)
+            if (damper == 0) damp(model, beam, eta);
         if (damper == 1) add_rayleigh_damping(model, second, uniform(0.0, 1.0) / step, 0.1 * step);
     }
 
