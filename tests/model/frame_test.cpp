@@ -40,6 +40,34 @@ void solve(Model& model) {
     REQUIRE(report.status == Status::converged);
 }
 
+TEST_CASE("frame: a joint yields to a moment within its compliance, by the frame's direction",
+          "[model][frame]") {
+    constexpr double h = 0.1, kappa = 1e-4;  // a square of m, 1/m
+    const double moment = kappa * steel.young * std::pow(h, 4) / 12.0;
+    // the corner of an L turns by kappa 1 m and takes the tip with it
+    const auto excess = [&](const P3& along, const P3& across) {
+        FrameOptions<3> options;
+        options.y_axis = across;
+        Model model;
+        const auto built = frame<Spatial>(
+            model, {{steel, rectangle(h, h)}}, {P3::Zero(), along, P3(along + across)},
+            {{0, 1, 0, 4}, {1, 2, 0, 1}}, options, CrossSectionOptions::best());
+        model.clamp(built.joints[0]);
+        model.add(Moment(built.joints[1], moment * cross(along, across)));
+        EigenLu solver;
+        REQUIRE(solve_statics(model, solver).status == Status::converged);
+        const P3 moved = model.position(built.joints[2]) - along - across;
+        return -moved.dot(along) / kappa - 1.0;
+    };
+    const double s = std::sqrt(0.5);
+    const std::vector<double> found = {excess(P3::UnitX(), P3::UnitY()),
+                                       excess(P3::UnitY(), P3::UnitZ()),
+                                       excess({s, s, 0.0}, {-s, s, 0.0})};
+    for (const double yield : found) CHECK(std::abs(yield) <= 0.0025 * h);
+    CHECK(std::abs(found[0]) <= 0.0003 * h);  // through r_y, which the member holds
+    CHECK(found[1] > 0.001 * h);              // half of it through r_y, and the block
+}
+
 TEST_CASE("frame: y_axis turns an oblong section, and so its stiffness", "[model][frame]") {
     constexpr double length = 2.0, force = 0.5;  // m, N
     const Section section = rectangle(width, height);
