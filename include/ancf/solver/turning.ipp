@@ -503,9 +503,12 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
             detail::turn_frame(before.data() + at.first, change.data() + at.first, at.count,
                                dimension_, false, by, q.data() + at.first);
         else
-            for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_)
-                detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by,
-                               q.data() + k);
+            for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_) {
+                double slope[3];
+                detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by, slope);
+                for (int i = 0; i < dimension_; ++i)  // what is held or driven is where it must be
+                    if (numbering_.equation(k + i) >= 0) q[k + i] = slope[i];
+            }
         for (const Field rate : slope_rates)
             if (const int k = layout_.index({{node}, rate}); k >= 0 && is_free(k))
                 detail::turn_rate(before.data() + at.first, change.data() + at.first,
