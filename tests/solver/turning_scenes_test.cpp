@@ -9,6 +9,7 @@
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
@@ -451,6 +452,27 @@ TEST_CASE("statics: slopes stand where supports hold or drive them", "[statics][
     EigenLu solver;
     CHECK(solve_statics(scene, solver).status == Status::converged);
     CHECK(scene.value(beam.last(), Field::r_y)[1] == 1.0);
+}
+
+TEST_CASE("statics: an arch that supports alone press together bends and is not crushed",
+          "[statics][turning]") {
+    for (const int elements : {8, 16}) {
+        INFO(elements << " elements");
+        PlanarModel scene;
+        const double half = 0.04, radius = 0.5 / std::sin(half);  // of span 1
+        const auto beam = arc<CrossSectionBeam<2>>(
+            scene, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.02, 0.005), {0, 0},
+            {std::cos(half), std::sin(half)}, radius, -2.0 * half, elements,
+            CrossSectionOptions::best());
+        scene.pin(beam.first());
+        scene.fix(beam.last(), Field::r, 1);
+        scene.prescribe(beam.last(), Field::r, 0, [](double factor) { return 1.0 - 0.3 * factor; });
+        EigenLu solver;
+        const auto report = solve_statics(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == Stability::stable);
+        CHECK(scene.position(beam.node(elements / 2))[1] == Approx(0.314).epsilon(1e-3));
+    }
 }
 
 }  // namespace turning_scenes_test

@@ -440,16 +440,17 @@ private:
     [[nodiscard]] bool moments_lead() {
         const Layout& layout = model_.layout();
         double of_positions = 0.0, of_slopes = 0.0;
-        moments_alone_ = true;
+        bool force_acts = false, moment_acts = false;
         for (int node = 0; node < layout.nodes(); ++node) {
             const int slopes = layout.fields(node).contains(Field::r) ? model_.dimension() : 0;
             for (int k = layout.first(node); k < layout.first(node + 1); ++k) {
                 const double force = assembly_.external_force()[k];
                 const bool position = k < layout.first(node) + slopes;
                 (position ? of_positions : of_slopes) += force * last_.change[k];
-                moments_alone_ = moments_alone_ && !(position && force != 0.0);
+                if (force != 0.0) (position ? force_acts : moment_acts) = true;
             }
         }
+        moments_alone_ = moment_acts && !force_acts;
         return std::abs(of_slopes) > std::abs(of_positions);
     }
 
@@ -607,7 +608,7 @@ private:
     int spent_ = 0;                // iterations before the step that the options ask for
     bool stable_ = true;           // as far as is known, the last state that was accepted
     bool doubted_ = false;         // the last step ended elsewhere
-    bool moments_alone_ = false;   // no force acts on a position
+    bool moments_alone_ = false;   // loads act on slopes, none on a position
     double time_ = 0.0;            // of a damped correction
     double whole_ = 0.0;           // of the load factors
     double equal_ = 0.0;           // a step of equal ones
