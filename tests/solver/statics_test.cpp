@@ -303,6 +303,18 @@ TEST_CASE("statics: a column that a joint alone holds is judged like a clamped o
     }
 }
 
+TEST_CASE("statics: a joint that holds what pushes sideways is judged like a support",
+          "[statics][stability]") {
+    Chain chain = make_chain();  // of two bars that press on the node between them
+    chain.release({1}, Field::r);
+    for (const int sideways : {1, 2})
+        chain.add(ancf::FixedCoordinate({1}, Field::r, sideways, 0.0));
+    chain.add(ancf::Force({2}, {-5.0, 0.0, 0.0}));
+    const auto report = solve(chain);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == ancf::Stability::stable);
+}
+
 TEST_CASE("statics: stability stays open where nothing decides it", "[statics][stability]") {
     Scene floating = make_column(0.0);
     CHECK(solve(floating).stability == ancf::Stability::unknown);  // rigid motions cost nothing

@@ -13,6 +13,7 @@
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
@@ -454,10 +455,11 @@ TEST_CASE("statics: slopes stand where supports hold or drive them", "[statics][
     CHECK(scene.value(beam.last(), Field::r_y)[1] == 1.0);
 }
 
-TEST_CASE("statics: an arch that supports alone press together bends and is not crushed",
+TEST_CASE("statics: an arch whose ends alone are driven together bends and is not crushed",
           "[statics][turning]") {
+    const bool joint = GENERATE(false, true);
     for (const int elements : {8, 16}) {
-        INFO(elements << " elements");
+        INFO(elements << " elements, " << (joint ? "a joint" : "a support") << " drives them");
         PlanarModel scene;
         const double half = 0.04, radius = 0.5 / std::sin(half);  // of span 1
         const auto beam = arc<CrossSectionBeam<2>>(
@@ -465,8 +467,15 @@ TEST_CASE("statics: an arch that supports alone press together bends and is not 
             {std::cos(half), std::sin(half)}, radius, -2.0 * half, elements,
             CrossSectionOptions::best());
         scene.pin(beam.first());
-        scene.fix(beam.last(), Field::r, 1);
-        scene.prescribe(beam.last(), Field::r, 0, [](double factor) { return 1.0 - 0.3 * factor; });
+        const auto inwards = [](double factor) { return -0.3 * factor; };
+        if (joint) {
+            const Motion motion{inwards, [](double) { return -0.3; }, [](double) { return 0.0; }};
+            scene.add(Driven(Pin<2>(beam.last(), {1, 0}), {{0, motion}}));
+        } else {
+            scene.fix(beam.last(), Field::r, 1);
+            scene.prescribe(beam.last(), Field::r, 0,
+                            [&](double factor) { return 1.0 + inwards(factor); });
+        }
         EigenLu solver;
         const auto report = solve_statics(scene, solver);
         REQUIRE(report.status == Status::converged);

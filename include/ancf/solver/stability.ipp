@@ -29,7 +29,7 @@ namespace detail {
 /// it holds.
 /// @param tangent   of full storage: its last columns hold the constraints' gradients
 /// @param diagonal  of the tangent; grows with the springs
-/// @return false where one of them holds nothing of positive stiffness.
+/// @return false where one of them holds nothing that has a stiffness.
 ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
@@ -40,9 +40,11 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
     for (auto column = static_cast<int>(held.size()); column < tangent.cols(); ++column) {
         const int first = tangent.outerIndexPtr()[column];
         const int last = tangent.outerIndexPtr()[column + 1];
-        double flexibility = 0.0;
+        double flexibility = 0.0, of_negative = 0.0;
         for (int k = first; k < last; ++k)
-            if (counts(k) && held[row[k]] > 0.0) flexibility += g[k] * g[k] / held[row[k]];
+            if (counts(k) && held[row[k]] != 0.0)
+                (held[row[k]] > 0.0 ? flexibility : of_negative) += g[k] * g[k] / held[row[k]];
+        if (!(flexibility > 0.0)) flexibility = -of_negative;  // what is held pushes
         if (!(flexibility > 0.0)) return false;
         const double spring = stiffness / flexibility;
         for (int a = first; a < last; ++a)
