@@ -70,10 +70,3 @@
 #else
 #define ANCF_INLINE_VIRTUAL inline
 #endif
-
-/// Marks what must be one thing in a program of several shared libraries, whatever they hide.
-#if defined(__GNUC__)
-#define ANCF_VISIBLE __attribute__((visibility("default")))
-#else
-#define ANCF_VISIBLE
-#endif

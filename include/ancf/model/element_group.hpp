@@ -10,7 +10,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
@@ -20,6 +19,7 @@
 #include <array>
 #include <memory>
 #include <string_view>
+#include <typeinfo>
 
 namespace ancf {
 
@@ -128,7 +128,7 @@ public:
     /// Tells whether the group holds elements of a type.
     template <class Element>
     [[nodiscard]] bool holds() const noexcept {
-        return type_.id == type_id<Element>();
+        return type_.id == type_id<Element>() || is_of_type(*type_id<Element>());
     }
 
     // What it holds ----------------------------------------------------------------------------
@@ -184,9 +184,15 @@ public:
     virtual void add_block(int index, const GroupTarget& target, const double* block) const = 0;
 
 protected:
+    /// What tells a type from others: by its address, and in several shared libraries, which may
+    /// have one address each, by the run-time type information, where there is such.
+    struct TypeId {
+        const std::type_info* run_time;
+    };
+
     /// What a type of element is.
     struct Type {
-        const void* id;         ///< type_id() of it
+        const TypeId* id;       ///< type_id() of it
         std::string_view name;  ///< as the compiler writes it
         Fields fields;          ///< of a node
         int dofs;               ///< of an element
@@ -199,14 +205,28 @@ protected:
     ElementGroup(const ElementGroup&) = default;             ///< by clone() alone
     ElementGroup& operator=(const ElementGroup&) = default;  ///< by derived classes alone
 
-    /// Returns what tells a type from others, without run-time type information.
+    /// Returns what tells a type from others.
     template <class Element>
-    [[nodiscard]] ANCF_VISIBLE static const void* type_id() noexcept {
-        static char id = 0;  // not constant: linkers may fold constants that are alike
+    [[nodiscard]] static const TypeId* type_id() noexcept {
+        // not constant: linkers may fold constants that are alike
+#if defined(__cpp_rtti)
+        static TypeId id = {&typeid(Name<Element>)};
+#else
+        static TypeId id = {nullptr};
+#endif
         return &id;
     }
 
 private:
+    /// Has run-time type information without that of an element's bases.
+    template <class Element>
+    struct Name {};
+
+    [[nodiscard, gnu::cold, gnu::noinline]] bool is_of_type(const TypeId& id) const noexcept {
+        return id.run_time != nullptr && type_.id->run_time != nullptr &&
+               *id.run_time == *type_.id->run_time;
+    }
+
     Type type_;
 };
 

@@ -339,7 +339,7 @@ private:
     };
 
     template <class Element>
-    [[nodiscard]] ElementGroup* find_group() const noexcept {
+    [[nodiscard]] ANCF_NOINLINE ElementGroup* find_group() const noexcept {
         for (const auto& group : groups_)
             if (group->holds<Element>()) return group.get();
         return nullptr;

@@ -3,7 +3,7 @@
 
 /// @file
 /// A cantilever of an element that the compiled library holds, and of a combination that it does
-/// not.
+/// not. A shared library looks at the model of the first, where there is one.
 
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
@@ -18,6 +18,26 @@
 #include <iostream>
 
 double height_of_tip(const ancf::Scene& model, ancf::NodeId tip);
+int beams_in(const ancf::Model& model);
+void refuse_node(const ancf::Model& model);
+
+#if defined(WITH_PLUGIN)
+/// Returns whether the shared library finds the beams of a model made here, and its exception is
+/// known here.
+bool shared_with_plugin() {
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        model, ancf::Material::isotropic(2.07e11, 0.3, 7850.0), ancf::rectangle(0.01, 0.01),
+        {0, 0, 0}, {2, 0, 0}, 8);
+    if (beams_in(model) != static_cast<int>(beam.elements.size())) return false;
+    try {
+        refuse_node(model);
+    } catch (const ancf::InvalidArgument&) {
+        return true;
+    }
+    return false;
+}
+#endif
 
 template <class Element>
 double deflection() {
@@ -43,5 +63,8 @@ int main() {
         ancf::CrossSectionBeam<3, ancf::Transported, ancf::LinearShear, ancf::EngineeringMeasure>;
     for (const double found : {deflection<Usual>(), deflection<Own>()})
         if (!(std::abs(found - expected) <= 0.01 * expected)) return 1;
+#if defined(WITH_PLUGIN)
+    if (!shared_with_plugin()) return 1;
+#endif
     return 0;
 }
