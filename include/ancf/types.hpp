@@ -4,7 +4,8 @@
 /// @file
 /// Names for the Eigen types that the whole library shares.
 ///
-/// Everything is column-major and of SI units unless a function says otherwise.
+/// Everything is column-major, also under EIGEN_DEFAULT_TO_ROW_MAJOR, and of SI units unless a
+/// function says otherwise. Eigen wants single rows row-major.
 
 #pragma once
 
@@ -25,7 +26,8 @@ using Vector = Eigen::Matrix<Scalar, Rows, 1>;
 
 /// A matrix of fixed size, square unless told otherwise.
 template <class Scalar, int Rows, int Columns = Rows>
-using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
+using Matrix = Eigen::Matrix<Scalar, Rows, Columns,
+                             Rows == 1 && Columns != 1 ? Eigen::RowMajor : Eigen::ColMajor>;
 
 /// A column of any size.
 template <class Scalar>
@@ -33,10 +35,10 @@ using DynamicVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
 /// A matrix of any size.
 template <class Scalar>
-using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+using DynamicMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor>;
 
-using VectorX = Eigen::VectorXd;  ///< a column of any size
-using MatrixX = Eigen::MatrixXd;  ///< a matrix of any size
+using VectorX = Eigen::VectorXd;        ///< a column of any size
+using MatrixX = DynamicMatrix<double>;  ///< a matrix of any size
 
 /// Compressed columns with 32-bit indices: what CHOLMOD and UMFPACK take without a copy.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

@@ -11,6 +11,9 @@
 #include <cmath>
 #include <iostream>
 
+// whatever EIGEN_DEFAULT_TO_ROW_MAJOR says: data() is read by columns
+static_assert(!ancf::MatrixX::IsRowMajor && !ancf::Matrix<double, 3, 4>::IsRowMajor);
+
 double stretched_energy(const ancf::CrossSectionBeam<3>& element);
 
 int main() {

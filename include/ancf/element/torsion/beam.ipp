@@ -137,7 +137,7 @@ ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(
     const CarriedFrame<double>& f = at.frame;
     // d n = th c - (n.dt) t and d c = -th n - (c.dt) t, with dt = (I - t t^T) dp/lam
     const Vector<double, 3> t = to_vector(f.t), n = to_vector(f.n), c = to_vector(f.c);
-    Eigen::Matrix<double, 3, torsion_local> local = Eigen::Matrix<double, 3, torsion_local>::Zero();
+    Matrix<double, 3, torsion_local> local = Matrix<double, 3, torsion_local>::Zero();
     const Vector<double, 3> turned = y * c - z * n;
     const Matrix<double, 3> tilt = -f.inv_lam * t * (y * n + z * c).transpose();
     for (int a = 0; a < 3; ++a) local.middleCols<3>(3 * a) = shape.p[a] * tilt;

@@ -160,7 +160,7 @@ void check_equal_elements(Fields fields, const std::vector<CurvePoint<Dimension>
     // products of an element's vectors, those of positions its chord, all by the length: what a
     // rigid motion does not change
     const auto products = [&](std::size_t element) {
-        Eigen::Matrix<double, Dimension, Eigen::Dynamic> e(Dimension, 2 * count);
+        Matrix<double, Dimension, Eigen::Dynamic> e(Dimension, 2 * count);
         reference_coordinates(fields, points[element], points[element + 1], e.data());
         e.col(0) = e.col(count) - e.col(0);
         e.col(count).setZero();
