@@ -30,6 +30,7 @@ ANCF_INLINE void MessagePart::write(std::ostream& out) const {
 
 ANCF_INLINE std::string joined(std::initializer_list<MessagePart> parts, int digits) {
     std::ostringstream stream;
+    stream.imbue(std::locale::classic());
     stream.precision(digits);
     for (const MessagePart& part : parts) part.write(stream);
     return stream.str();

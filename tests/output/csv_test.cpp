@@ -59,6 +59,14 @@ TEST_CASE("number_text: the locale of the program changes no file", "[output]") 
     CHECK(out.str() == "a\n1234567\n");
 }
 
+TEST_CASE("messages: the locale of the program changes no number", "[output]") {
+    const std::locale before =
+        std::locale::global(std::locale(std::locale::classic(), new CommaDecimals));
+    const std::string text = ancf::detail::joined({"got ", 12345.5, " of ", 1234567});
+    std::locale::global(before);
+    CHECK(text == "got 12345.5 of 1234567");
+}
+
 TEST_CASE("CsvWriter: a row of another length is refused with both numbers", "[output]") {
     std::ostringstream out;
     ancf::CsvWriter csv(out, {"a", "b"});
