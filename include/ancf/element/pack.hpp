@@ -135,13 +135,13 @@ inline PackType<Lanes> square_root(const PackType<Lanes>& v) noexcept {
     } else {
 #if defined(__GNUC__) && defined(__AVX512F__)
         // masked by all lanes: the plain form trips GCC 12 over an uninitialised operand
-        if constexpr (Lanes == 8) return (Type)_mm512_maskz_sqrt_pd(0xFF, (__m512d)v);
+        if constexpr (Lanes == 8) return _mm512_maskz_sqrt_pd(0xFF, v);
 #endif
 #if defined(__GNUC__) && defined(__AVX__)
-        if constexpr (Lanes == 4) return (Type)_mm256_sqrt_pd((__m256d)v);
+        if constexpr (Lanes == 4) return _mm256_sqrt_pd(v);
 #endif
 #if defined(__GNUC__) && defined(__SSE2__)
-        if constexpr (Lanes == 2) return (Type)_mm_sqrt_pd((__m128d)v);
+        if constexpr (Lanes == 2) return _mm_sqrt_pd(v);
 #endif
         Type root = v;
         for (int k = 0; k < Lanes; ++k) set_lane<Lanes>(root, k, std::sqrt(lane<Lanes>(v, k)));

@@ -97,7 +97,7 @@ ANCF_INLINE double member_length(const char* name, std::size_t place, const Memb
 ANCF_INLINE Matrix<double, 3> member_slopes(const Vector<double, 3>& direction,
                                             const Vector<double, 3>& y_axis) {
     constexpr double parallel = 1e-6;
-    const double sine = span(Vector<double, 3>(cross(direction, y_axis)));  // times both lengths
+    const double sine = span(cross(direction, y_axis));  // times both lengths
     if (sine <= parallel * span(direction) * span(y_axis)) return reference_slopes(direction);
     return reference_slopes(direction, y_axis);
 }
