@@ -79,6 +79,7 @@ void DoublePendulum::parse(int argc, char** argv) {
     beam.settle(line);
     examples::check(beam);
     motion.check(line);
+    output.check(motion);
 }
 
 std::string DoublePendulum::title() const {

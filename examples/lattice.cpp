@@ -102,6 +102,7 @@ void Lattice::parse(int argc, char** argv) {
         examples::require_writable(vtk);
     }
     if (!lines.empty()) examples::require_writable(lines);
+    examples::require_apart("--vtk", vtk, "--lines", lines);
 }
 
 std::vector<Point> Lattice::points() const {

@@ -80,6 +80,7 @@ void Pendulum::parse(int argc, char** argv) {
     beam.settle(line);
     examples::check(beam);
     motion.check(line);
+    output.check(motion);
 }
 
 std::string Pendulum::title() const {

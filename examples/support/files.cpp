@@ -22,6 +22,15 @@ void require_writable(const std::string& file) {
     ancf::detail::require(open, "cannot write ", file);
 }
 
+void require_apart(const char* one, const std::string& file, const char* other,
+                   const std::string& other_file) {
+    std::error_code ignored;
+    const bool same = !file.empty() && !other_file.empty() &&
+                      std::filesystem::weakly_canonical(file, ignored) ==
+                          std::filesystem::weakly_canonical(other_file, ignored);
+    ancf::detail::require(!same, one, " and ", other, " name the same file ", file);
+}
+
 void OutputOptions::add_to(CommandLine& line) {
     line.set_group("Output");
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
@@ -42,10 +51,8 @@ void OutputOptions::check() const {
         static_cast<void>(ancf::vtk_format(vtk));
         require_writable(vtk);
     }
-    if (!shape.empty()) {
-        require_writable(shape);
-        ancf::detail::require(shape != vtk, "--vtk and --shape name the same file ", vtk);
-    }
+    if (!shape.empty()) require_writable(shape);
+    require_apart("--vtk", vtk, "--shape", shape);
 }
 
 void OutputOptions::write(const ancf::Scene& model, const NamedBeam& beam,

@@ -20,6 +20,11 @@ namespace examples {
 /// @throws ancf::InvalidArgument naming the file.
 void require_writable(const std::string& file);
 
+/// Throws where two options name one file.
+/// @throws ancf::InvalidArgument naming the options and the file.
+void require_apart(const char* one, const std::string& file, const char* other,
+                   const std::string& other_file);
+
 /// Where a program writes its results.
 struct OutputOptions {
     bool csv = false;

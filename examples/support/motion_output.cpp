@@ -6,6 +6,7 @@
 #include <ancf/output/shape.hpp>
 #include <ancf/output/surface.hpp>
 
+#include <support/files.hpp>
 #include <support/motion_output.hpp>
 
 #include <cstddef>
@@ -18,6 +19,11 @@ void MotionOutputOptions::add_to(CommandLine& line) {
     line.add_flag("--csv", csv, "comma-separated values on stdout instead of a table");
     line.add_file("--vtk", vtk, "folder of a series for ParaView, one file per output time");
     line.add_file("--shapes", shapes, "centre lines and outlines at every output time, as CSV");
+}
+
+void MotionOutputOptions::check(const MotionOptions& motion) const {
+    require_apart("--shapes", shapes, "--save", motion.save);
+    require_apart("--shapes", shapes, "--restart", motion.restart);
 }
 
 MotionWriter::MotionWriter(const ancf::Scene& model, std::vector<NamedBeam> beams,

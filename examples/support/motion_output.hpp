@@ -12,6 +12,7 @@
 #include <ancf/section/section.hpp>
 
 #include <support/command_line.hpp>
+#include <support/motion.hpp>
 #include <support/named_beam.hpp>
 #include <support/report.hpp>
 
@@ -29,6 +30,10 @@ struct MotionOutputOptions {
     std::string shapes;  ///< file
 
     void add_to(CommandLine& line);
+
+    /// Refuses a file of shapes that is a state file too.
+    /// @throws ancf::InvalidArgument naming the file.
+    void check(const MotionOptions& motion) const;
 };
 
 /// Writes what an observer sees; the model serves as the description of the scene.

@@ -105,6 +105,8 @@ def line_cases():
         yield program, ["--elements", "1", "--vtk", "/no/such/folder/beam.vtp"], ["/no/such/folder/beam.vtp"]
         yield program, ["--elements", "1", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
         yield program, ["--csv", "--shape", "/no/such/folder/beam.csv"], ["/no/such/folder/beam.csv"]
+        yield program, ["--elements", "1", "--vtk", "x.vtp", "--shape", "./x.vtp"], ["--vtk", "--shape", "same file"]
+    yield "lattice", ["--vtk", "x.vtp", "--lines", "x.vtp"], ["--vtk", "--lines", "same file"]
     yield "cantilever", ["--force", "0,1,0", "--load-factor", "1"], ["--force", "--load-factor"]
     for joints in ["2.5,3,3", "0,1,2", "1,1,1", "3,3"]:
         yield "lattice", ["--joints", joints], ["--joints"]
@@ -148,6 +150,8 @@ def other_cases():
     for program in MOTIONS:
         yield program, ["--restart", "/no/such/folder/state"], ["/no/such/folder/state"]
         yield program, ["--duration", "1e-3", "--save", "/no/such/folder/state"], ["/no/such/folder/state"]
+        yield program, ["--duration", "1e-3", "--save", "x", "--shapes", "./x"], ["--shapes", "--save", "same file"]
+        yield program, ["--restart", "x", "--shapes", "x"], ["--shapes", "--restart", "same file"]
 
 
 def coordinate_cases():
