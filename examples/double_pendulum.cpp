@@ -78,8 +78,8 @@ void DoublePendulum::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(beam);
-    motion.check(line);
     output.check(motion);
+    motion.check(line);
 }
 
 std::string DoublePendulum::title() const {

@@ -97,12 +97,12 @@ void Lattice::parse(int argc, char** argv) {
         ancf::detail::require(number >= 1.0 && number <= 1000.0 && number == std::floor(number),
                               "--joints takes whole numbers from 1 to 1000, got ", number);
     ancf::detail::require(joints[2] >= 2.0, "--joints needs at least 2 along Z, got ", joints[2]);
+    examples::require_apart("--vtk", vtk, "--lines", lines);
     if (!vtk.empty()) {
         static_cast<void>(ancf::vtk_format(vtk));
         examples::require_writable(vtk);
     }
     if (!lines.empty()) examples::require_writable(lines);
-    examples::require_apart("--vtk", vtk, "--lines", lines);
 }
 
 std::vector<Point> Lattice::points() const {

@@ -79,8 +79,8 @@ void Pendulum::parse(int argc, char** argv) {
     line.parse(argc, argv);
     beam.settle(line);
     examples::check(beam);
-    motion.check(line);
     output.check(motion);
+    motion.check(line);
 }
 
 std::string Pendulum::title() const {

@@ -47,12 +47,12 @@ void OutputOptions::add_files_to(CommandLine& line) {
 }
 
 void OutputOptions::check() const {
+    require_apart("--vtk", vtk, "--shape", shape);
     if (!vtk.empty()) {
         static_cast<void>(ancf::vtk_format(vtk));
         require_writable(vtk);
     }
     if (!shape.empty()) require_writable(shape);
-    require_apart("--vtk", vtk, "--shape", shape);
 }
 
 void OutputOptions::write(const ancf::Scene& model, const NamedBeam& beam,
