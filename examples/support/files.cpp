@@ -24,11 +24,13 @@ void require_writable(const std::string& file) {
 
 void require_apart(const char* one, const std::string& file, const char* other,
                    const std::string& other_file) {
-    std::error_code ignored;
-    const bool same = !file.empty() && !other_file.empty() &&
-                      std::filesystem::weakly_canonical(file, ignored) ==
-                          std::filesystem::weakly_canonical(other_file, ignored);
-    ancf::detail::require(!same, one, " and ", other, " name the same file ", file);
+    const auto place = [](const std::string& name) {  // also of a file that is not there yet
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+    };
+    const bool both = !file.empty() && !other_file.empty();
+    ancf::detail::require(!both || place(file) != place(other_file), one, " and ", other,
+                          " name the same file ", file);
 }
 
 void OutputOptions::add_to(CommandLine& line) {

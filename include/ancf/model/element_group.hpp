@@ -187,7 +187,7 @@ protected:
     /// What tells a type from others: by its address, and in several shared libraries, which may
     /// have one address each, by the run-time type information, where there is such.
     struct TypeId {
-        const std::type_info* run_time;
+        const std::type_info* run_time;  ///< null without
     };
 
     /// What a type of element is.
