@@ -39,7 +39,9 @@ inline ComplexSample complex_chain(int blocks, int width, Storage storage, std::
     std::vector<Eigen::Triplet<double>> entries;
     for (int j = 0; j < size; ++j)
         for (int i = j; i < std::min(size, (j / width + 2) * width); ++i) {
-            Complex value(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+            // drawn one after the other: arguments have no order, and so no compiler its own sample
+            const double imaginary = random.uniform(-1.0, 1.0), real = random.uniform(-1.0, 1.0);
+            Complex value(real, imaginary);
             if (i == j) value += 3.0 * width;
             sample.dense(i, j) = sample.dense(j, i) = value;
             entries.emplace_back(i, j, 1.0);
