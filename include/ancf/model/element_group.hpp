@@ -210,7 +210,7 @@ protected:
     [[nodiscard]] static const TypeId* type_id() noexcept {
         // not constant: linkers may fold constants that are alike
 #if defined(__cpp_rtti)
-        static TypeId id = {&typeid(Name<Element>)};
+        static TypeId id = {&typeid(Tag<Element>)};
 #else
         static TypeId id = {nullptr};
 #endif
@@ -220,8 +220,9 @@ protected:
 private:
     /// Has run-time type information without that of an element's bases.
     template <class Element>
-    struct Name {};
+    struct Tag {};
 
+    /// Compares by run-time type information, where addresses differ.
     [[nodiscard, gnu::cold, gnu::noinline]] bool is_of_type(const TypeId& id) const noexcept {
         return id.run_time != nullptr && type_.id->run_time != nullptr &&
                *id.run_time == *type_.id->run_time;

@@ -338,6 +338,7 @@ private:
         int last_support = -1, last_attachment = -1;  // places in supports_ and attachments_
     };
 
+    // Not inlined: a program needs it once, and looks elements up at many places.
     template <class Element>
     [[nodiscard]] ANCF_NOINLINE ElementGroup* find_group() const noexcept {
         for (const auto& group : groups_)

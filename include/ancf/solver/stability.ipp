@@ -26,7 +26,7 @@ namespace ancf {
 namespace detail {
 
 /// Appends the lower half of the stiffness of constraints as springs, each far stiffer than what
-/// it holds.
+/// it holds. Where that has negative stiffness alone, its magnitude counts.
 /// @param tangent   of full storage: its last columns hold the constraints' gradients
 /// @param diagonal  of the tangent; grows with the springs
 /// @return false where one of them holds nothing that has a stiffness.
@@ -44,7 +44,7 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
         for (int k = first; k < last; ++k)
             if (counts(k) && held[row[k]] != 0.0)
                 (held[row[k]] > 0.0 ? flexibility : of_negative) += g[k] * g[k] / held[row[k]];
-        if (!(flexibility > 0.0)) flexibility = -of_negative;  // what is held pushes
+        if (!(flexibility > 0.0)) flexibility = -of_negative;
         if (!(flexibility > 0.0)) return false;
         const double spring = stiffness / flexibility;
         for (int a = first; a < last; ++a)
