@@ -5,6 +5,7 @@
 /// A chain that hangs between two pins against the catenary.
 
 #include <ancf/element/cable/cable.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/statics.hpp>
@@ -140,6 +141,34 @@ TEST_CASE("Cable: chains from taut to deep are found from an arc",
     const double length = GENERATE(1.001, 1.01, 1.2, 3.0, 5.0);
     const double tolerance = length < 2.0 ? 1e-5 : 3e-3;  // of 16 elements
     CHECK(std::abs(sag_error<2>(length, 16)) <= tolerance);
+}
+
+TEST_CASE("Cable: a straight rope bent by its weight first hangs when its end comes nearer",
+          "[element][cable][statics][catenary]") {
+    // docs/recipes.md: without the first solution it is compressed as a bar, up to a length of 1.5
+    const double length = GENERATE(1.001, 1.05, 1.2, 1.5, 2.0, 5.0);
+    CAPTURE(length);
+    Model model;
+    const auto rope = straight_beam<Cable<3>>(model, Material::isotropic(2.07e11, 0.3, 7850.0),
+                                              circle(0.002), {0, 0, 0}, {length, 0, 0}, 16);
+    model.pin(rope.first());
+    model.pin(rope.last());
+    model.prescribe(rope.last(), Field::r, 0,
+                    [length](double factor) { return length + factor * (1.0 - length); });
+    model.set_gravity({0, 0, -9.81}, [](double) { return 1.0; });
+    EigenLdlt solver;
+    StaticsOptions weight_alone;
+    weight_alone.first_factor = 1.0;
+    weight_alone.last_factor = 0.0;
+    REQUIRE(solve_statics(model, solver, weight_alone).status == Status::converged);
+    const StaticsReport report = solve_statics(model, solver);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == Stability::stable);
+    double chords = 0.0;
+    for (int k = 0; k < 16; ++k)
+        chords += (model.position(rope.node(k + 1)) - model.position(rope.node(k))).norm();
+    CHECK(chords >= 0.99 * length);  // measured 0.9967 at least
+    CHECK(model.position(rope.node(8))[2] < -0.01);
 }
 
 TEST_CASE("Cable: a rope that only pulls hangs as the chain",
