@@ -349,14 +349,19 @@ TEST_CASE("statics: a default step that ends on a branch of its own is taken aga
 }
 
 TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][newton]") {
-    for (const int steps : {1, 10}) {
+    struct Run {
+        NewtonKind newton;
+        int steps;
+    };
+    for (const Run run :
+         {Run{NewtonKind::plain, 1}, Run{NewtonKind::plain, 10}, Run{NewtonKind::automatic, 1}}) {
         Cantilever beam(4, 1.0, 0.1, ancf::Rule::gauss(3));
         beam.scene.add(ancf::Force<3>(beam.beam.last(), {0.0, 30.0 * beam.bending, 0.0}));
-        const auto report = beam.solve(NewtonKind::plain, steps);
+        const auto report = beam.solve(run.newton, run.steps);
         REQUIRE(report.status == Status::converged);
         CHECK(report.stability == ancf::Stability::stable);
         const double tip = beam.scene.position(beam.beam.last())[0];
-        if (steps == 1) {
+        if (run.newton == NewtonKind::plain && run.steps == 1) {
             CHECK(tip < 0.0);  // another equilibrium of the mesh; measured -0.007
             REQUIRE(report.softened);
             CHECK(report.softened->element == 0);
