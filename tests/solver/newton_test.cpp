@@ -374,7 +374,8 @@ TEST_CASE("statics: a beam that is crushed at its clamp says so", "[statics][new
 
 TEST_CASE("statics: Green's measure bears no bending moment above (2/3) E I/sqrt(6 I/A)",
           "[statics][newton]") {
-    // bending by k a unit length compresses the axis by k^2 I/A, so that M = E I k (1 - 2 k^2 I/A)
+    // of a section given to second order; bending by k a unit length compresses the axis by
+    // k^2 I/A, so that M = E I k (1 - 2 k^2 I/A)
     using Quintic = ancf::QuinticBeam<>;
     const double inertia = 0.01;  // A = 1, E = 1e4
     const double largest = 2.0 / 3.0 * 1e4 * inertia / std::sqrt(6.0 * inertia);
@@ -410,6 +411,34 @@ TEST_CASE("statics: Green's measure bears no bending moment above (2/3) E I/sqrt
     const auto above = solve(1.01).first;
     CHECK(above.status != Status::converged);
     CHECK(1.01 * above.factor == Approx(1.0).margin(0.01));
+}
+
+TEST_CASE("statics: solid sections bear a fifth of sqrt(EA EI) by Green's measure",
+          "[statics][newton]") {
+    // with y^2 k^2/2 in the strain M = E I k (1 - c k^2), c = 9 I/(2 A) - int y^4 dA/(2 I)
+    for (const ancf::Section& section : {ancf::rectangle(0.1, 0.1), ancf::circle(0.05)}) {
+        const ancf::Moments of = section.moments();
+        const double c = 4.5 * of.yy / of.area - 0.5 * of.yyyy / of.yy;
+        const double largest = 2.0 / 3.0 * of.yy / std::sqrt(3.0 * c);  // over E
+        CHECK(largest == Approx(0.2 * std::sqrt(of.area * of.yy)).epsilon(0.03));
+        const auto solve = [&](double part) {
+            ancf::PlanarModel scene;
+            const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+                scene, ancf::Material::from_moduli(1e9, 4e8, 1.0), section, {0, 0}, {1, 0}, 32,
+                ancf::CrossSectionOptions::best());
+            scene.clamp(beam.first(), ancf::Clamp::free_slope);
+            scene.add(ancf::PlanarSlopeMoment(beam.last(), ancf::Field::r_y, part * 1e9 * largest));
+            ancf::StaticsOptions options;
+            options.steps = 10;
+            options.adaptive = true;
+            ancf::EigenLu solver;
+            return ancf::solve_statics(scene, solver, options);
+        };
+        CHECK(solve(0.99).status == Status::converged);
+        const auto above = solve(1.01);
+        CHECK(above.status != Status::converged);
+        CHECK(1.01 * above.factor == Approx(1.0).margin(0.002));  // measured 0.9990, 0.9994
+    }
 }
 
 TEST_CASE("statics: a mesh too coarse for one equilibrium shows it by its turn",
