@@ -88,8 +88,8 @@ public:
 
     /// Returns the same section with the shear centre at a point, from the reference axis, m. A
     /// transverse force through it does not twist the section. Angles and channels have it beside
-    /// the centroid. CrossSectionBeam<3> takes it with SectionModel::saint_venant and refuses it
-    /// without, TorsionBeam refuses it; other elements do not ask for it.
+    /// the centroid. CrossSectionBeam<3> takes it with SectionModel::saint_venant and LinearShear,
+    /// refuses it otherwise; TorsionBeam refuses it; other elements do not ask for it.
     /// @throws InvalidArgument unless it is finite.
     [[nodiscard]] Section with_shear_centre(SectionPoint point) const;
 
