@@ -120,4 +120,33 @@ TEST_CASE("curved reference: engineering strains come to the theory of thin arcs
     CHECK(green == Approx(across ? -3.7e-4 : 1.16e-2).epsilon(0.05));
 }
 
+/// Returns by which part of its angle a quarter circle of radius 1 turns too far under a moment at
+/// its end, where its axis lies aside of the centroids; a positive distance is inwards.
+template <class Element>
+double turn_too_far(double aside) {
+    const Section centred = rectangle(0.01, 0.01);
+    Model model;
+    const auto beam = arc<Element>(model, Material::from_moduli(2e11, 8e10, 1.0),
+                                   offset(centred, aside, 0.0), {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                   1.0, 0.5 * pi, 16, CrossSectionOptions::best());
+    model.clamp(beam.first(), Clamp::free_slope);
+    const double curvature = 1e-6;
+    model.add(
+        SlopeMoment(beam.last(), Field::r_y, {0, 0, 1}, curvature * 2e11 * centred.moments().yy));
+    const Vector<double, 3> start = model.value(beam.last(), Field::r_y);
+    BlockTridiagonal solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    const Vector<double, 3> end = model.value(beam.last(), Field::r_y);
+    const double turn = start[0] * end[1] - start[1] * end[0];
+    return turn / (curvature * 0.5 * pi * (1.0 - aside)) - 1.0;
+}
+
+TEST_CASE("curved reference: an axis beside the centroids errs by its distance over the radius",
+          "[verification]") {
+    const double aside = GENERATE(-0.01, 0.01);  // docs/limits.md
+    CAPTURE(aside);
+    CHECK(turn_too_far<Engineering>(aside) == Approx(aside).epsilon(0.02));
+    CHECK(turn_too_far<Green>(aside) == Approx(3.0 * aside).epsilon(0.03));
+}
+
 }  // namespace curved_references_test
