@@ -31,9 +31,10 @@ install(FILES
     ${PROJECT_SOURCE_DIR}/cmake/FindSuiteSparse.cmake
     DESTINATION ${ANCF_INSTALL_CMAKEDIR})
 
-# The prefix is found from the file's own place, so that an installed tree can be moved.
-file(RELATIVE_PATH ANCF_PC_TO_PREFIX /${CMAKE_INSTALL_DATADIR}/pkgconfig /)
+# The prefix is found from the file's own place, so that an installed tree can be moved. Folders may be absolute.
+file(RELATIVE_PATH ANCF_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
 string(REGEX REPLACE "/$" "" ANCF_PC_TO_PREFIX "${ANCF_PC_TO_PREFIX}")
+cmake_path(APPEND ANCF_PC_INCLUDEDIR "\${prefix}" "${CMAKE_INSTALL_INCLUDEDIR}")
 configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/ancf.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)
 
@@ -67,8 +68,9 @@ if(ANCF_INSTALL_COMPILED)
     if(ANCF_COMPILED_OPENMP)
         set(ANCF_COMPILED_PC_FLAGS " ${OpenMP_CXX_FLAGS}")
     endif()
-    file(RELATIVE_PATH ANCF_COMPILED_PC_TO_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+    file(RELATIVE_PATH ANCF_COMPILED_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
     string(REGEX REPLACE "/$" "" ANCF_COMPILED_PC_TO_PREFIX "${ANCF_COMPILED_PC_TO_PREFIX}")
+    cmake_path(APPEND ANCF_COMPILED_PC_LIBDIR "\${prefix}" "${CMAKE_INSTALL_LIBDIR}")
     configure_file(${PROJECT_SOURCE_DIR}/cmake/ancf-compiled.pc.in ${PROJECT_BINARY_DIR}/cmake/ancf-compiled.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/cmake/ancf-compiled.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT compiled)
