@@ -104,7 +104,8 @@ public:
     /// Holds a copy of the constraint.
     template <class Constraint>
     explicit AnyConstraint(Constraint constraint)
-        : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))) {
+        : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))),
+          equations_(held_->equations()) {
         static_assert(is_constraint_v<Constraint>,
                       "a constraint offers `Coupling coupling() const`, `int equations() const`, "
                       "`std::string name() const` and "
@@ -113,22 +114,16 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
-    /// Returns the number of equations.
-    [[nodiscard]] int equations() const { return held_->equations(); }
+    /// Returns the number of equations, as it was when the holder was made.
+    [[nodiscard]] int equations() const noexcept { return equations_; }
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return held_->name(); }
     /// Evaluates it.
-    /// @throws InvalidArgument where it changes the size of a result.
-    void evaluate(const ConstraintState& state, ConstraintResult& out) const {
-        held_->evaluate(state, out);
-        check_sizes(state, out, false);
-    }
+    /// @throws InvalidArgument where it changes the size of a result or its number of equations.
+    void evaluate(const ConstraintState& state, ConstraintResult& out) const;
     /// Evaluates g, G and g_t into `out` of any size; what else stands in it has no meaning then.
-    /// @throws InvalidArgument where it changes the size of a result.
-    void terms(const ConstraintState& state, ConstraintResult& out) const {
-        held_->terms(state, out);
-        check_sizes(state, out, true);
-    }
+    /// @throws InvalidArgument where it changes the size of a result or its number of equations.
+    void terms(const ConstraintState& state, ConstraintResult& out) const;
     /// Returns the angle that it is driven to, rad; 0 where it drives none.
     [[nodiscard]] double driven_angle(double time) const { return held_->driven_angle(time); }
 
@@ -142,6 +137,9 @@ private:
         virtual void terms(const ConstraintState&, ConstraintResult&) const = 0;
         [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
+
+    // Throws where the constraint has another number of equations than it had.
+    void check_equations() const;
 
     // Throws where results have another size than was asked for; `terms_alone`: g, G, g_t.
     void check_sizes(const ConstraintState& state, const ConstraintResult& out,
@@ -158,10 +156,10 @@ private:
         }
         void terms(const ConstraintState& state, ConstraintResult& out) const override {
             if constexpr (detail::offers<detail::TermsMember, Constraint>) {
-                out.ConstraintTerms::reset(constraint.equations(), state.q.size());
                 constraint.terms(state.q, state.time, out);
             } else {
-                out.reset(constraint.equations(), state.q.size());
+                out.stiffness.setZero(state.q.size(), state.q.size());
+                out.convection.setZero(state.multipliers.size());
                 constraint.evaluate(state, out);
             }
         }
@@ -172,6 +170,7 @@ private:
     };
 
     std::shared_ptr<const Interface> held_;
+    int equations_;
 };
 
 namespace detail {

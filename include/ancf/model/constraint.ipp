@@ -17,6 +17,27 @@
 
 namespace ancf {
 
+ANCF_INLINE void AnyConstraint::evaluate(const ConstraintState& state,
+                                         ConstraintResult& out) const {
+    check_equations();
+    held_->evaluate(state, out);
+    check_sizes(state, out, false);
+}
+
+ANCF_INLINE void AnyConstraint::terms(const ConstraintState& state, ConstraintResult& out) const {
+    check_equations();
+    out.ConstraintTerms::reset(state.multipliers.size(), state.q.size());
+    held_->terms(state, out);
+    check_sizes(state, out, true);
+}
+
+ANCF_INLINE void AnyConstraint::check_equations() const {
+    const int now = held_->equations();
+    if (now == equations_) return;
+    detail::reject("constraint ", name(), " had ", equations_, " equations when it was added and ",
+                   now, " now: its number must stay");
+}
+
 ANCF_INLINE void AnyConstraint::check_sizes(const ConstraintState& state,
                                             const ConstraintResult& out, bool terms_alone) const {
     const Eigen::Index size = state.q.size(), equations = state.multipliers.size();
