@@ -142,7 +142,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
         fresh = fresh || renew;
-        solver_.solve(rhs_, solution_);
+        solve_with(solver_, rhs_, solution_);
         ++report_.iterations;
         const VectorX correction = solution_.head(n);
         increment_ += correction;

@@ -194,7 +194,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         problem_.add_mass_product(-1.0, next_.acceleration, product_);
         rhs_.head(n) = product_;
         rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
-        solver_.solve(rhs_, solution_);
+        solve_with(solver_, rhs_, solution_);
         ++report_.iterations;
         correct(h);
         const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));

@@ -94,7 +94,7 @@ ANCF_INLINE bool DynamicProblem::can_move() const { return largest_of_parts(size
 // --- mass --------------------------------------------------------------------------------------
 
 ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
-    if (exchange_ != nullptr) return options_.mass_solver->solve(b, x);
+    if (exchange_ != nullptr) return detail::solve_with(*options_.mass_solver, b, x);
     x = b;
     mass_factor_.solve(x);
 }

@@ -319,7 +319,7 @@ ANCF_INLINE void RadauSystem::solve(double h, const Stages& force, const Stages&
     const double mu = tableau_.eigenvalues.front().real(), scale = mu * mu / (h * h);
     for (Eigen::Index k = 0; k < n; ++k) rhs_[k] = modal_[0][k];
     for (Eigen::Index k = 0; k < m; ++k) rhs_[n + k] = scale * modal_lengths_[0][k];
-    solver_.solve(rhs_, solution_);
+    solve_with(solver_, rhs_, solution_);
     for (Eigen::Index k = 0; k < n; ++k) modal_[0][k] = solution_[k] / (mu * mu);
     for (Eigen::Index k = 0; k < m; ++k) modal_lengths_[0][k] = solution_[n + k];
     for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode)
@@ -340,6 +340,8 @@ ANCF_INLINE void RadauSystem::solve_pair(std::size_t mode, double h, VectorX& re
     for (Eigen::Index k = 0; k < m; ++k)
         complex_[n + k] = scale * std::complex<double>(real_lengths[k], imaginary_lengths[k]);
     complex_solvers_[mode - 1]->solve(complex_);
+    require(complex_.size() == n + m, solver_.name(), ": the complex solver gave ", complex_.size(),
+            " entries for ", n + m);
     // by parts: the product of complex numbers looks for infinities
     const auto* pairs = reinterpret_cast<const double*>(complex_.data());
     for (Eigen::Index k = 0; k < n; ++k) {
@@ -359,7 +361,7 @@ ANCF_INLINE const VectorX& RadauSystem::filter(const VectorX& a, const VectorX& 
     if (damped_) add_product(damping_, solver_.storage(), tau, a, error_);
     rhs_.setZero();
     std::copy_n(error_.data(), error_.size(), rhs_.data());
-    solver_.solve(rhs_, solution_);
+    solve_with(solver_, rhs_, solution_);
     std::copy_n(solution_.data(), error_.size(), error_.data());
     return error_;
 }

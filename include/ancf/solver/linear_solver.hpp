@@ -108,6 +108,10 @@ protected:
 
 namespace detail {
 
+/// Solves A x = b; b and x may be the same vector.
+/// @throws InvalidArgument where the solver gives another number of entries than b has.
+void solve_with(const LinearSolver& solver, const VectorX& b, VectorX& x);
+
 /// Throws unless the matrix is square, compressed, sorted, and of the storage asked for.
 void require_storage(std::string_view solver, const SparseMatrix& matrix, Storage storage);
 

@@ -14,6 +14,12 @@
 
 namespace ancf::detail {
 
+ANCF_INLINE void solve_with(const LinearSolver& solver, const VectorX& b, VectorX& x) {
+    const Eigen::Index size = b.size();
+    solver.solve(b, x);
+    require(x.size() == size, solver.name(), ": solve gave ", x.size(), " entries for ", size);
+}
+
 ANCF_INLINE void require_storage(std::string_view solver, const SparseMatrix& matrix,
                                  Storage storage) {
     require(matrix.rows() == matrix.cols(), solver, " needs a square matrix, got ", matrix.rows(),

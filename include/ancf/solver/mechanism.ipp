@@ -62,7 +62,7 @@ ANCF_INLINE std::vector<int> diagonal_places(const SparseMatrix& matrix) {
     VectorX image = mode, next;
     for (int sweep = 0; sweep < 5; ++sweep) {
         for (Eigen::Index k = 0; k < mode.size(); ++k) image[k] = springs[k] * mode[k];
-        solver.solve(image, next);
+        solve_with(solver, image, next);
         double before = 0.0, work = 0.0, after = 0.0;
         for (Eigen::Index k = 0; k < mode.size(); ++k) {
             before += mode[k] * image[k];

@@ -51,7 +51,7 @@ public:
         VectorX load, response;
         numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0), load);
         load.conservativeResizeLike(VectorX::Zero(numbering.unknowns()));
-        solver.solve(load, response);
+        solve_with(solver, load, response);
         numbering.add_free(response.head(numbering.free_coordinates()), 1.0, deflection_);
         forces_ = response.tail(numbering.multipliers());
         size_ = ConvergenceMonitor(model_, numbering).correction(response);

@@ -252,7 +252,7 @@ private:
         numbering_.gather_free(load, free);
         rate.head(numbering_.free_coordinates()) = free;
         rate.tail(numbering_.multipliers()) = -motion;
-        solver_.solve(rate, x);
+        solve_with(solver_, rate, x);
     }
 
     // Returns (G^T lambda)_f of constraints that move.
@@ -408,7 +408,7 @@ private:
                 factor.status != Status::converged)
                 return Outcome::of(factor.status);
             assembly_.residual(residual);
-            solver_.solve(residual, by_residual);
+            solve_with(solver_, residual, by_residual);
             solve_load(point, by_load);
             const VectorX row =
                 control.linear ? control.row : VectorX(2.0 * weights_.cwiseProduct(du));
@@ -494,7 +494,7 @@ private:
         if (!prepare(point).failed()) {
             VectorX next;
             for (int sweep = 0; sweep < 4; ++sweep) {
-                solver_.solve(mode, next);
+                solve_with(solver_, mode, next);
                 mode = next / next.norm();
             }
         }

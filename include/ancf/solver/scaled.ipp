@@ -119,9 +119,9 @@ ANCF_INLINE void Scaled::solve(const VectorX& b, VectorX& x) const {
                               : detail::residual<detail::PlainSum>;
     VectorX correction;
     VectorX solution;
-    solver_->solve(right, solution);
+    detail::solve_with(*solver_, right, solution);
     for (int step = 0; step < options_.refinement_steps; ++step) {
-        solver_->solve(residual(scaled_, storage(), solution, right), correction);
+        detail::solve_with(*solver_, residual(scaled_, storage(), solution, right), correction);
         solution += correction;
     }
     x = scale_.cwiseProduct(solution);

@@ -191,7 +191,7 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
                 x[i][k] /= length;
                 load[k] = metric[k] * x[i][k];
             }
-            solver.solve(load, y[i]);
+            solve_with(solver, load, y[i]);
         }
     double projected[count][count];
     for (int i = 0; i < count; ++i)
@@ -211,7 +211,7 @@ ANCF_INLINE bool has_same_signs(const Assembly& assembly, const LinearSolver& so
     double before = 0.0, after = 0.0;
     for (int product = 0; product < products; ++product) {
         next = multiply(tangent, assembly.pattern().storage(), x);
-        solver.solve(next, next);
+        solve_with(solver, next, next);
         before = std::exchange(after, 0.0);
         for (Eigen::Index k = 0; k < x.size(); ++k) {
             x[k] = next[k] - x[k];

@@ -349,7 +349,7 @@ private:
         report_.factorisation = solver_.factorize(assembly_.tangent());
         failure_ = solver_.failure();
         if (report_.factorisation.status != Status::converged) return report_.factorisation.status;
-        solver_.solve(residual_, correction_);
+        solve_with(solver_, residual_, correction_);
         failure_ = solver_.failure();
         for (double& entry : correction_) entry = -entry;
         ++step.iterations;

@@ -100,11 +100,11 @@ void Subspace<Dense>::complete(Eigen::Index width) {
 
 template <class Dense>
 void Subspace<Dense>::solve(const VectorX& b, VectorX& x) const {
-    solver_.solve(b, x);
+    solve_with(solver_, b, x);
     if (!constrained_) return;
     const VectorX rest = b - product(A_, x).col(0);
     VectorX correction;
-    solver_.solve(rest, correction);
+    solve_with(solver_, rest, correction);
     x += correction;
 }
 
