@@ -453,11 +453,6 @@ void Assembly::for_each_load(const VectorX& q, const VectorX& v, double time, bo
         result.damping.setZero(rows, rows);
         result.potential = result.period = 0.0;
         load.evaluate(local, result);
-        const auto sized = [&](const MatrixX& m) { return m.rows() == rows && m.cols() == rows; };
-        detail::require(
-            result.force.size() == size && sized(result.stiffness) && sized(result.damping),
-            "a load on ", size, " coordinates changed the size of its results; its force has ",
-            result.force.size(), " entries");
         coordinates.carry(result.force);
         coordinates.carry(result.stiffness);
         coordinates.carry(result.damping);

@@ -18,6 +18,7 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
@@ -93,7 +94,20 @@ public:
     /// Settles on what its node carries.
     void settle(const Layout& layout) { held_ = held_->settled(layout); }
     /// Evaluates it.
-    void evaluate(const LoadState& state, LoadResult& out) const { held_->evaluate(state, out); }
+    /// @throws InvalidArgument where it changes the size of a result.
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        const Eigen::Index size = state.q.size();
+        const Eigen::Index stiffness = out.stiffness.rows(), damping = out.damping.rows();
+        held_->evaluate(state, out);
+        const auto sized = [](const MatrixX& m, Eigen::Index rows) {
+            return m.rows() == rows && m.cols() == rows;
+        };
+        detail::require(out.force.size() == size && sized(out.stiffness, stiffness) &&
+                            sized(out.damping, damping),
+                        "a load on ", size,
+                        " coordinates changed the size of its results; its force has ",
+                        out.force.size(), " entries");
+    }
 
 private:
     struct Interface {
