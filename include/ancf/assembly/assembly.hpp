@@ -84,8 +84,8 @@ namespace detail {
 }  // namespace detail
 
 /// Evaluates and assembles a model, which outlives it. It follows changes of prototypes, of masses
-/// at nodes and of gravity; after one of nodes, elements, supports, loads or constraints a new one
-/// is made.
+/// at nodes and of gravity; after one of nodes, elements, supports, loads or constraints it throws
+/// InvalidArgument, and a new one is made.
 class Assembly {
 public:
     /// @throws InvalidArgument for a load or constraint on a vector that its node does not carry,
@@ -249,6 +249,8 @@ private:
                                                      const Configuration& at, Request request,
                                                      const VectorX* increment,
                                                      const Correction* last);
+    // Throws where nodes, elements, supports, loads or constraints of the model have changed.
+    void check_scene() const;
     void check_size(const char* call, const char* what, const VectorX& given) const;
     void list_coordinates();
     void build_pattern(Storage storage);

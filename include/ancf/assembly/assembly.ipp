@@ -49,11 +49,15 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
 ANCF_INLINE void Assembly::refresh() {
     const Revision now = model_.revision();
     if (now == revision_) return;
-    detail::require(now.scene == revision_.scene,
-                    "nodes, elements, supports, loads or constraints of the model have changed: "
-                    "make a new Assembly or DynamicProblem for it");
+    check_scene();
     build_gravity();
     revision_ = now;
+}
+
+ANCF_INLINE void Assembly::check_scene() const {
+    detail::require(model_.revision().scene == revision_.scene,
+                    "nodes, elements, supports, loads or constraints of the model have changed: "
+                    "make a new Assembly or DynamicProblem for it");
 }
 
 ANCF_INLINE void Assembly::list_coordinates() {
@@ -332,6 +336,7 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
 
 ANCF_INLINE double Assembly::strain_energy() const {
     if (energy_known_) return strain_energy_;
+    check_scene();
     strain_energy_ = 0.0;
     for (std::size_t index = 0; index < plans_.size(); ++index) {
         const ElementGroup& group = *model_.groups()[index];
@@ -505,6 +510,7 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
 
 ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
                                        double time) const {
+    check_size("damping_load", "coordinates", q);
     std::vector<VectorX> forces;
     const auto keep = [&](const ScaledLoad&, const std::vector<int>&, const LoadResult& result) {
         forces.push_back(result.force);
@@ -586,6 +592,7 @@ ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const Constrain
 
 ANCF_INLINE void Assembly::check_size(const char* call, const char* what,
                                       const VectorX& given) const {
+    check_scene();
     detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
                     numbering_.coordinates(), " ", what, ", got ", given.size());
 }
@@ -735,6 +742,7 @@ namespace detail {
 }  // namespace detail
 
 ANCF_INLINE SparseMatrix Assembly::mass() const {
+    check_scene();
     SparseMatrix result = pattern_.matrix();
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
@@ -781,6 +789,7 @@ ANCF_INLINE VectorX Assembly::mass_product(const VectorX& a) const {
 }
 
 ANCF_INLINE void Assembly::apply_supports(const Instant& instant, VectorX& q) const {
+    check_scene();
     detail::require(q.size() == numbering_.coordinates(), "the state has ", q.size(),
                     " coordinates, the model has ", numbering_.coordinates());
     for (const Support& support : model_.supports())
