@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Parts of a user's own that break their contract while a run uses them.
+
+#include <ancf/assembly/assembly.hpp>
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/radau.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/modal.hpp>
+#include <ancf/solver/path.hpp>
+#include <ancf/solver/scaled.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/catch.hpp>
+#include <support/scales.hpp>
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace own_parts_test {
+
+using namespace ancf;
+using namespace ancf::test;
+
+/// Solves, and gives more or fewer entries than it should.
+class Resizing final : public LinearSolver {
+public:
+    explicit Resizing(int change) : change_(change) {}
+    [[nodiscard]] Storage storage() const noexcept override { return lu_.storage(); }
+    void analyze(const SparseMatrix& matrix) override { lu_.analyze(matrix); }
+    [[nodiscard]] FactorReport factorize(const SparseMatrix& matrix) override {
+        return lu_.factorize(matrix);
+    }
+    void solve(const VectorX& b, VectorX& x) const override {
+        lu_.solve(b, x);
+        x = VectorX::Zero(x.size() + change_);
+    }
+    [[nodiscard]] std::string_view name() const noexcept override { return "resizing"; }
+
+private:
+    EigenLu lu_;
+    int change_;
+};
+
+/// Keeps a node from moving along the beam, by as many equations as `count` says.
+struct Counting {
+    std::shared_ptr<int> count;
+
+    [[nodiscard]] static Coupling coupling() { return {{NodeId{4}, Field::r}}; }
+    [[nodiscard]] int equations() const { return *count; }
+    [[nodiscard]] static std::string name() { return "counting"; }
+    static void evaluate(const ConstraintState& at, ConstraintResult& out) {
+        out.violation[0] = at.q[0] - 1.0;
+        out.jacobian(0, 0) = 1.0;
+    }
+};
+
+/// Pulls with a force of another size than asked for.
+struct Shrinking {
+    std::shared_ptr<int> size;
+
+    [[nodiscard]] static Coupling coupling() { return {{NodeId{4}, Field::r}}; }
+    void evaluate(const LoadState&, LoadResult& out) const { out.force.setZero(*size); }
+};
+
+/// Every analysis that takes a linear solver and has progress or an observer, which it calls.
+struct Analysis {
+    const char* name;
+    std::function<void(PlanarModel&, LinearSolver&, const std::function<void()>&)> run;
+};
+
+template <class Integrator>
+Analysis motion(const char* name, const Integrator& integrator) {
+    return {name, [=](PlanarModel& model, LinearSolver& solver, const std::function<void()>& call) {
+                DynamicProblem problem(model);
+                Schedule schedule = equal_intervals(0.0, 4e-3, 1e-3);
+                schedule.observe = [&](const Snapshot&) { call(); };
+                static_cast<void>(integrator.integrate(problem, solver, schedule));
+            }};
+}
+
+std::vector<Analysis> analyses() {
+    return {{"statics",
+             [](PlanarModel& model, LinearSolver& solver, const std::function<void()>& call) {
+                 StaticsOptions options;
+                 options.steps = 2;
+                 options.progress = [&](double, const State&) {
+                     call();
+                     return true;
+                 };
+                 static_cast<void>(solve_statics(model, solver, options));
+             }},
+            {"path",
+             [](PlanarModel& model, LinearSolver& solver, const std::function<void()>& call) {
+                 PathOptions options;
+                 options.max_points = 3;
+                 options.progress = [&](const PathPoint&, const State&) {
+                     call();
+                     return true;
+                 };
+                 static_cast<void>(follow_path(model, solver, options));
+             }},
+            motion("generalized-alpha", GeneralizedAlpha()),
+            motion("energy-momentum", EnergyMomentum()),
+            motion("radau", RadauIIA())};
+}
+
+PlanarModel loaded_cantilever() {
+    PlanarModel model = cantilever(Scale{}, 10.0);
+    model.add(Force<2>(NodeId{4}, {0.0, -1.0}));
+    return model;
+}
+
+TEST_CASE("own parts: a linear solver that gives another number of entries is refused",
+          "[bad-input]") {
+    const int change = GENERATE(-3, 400);
+    Resizing solver(change);
+    const auto says = ContainsSubstring("resizing: solve gave ");
+    for (const Analysis& analysis : analyses()) {
+        CAPTURE(change, analysis.name);
+        PlanarModel model = loaded_cantilever();
+        CHECK_THROWS_WITH(analysis.run(model, solver, [] {}), says);
+    }
+    const PlanarModel model = loaded_cantilever();
+    CHECK_THROWS_WITH(natural_modes(model, solver), says);
+    CHECK_THROWS_WITH(buckling_modes(model, solver), says);
+    Scaled scaled(std::make_unique<Resizing>(change));
+    CHECK_THROWS_WITH(natural_modes(model, scaled), says);
+}
+
+TEST_CASE("own parts: a constraint that changes its number of equations is refused",
+          "[bad-input]") {
+    const int other = GENERATE(0, 500);
+    for (const Analysis& analysis : analyses()) {
+        CAPTURE(other, analysis.name);
+        PlanarModel model = loaded_cantilever();
+        const auto count = std::make_shared<int>(1);
+        model.add(Counting{count});
+        EigenLu solver;
+        CHECK_THROWS_WITH(analysis.run(model, solver, [&] { *count = other; }),
+                          ContainsSubstring("constraint counting had 1 equations when it was added "
+                                            "and " +
+                                            std::to_string(other) + " now"));
+    }
+}
+
+TEST_CASE("own parts: a load that changes the size of its force is refused", "[bad-input]") {
+    const int other = GENERATE(0, 1, 500);
+    for (const Analysis& analysis : analyses()) {
+        CAPTURE(other, analysis.name);
+        PlanarModel model = loaded_cantilever();
+        const auto size = std::make_shared<int>(2);
+        model.add(Shrinking{size});
+        EigenLu solver;
+        CHECK_THROWS_WITH(analysis.run(model, solver, [&] { *size = other; }),
+                          ContainsSubstring("a load on 2 coordinates changed the size"));
+    }
+}
+
+TEST_CASE("own parts: a scene that changes in a call of its run is refused", "[bad-input]") {
+    const auto zero = [](double) { return 0.0; };
+    const std::vector<std::function<void(PlanarModel&)>> changes = {
+        [](PlanarModel& model) {
+            static_cast<void>(model.add_node({2.0, 0.0}));
+        },
+        [&](PlanarModel& model) {  // of a vector that no node has
+            for (int k = 0; k < 2; ++k) model.prescribe({4}, Field::r_xx, k, zero, zero, zero);
+        },
+        [](PlanarModel& model) {
+            model.add(Force<2>(NodeId{4}, {1.0, 0.0}));
+        },
+        [](PlanarModel& model) { model.add(Counting{std::make_shared<int>(1)}); }};
+    for (const Analysis& analysis : analyses())
+        for (const auto& change : changes) {
+            CAPTURE(analysis.name, &change - changes.data());
+            PlanarModel model = loaded_cantilever();
+            EigenLu solver;
+            CHECK_THROWS_WITH(analysis.run(model, solver, [&] { change(model); }),
+                              ContainsSubstring("of the model have changed"));
+        }
+}
+
+TEST_CASE("own parts: an assembly refuses a scene that has changed", "[bad-input]") {
+    PlanarModel model = loaded_cantilever();
+    const Assembly assembly(model, Storage::lower);
+    VectorX q = model.state().q;
+    const auto end = model.add_node({2.0, 0.0});
+    static_cast<void>(model.connect<CrossSectionBeam<2>>(0, {4}, end));
+    const auto says = ContainsSubstring("of the model have changed");
+    CHECK_THROWS_WITH(assembly.mass(), says);
+    CHECK_THROWS_WITH(assembly.mass_product(q), says);
+    CHECK_THROWS_WITH(assembly.inspect(q), says);
+    CHECK_THROWS_WITH(assembly.softened(q), says);
+    CHECK_THROWS_WITH(assembly.largest_turn(q), says);
+    CHECK_THROWS_WITH(assembly.load_rate(q, 0.0), says);
+    CHECK_THROWS_WITH(assembly.damping_load(q, q, q, 0.0), says);
+    CHECK_THROWS_WITH(assembly.apply_supports({}, q), says);
+}
+
+TEST_CASE("own parts: what a call throws reaches the caller, and the model can be used again",
+          "[bad-input]") {
+    struct Thrown : std::runtime_error {
+        using std::runtime_error::runtime_error;
+        int code = 7;
+    };
+    for (const Analysis& analysis : analyses()) {
+        CAPTURE(analysis.name);
+        PlanarModel model = loaded_cantilever(), other = model;
+        const State before = model.state();
+        EigenLu solver;
+        int code = 0;
+        try {
+            analysis.run(model, solver, [] { throw Thrown("seen enough"); });
+        } catch (const Thrown& thrown) {
+            code = thrown.code;
+        }
+        CHECK(code == 7);
+        model.state() = before;
+        analysis.run(model, solver, [] {});
+        analysis.run(other, solver, [] {});
+        CHECK(model.state().q == other.state().q);
+        CHECK(model.state().v == other.state().v);
+    }
+}
+
+}  // namespace own_parts_test
