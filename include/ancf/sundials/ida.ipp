@@ -264,7 +264,8 @@ ANCF_INLINE bool IdaRun::rests() {
     const VectorX allowed = options_.tolerance * system_.q(view(y_.get())).cwiseAbs() +
                             system_.q(view(tolerances_.get()));
     const auto errors = system_.q(view(dense_.get())).cwiseQuotient(allowed);
-    return errors.squaredNorm() < ancf::detail::resting * ancf::detail::resting * errors.size();
+    return errors.squaredNorm() <
+           ancf::detail::resting * ancf::detail::resting * static_cast<double>(errors.size());
 }
 
 // Returns the schedule's end; after a rest no later than where a load or a drive acts that the next
