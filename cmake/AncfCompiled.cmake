@@ -92,6 +92,8 @@ function(ancf_add_compiled name)
     _ancf_compiled_unit(sources common "${common}" "namespace ancf::detail {
 const char ANCF_LAYOUT = 0;
 const char header_only_and_compiled_units_do_not_mix = 0;
+template <>
+void compiled_for_matrix_and_list<sizeof(Eigen::MatrixXd), sizeof(std::vector<int>)>() {}
 }
 ")
     add_library(${name} STATIC ${sources} ${layers} ${elements})

@@ -10,6 +10,8 @@
 ///
 /// - `compiled_for_alignment_...`: undefined where a unit has other flags (-march) or another Eigen
 ///   than the library, so that objects would have another layout in memory.
+/// - `compiled_for_matrix_and_list<...>`: undefined where these have another size than in the
+///   library, as by _GLIBCXX_DEBUG or EIGEN_DEFAULT_DENSE_INDEX_TYPE.
 /// - `header_only_and_compiled_units_do_not_mix`: a mismatch of thread-local storage where one
 ///   program has units of both kinds.
 
@@ -20,6 +22,9 @@
 #include <Eigen/Core>
 
 #if defined(ANCF_COMPILED)
+#include <cstddef>
+#include <vector>
+
 /// Helpers of ANCF_LAYOUT.
 #define ANCF_PASTE_LAYOUT(heap, fixed, lanes, world, major) \
     compiled_for_alignment_##heap##_##fixed##_lanes_##lanes##_eigen_##world##_##major
@@ -35,10 +40,15 @@ namespace ancf::detail {
 
 extern const char ANCF_LAYOUT;
 extern const char header_only_and_compiled_units_do_not_mix;
+/// The library defines the one of its own sizes, in bytes.
+template <std::size_t Matrix, std::size_t List>
+void compiled_for_matrix_and_list();
 
 #if defined(__GNUC__) && !defined(ANCF_SOURCE)
 [[gnu::used]] static const char* const layout_guard[] = {
     &ANCF_LAYOUT, &header_only_and_compiled_units_do_not_mix};
+[[gnu::used]] static void (*const size_guard)() =
+    &compiled_for_matrix_and_list<sizeof(Eigen::MatrixXd), sizeof(std::vector<int>)>;
 #endif
 
 }  // namespace ancf::detail
