@@ -79,6 +79,7 @@ private:
     const std::size_t stages_;
     RadauSystem system_;
     const double newton_tolerance_;
+    const double of_accelerations_;       // the same, of what they move in a step
     const double round_off_;              // corrections that no longer shrink may be as large
     const std::vector<double> at_start_;  // l_i(0)
 
@@ -119,6 +120,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
                         : options.tolerance > 0.0
                             ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
                             : 1e-13),
+      of_accelerations_(options.stages > 3 ? 1e-3 : 1e-2),
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
@@ -335,6 +337,10 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         }
         const double change = correct(h);
         if (!std::isfinite(change)) return Status::not_finite;
+        // in a step far shorter than its error allows, what is left is to be small beside the
+        // accelerations: x is an error x/h^2 of these, and the next step has its stresses
+        const double wanted = std::min(
+            newton_tolerance_, std::max(of_accelerations_ * h * h * scaled(Y_.back()), 1e-13));
         const double ratio = iterations_ > 1 ? change / before : 0.0;
         // at the round-off of the residual the corrections no longer shrink; in a scene at rest
         // they are round-off of nothing, and tell nothing of the matrices
@@ -350,13 +356,12 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
             eta_ = contraction_ / (1.0 - contraction_);
             const double left = eta_ * change;
             const int rest = options_.max_iterations - iterations_;
-            renew =
-                left > newton_tolerance_ && left * std::pow(contraction_, rest) > newton_tolerance_;
+            renew = left > wanted && left * std::pow(contraction_, rest) > wanted;
             if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
         }
         // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
         if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
-            eta_ * change <= newton_tolerance_)
+            eta_ * change <= wanted)
             break;
         before = change;
         ratio_before = ratio;
