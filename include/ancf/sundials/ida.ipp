@@ -76,6 +76,7 @@ private:
 
     double slow_frequency_ = 0.0;  // rad/s: of the motion that is followed
     double first_step_ = 0.0;      // s
+    bool hides_forces_ = false;    // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
 };
 
@@ -157,7 +158,8 @@ ANCF_INLINE void IdaRun::fill_tolerances(Eigen::Map<VectorX>& absolute) {
     // Newton's method cannot bring multipliers below the round-off of the forces they balance, of
     // which it sees a part. Where that hides the forces themselves, step() ends the run.
     const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
-    const double resolved = round_off < s.force ? round_off : 0.0;
+    hides_forces_ = !(round_off < s.force);
+    const double resolved = hides_forces_ ? 0.0 : round_off;
     // a multiplier has the unit of a force where its equation is a length, else another one
     const VectorX arms = problem_.assembly().violation_scale(s.length) / s.length;
     const auto measured = [&](double force, auto&& multipliers) {
@@ -281,8 +283,10 @@ ANCF_INLINE double IdaRun::stop_time() {
     return at;
 }
 
-// IDA halves its step where Newton's method fails and doubles it after the next, for ever.
+// IDA halves its step where Newton's method fails and doubles it after the next, for ever. A stiff
+// body that turns fails likewise, but goes on.
 ANCF_INLINE bool IdaRun::lost_in_round_off() const {
+    if (!hides_forces_) return false;
     long failures = 0;
     IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
     return failures > 1000 && 3 * failures > report_.steps + 1;  // this one
