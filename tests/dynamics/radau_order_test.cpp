@@ -110,6 +110,43 @@ TEST_CASE("Radau IIA: a smooth motion is followed with orders 5 and 9", "[dynami
     CHECK(checked == 3);
 }
 
+TEST_CASE(
+    "Radau IIA: a load that jumps between two runs keeps the order, one within a run does not",
+    "[dynamics][radau]") {
+    constexpr double jump = 0.2, end = 0.5;
+    enum Kind { between, within };
+    const auto error = [&](Kind kind, int steps) {
+        constexpr double before = 0.3;
+        double now = before;
+        const auto pulled = [&](bool by_time) {
+            Chain scene = soft_swing(false);
+            scene.model.add(Force<3>(scene.last(), {1.0, 0.0, 0.0}),
+                            [=, &now](double t) { return by_time ? (t < jump ? 0.3 : 2.0) : now; });
+            return scene;
+        };
+        const auto two_runs = [&](int count) {
+            now = before;
+            Chain scene = pulled(false);
+            REQUIRE(run(scene.model, fixed(3, end / count), until(jump)).status ==
+                    Status::converged);
+            now = 2.0;
+            REQUIRE(run(scene.model, fixed(3, end / count), until(end)).status ==
+                    Status::converged);
+            return scene.model.state().q;
+        };
+        static const VectorX exact = two_runs(640);
+        if (kind == between) return distance(two_runs(steps), exact);
+        Chain scene = pulled(true);
+        REQUIRE(run(scene.model, fixed(3, end / steps), until(end)).status == Status::converged);
+        return distance(scene.model.state().q, exact);
+    };
+    const double parted[] = {error(between, 40), error(between, 80)};
+    const double whole[] = {error(within, 40), error(within, 80)};
+    CAPTURE(parted[0], parted[1], whole[0], whole[1]);
+    CHECK(std::log2(parted[0] / parted[1]) >= 4.5);
+    CHECK(std::log2(whole[0] / whole[1]) == Approx(1.0).margin(0.3));
+}
+
 /// Errors of a run of the soft swing.
 struct Errors {
     double q = 0.0, multipliers = 0.0;  // at the end
