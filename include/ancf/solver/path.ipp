@@ -469,10 +469,28 @@ private:
                                                 const Sample& high) {
         for (const double part : {0.5, 0.4, 0.65}) {
             Sample middle{low.along + part * (high.along - low.along), origin};
-            if (!advance(origin, along_path(origin, middle.along), middle.point).failed())
-                return middle;
+            Control control = along_path(origin, middle.along);
+            interpolate(origin, low.point, high.point, part, control);
+            if (!advance(origin, control, middle.point).failed()) return middle;
         }
         return std::nullopt;
+    }
+
+    // Starts a control at the part of the way from one point to another, by the cubic through both
+    // points and their directions: a tangent from `origin` is further off the path.
+    void interpolate(const Point& origin, const Point& low, const Point& high, double part,
+                     Control& control) const {
+        const double rest = 1.0 - part, way = length(low, high);
+        const double to_high = part * part * (3.0 - 2.0 * part);
+        const double at_low = way * part * rest * rest, at_high = -way * part * part * rest;
+        VectorX between = free_difference(low, high);
+        between.tail(numbering_.multipliers()) = high.state.multipliers - low.state.multipliers;
+        control.first_u = free_difference(origin, low);
+        control.first_u.tail(numbering_.multipliers()) =
+            low.state.multipliers - origin.state.multipliers;
+        control.first_u += to_high * between + at_low * low.tangent_u + at_high * high.tangent_u;
+        control.first_f = low.factor - origin.factor + to_high * (high.factor - low.factor) +
+                          at_low * low.tangent_f + at_high * high.tangent_f;
     }
 
     void record_critical(const Sample& low, const Sample& high) {
