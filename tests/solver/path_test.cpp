@@ -307,6 +307,30 @@ TEST_CASE("path: one step may hold several critical points", "[path]") {
     }
 }
 
+TEST_CASE("path: it does not leap to another branch near a bifurcation", "[path]") {
+    // a small force aside leaves limit points alone: the branches do not meet
+    const double aside = GENERATE(1e-1, 1e-2, 1e-3, 1e-4);
+    const double first_step = GENERATE(0.5, 2.0, 5.0, 10.0);
+    INFO("aside " << aside << ", first step " << first_step);
+    Truss truss = make_truss(2.0);
+    truss.add(ancf::Force(apex, {aside, 0, 0}));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = first_step;
+    options.branch_step = 1.0;  // no bound of the first step
+    options.last_factor = 40.0;
+    options.max_points = 400;
+    const auto report = ancf::follow_path(truss, solver, options);
+    CHECK(report.status == Status::converged);
+    REQUIRE(report.critical.size() >= 4);
+    for (const auto& critical : report.critical) CHECK(critical.kind == CriticalKind::limit);
+    // aside of the apex first, then over it and back by the other side
+    CHECK(report.critical[0].factor < sideways_load(2.0));
+    CHECK(report.critical[1].factor < -sideways_load(2.0));
+    CHECK(report.critical[2].factor == Approx(-report.critical[1].factor).epsilon(1e-9));
+    CHECK(report.critical[3].factor == Approx(-report.critical[0].factor).epsilon(1e-9));
+}
+
 TEST_CASE("path: a bisection that breaks off says how far it came", "[path]") {
     // no state within 0.01 of the apex at the limit load
     const double y = 0.5 / std::sqrt(3.0);

@@ -98,6 +98,9 @@ public:
             const bool landing =
                 !tried.failed() && options_.last_factor && passes(here.factor, next.factor);
             if (landing) tried = land(here, tried.iterations, next);
+            if (!tried.failed() && options_.critical_points && !branching_ &&
+                !find_critical(here, next))
+                tried = Outcome::of(Status::diverged);
             if (tried.failed()) {
                 note_failure(tried);
                 step_ *= 0.5;
@@ -105,7 +108,6 @@ public:
                 report_.message = cause(tried.status, "the smallest step failed", here);
                 return finish(Status::diverged, here);
             }
-            if (options_.critical_points && !branching_) find_critical(here, next);
             record(here, next, tried.iterations);
             adapt(here, next, tried.iterations);
             here = std::move(next);
@@ -140,6 +142,9 @@ private:
 
     // Residual or violation where the path starts, relative: less is in balance, and fulfilled.
     static constexpr double unbalanced_start = 1e-6;
+
+    // Between the way to a point and the direction of the path.
+    static constexpr double least_cosine = 0.5;
 
     // How an attempt ended.
     struct Outcome {
@@ -319,13 +324,13 @@ private:
     [[nodiscard]] bool orient(const Point& from, Point& to) const {
         if (controlled_ >= 0)
             return branching_ || length(from, to) * step_ > 0.0;  // a landing may lie behind
-        constexpr double least = 0.5;                             // cosine
         const VectorX moved = free_difference(from, to);
         const double change = to.factor - from.factor;
         const double cosine = alignment(moved, change, to);
         if (cosine < 0.0) reverse(to);
         // a branch has its direction from the step along its mode
-        return branching_ || (alignment(moved, change, from) >= least && std::abs(cosine) >= least);
+        return branching_ ||
+               (alignment(moved, change, from) >= least_cosine && std::abs(cosine) >= least_cosine);
     }
 
     // Returns the cosine between an increment and the direction of the path, which has unit length.
@@ -446,22 +451,40 @@ private:
         return std::abs(a.negative_pivots - b.negative_pivots);
     }
 
-    // Finds the critical points of a step.
-    void find_critical(const Point& from, const Point& to) {
+    // Finds the critical points of a step. Returns false where it leaps to another branch.
+    [[nodiscard]] bool find_critical(const Point& from, const Point& to) {
+        const auto known = static_cast<std::ptrdiff_t>(report_.critical.size());
         int budget = 200;  // of halvings: where the count flickers, both halves always have changes
-        search(from, {0.0, from}, {length(from, to), to}, 30, budget);
+        if (search(from, {0.0, from}, {length(from, to), to}, 30, budget)) return true;
+        report_.critical.erase(report_.critical.begin() + known, report_.critical.end());
+        return false;
     }
 
     // Bisects a part of the step from `origin` until each of its critical points stands alone, or
-    // the tangent is too close to singular: then those that are left count as one.
-    void search(const Point& origin, const Sample& low, const Sample& high, int halvings,
-                int& budget) {
-        if (changed_pivots(low.point, high.point) == 0 && !turns(low.point, high.point)) return;
+    // the tangent is too close to singular: then those that are left count as one. Returns false
+    // where the step leaps.
+    [[nodiscard]] bool search(const Point& origin, const Sample& low, const Sample& high,
+                              int halvings, int& budget) {
+        if (changed_pivots(low.point, high.point) == 0 && !turns(low.point, high.point))
+            return true;
         const bool halves = halvings > 0 && budget-- > 0;
         const auto middle = halves ? between(origin, low, high) : std::nullopt;
-        if (!middle) return record_critical(low, high);
-        search(origin, low, *middle, halvings - 1, budget);
-        search(origin, *middle, high, halvings - 1, budget);
+        if (middle)
+            return search(origin, low, *middle, halvings - 1, budget) &&
+                   search(origin, *middle, high, halvings - 1, budget);
+        if (leaps(low.point, high.point)) return false;
+        record_critical(low, high);
+        return true;
+    }
+
+    // Tells whether two neighbouring points lie on different branches: then the way from one to the
+    // other is more than 11 degrees off the directions there. Closer points differ by round-off.
+    [[nodiscard]] bool leaps(const Point& low, const Point& high) const {
+        if (controlled_ >= 0 || length(low, high) <= 10.0 * options_.correction_tolerance)
+            return false;
+        const VectorX moved = free_difference(low, high);
+        const double change = high.factor - low.factor;
+        return std::min(alignment(moved, change, low), alignment(moved, change, high)) < 0.98;
     }
 
     // A point of the path about half way, aside of it where that is too close to singular.
