@@ -80,7 +80,8 @@ struct PathOptions {
     int max_points = 1000;               ///< limit of a path
     double residual_tolerance = 1e-9;    ///< as in StaticsOptions
     double correction_tolerance = 1e-6;  ///< as in StaticsOptions
-    bool critical_points = true;         ///< find them
+    bool critical_points = true;         ///< find them, and with them steps that leap to another
+                                         ///< branch, which are halved
 
     std::optional<double> last_factor;  ///< stop when the load factor passes it, and land on it
     /// Called at every point, the last included; returning false ends the path there,
