@@ -102,6 +102,22 @@ TEST_CASE("path: a shallow truss snaps through at its two limit loads", "[path]"
     CHECK(report.points.front().negative_pivots == 0);
 }
 
+TEST_CASE("path: it lands just below a limit load, before the crest", "[path]") {
+    const double below = GENERATE(1e-2, 1e-4, 1e-6);
+    const double first_step = GENERATE(0.02, 0.1, 0.5, 2.0);
+    INFO("below " << below << ", first step " << first_step);
+    Truss truss = make_truss(0.5);
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.first_step = first_step;
+    options.last_factor = (1.0 - below) * limit_load(0.5);
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.critical.empty());
+    CHECK(truss.position(apex)[1] > 0.5 / std::sqrt(3.0));
+    CHECK(report.points.back().factor == *options.last_factor);
+}
+
 TEST_CASE("path: a negative first step follows the falling load", "[path]") {
     const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical,
                                   ancf::PathControl::displacement);

@@ -451,12 +451,18 @@ private:
         return std::abs(a.negative_pivots - b.negative_pivots);
     }
 
-    // Finds the critical points of a step. Returns false where it leaps to another branch.
+    // Finds the critical points of a step. Returns false where it leaps to another branch, or over
+    // the last load factor and back.
     [[nodiscard]] bool find_critical(const Point& from, const Point& to) {
         const auto known = static_cast<std::ptrdiff_t>(report_.critical.size());
         int budget = 200;  // of halvings: where the count flickers, both halves always have changes
-        if (search(from, {0.0, from}, {length(from, to), to}, 30, budget)) return true;
-        report_.critical.erase(report_.critical.begin() + known, report_.critical.end());
+        const bool follows = search(from, {0.0, from}, {length(from, to), to}, 30, budget);
+        const auto found = report_.critical.begin() + known;
+        const auto beyond = [&](const CriticalPoint& point) {
+            return options_.last_factor && passes(from.factor, point.factor);
+        };
+        if (follows && std::none_of(found, report_.critical.end(), beyond)) return true;
+        report_.critical.erase(found, report_.critical.end());
         return false;
     }
 
