@@ -324,7 +324,7 @@ private:
     [[nodiscard]] bool orient(const Point& from, Point& to) const {
         if (controlled_ >= 0)
             return branching_ || length(from, to) * step_ > 0.0;  // a landing may lie behind
-        const VectorX moved = free_difference(from, to);
+        const VectorX moved = difference(from, to);
         const double change = to.factor - from.factor;
         const double cosine = alignment(moved, change, to);
         if (cosine < 0.0) reverse(to);
@@ -341,17 +341,19 @@ private:
 
     // Returns the length of an increment as the control measures it; signed for a displacement.
     [[nodiscard]] double length(const Point& from, const Point& to) const {
-        const VectorX moved = free_difference(from, to);
+        const VectorX moved = difference(from, to);
         return controlled_ >= 0
                    ? moved[controlled_]
                    : std::hypot(std::sqrt(product(moved, moved)), psi_ * (to.factor - from.factor));
     }
 
-    [[nodiscard]] VectorX free_difference(const Point& from, const Point& to) const {
-        VectorX moved = VectorX::Zero(numbering_.unknowns());
+    // Of all unknowns; multipliers have no weight in a length.
+    [[nodiscard]] VectorX difference(const Point& from, const Point& to) const {
+        VectorX moved(numbering_.unknowns());
         VectorX free;
         numbering_.gather_free(to.state.q - from.state.q, free);
         moved.head(numbering_.free_coordinates()) = free;
+        moved.tail(numbering_.multipliers()) = to.state.multipliers - from.state.multipliers;
         return moved;
     }
 
@@ -488,7 +490,7 @@ private:
     [[nodiscard]] bool leaps(const Point& low, const Point& high) const {
         if (controlled_ >= 0 || length(low, high) <= 10.0 * options_.correction_tolerance)
             return false;
-        const VectorX moved = free_difference(low, high);
+        const VectorX moved = difference(low, high);
         const double change = high.factor - low.factor;
         return std::min(alignment(moved, change, low), alignment(moved, change, high)) < 0.98;
     }
@@ -512,12 +514,8 @@ private:
         const double rest = 1.0 - part, way = length(low, high);
         const double to_high = part * part * (3.0 - 2.0 * part);
         const double at_low = way * part * rest * rest, at_high = -way * part * part * rest;
-        VectorX between = free_difference(low, high);
-        between.tail(numbering_.multipliers()) = high.state.multipliers - low.state.multipliers;
-        control.first_u = free_difference(origin, low);
-        control.first_u.tail(numbering_.multipliers()) =
-            low.state.multipliers - origin.state.multipliers;
-        control.first_u += to_high * between + at_low * low.tangent_u + at_high * high.tangent_u;
+        control.first_u = difference(origin, low) + to_high * difference(low, high) +
+                          at_low * low.tangent_u + at_high * high.tangent_u;
         control.first_f = low.factor - origin.factor + to_high * (high.factor - low.factor) +
                           at_low * low.tangent_f + at_high * high.tangent_f;
     }
