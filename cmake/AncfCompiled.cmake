@@ -43,9 +43,10 @@ function(_ancf_compiled_layers result)
                 _ancf_compiled_unit(sources ${stem} ${file} "")
             endforeach()
         elseif(definitions)
-            set(constraints ${definitions})  # of models, apart: one unit would take the most memory of all
-            list(FILTER constraints INCLUDE REGEX "/constraints/")
-            list(FILTER definitions EXCLUDE REGEX "/constraints/")
+            # Of models, apart, with what stands on their points: one unit would take the most memory of all.
+            set(constraints ${definitions})
+            list(FILTER constraints INCLUDE REGEX "/constraints/|/springs[.]")
+            list(FILTER definitions EXCLUDE REGEX "/constraints/|/springs[.]")
             _ancf_compiled_unit(sources ${layer} "${definitions}" "")
             if(constraints)
                 _ancf_compiled_unit(sources ${layer}_constraints "${constraints}" "")

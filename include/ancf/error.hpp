@@ -138,6 +138,12 @@ inline void require_finite(std::string_view name, double value) {
     require(std::isfinite(value), name, " must be finite, got ", value);
 }
 
+/// Throws unless the named value is finite and at least zero.
+inline void require_not_negative(std::string_view name, double value) {
+    require(std::isfinite(value) && value >= 0.0, name, " must be finite and not negative, got ",
+            value);
+}
+
 /// Throws unless the named value is finite and greater than zero.
 inline void require_positive(std::string_view name, double value) {
     require(std::isfinite(value) && value > 0.0, name, " must be positive and finite, got ", value);

@@ -69,6 +69,12 @@ public:
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, Dimension> moved(const DynamicVector<Scalar>& q) const;
 
+    /// Returns the generalised force of a force on P_a, and its opposite on P_b: W^T f.
+    template <class Scalar>
+    [[nodiscard]] DynamicVector<Scalar> spread(const Vector<Scalar, Dimension>& force) const;
+    /// Adds W^T B W.
+    void spread(const Matrix<double, Dimension>& block, MatrixX& to) const;
+
     /// Returns the weights of the coupling's vectors, those of b with their sign turned.
     [[nodiscard]] const std::vector<double>& weights() const noexcept { return weights_; }
 

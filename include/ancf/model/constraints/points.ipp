@@ -57,7 +57,7 @@ PointPair<Dimension>::PointPair(MaterialPoint a, MaterialPoint b)
     check(*b_);
     require(a_.vectors.size() != 1 || b_->vectors.size() != 1 ||
                 a_.vectors[0].node != b_->vectors[0].node,
-            "a constraint joins two points, got ", a_.name, " twice");
+            "two points are joined, got ", a_.name, " twice");
     for (const double weight : b_->weights) weights_.push_back(-weight);
 }
 
@@ -119,6 +119,24 @@ Vector<Scalar, Dimension> PointPair<Dimension>::moved(const DynamicVector<Scalar
     for (const double weight : weights_)
         for (int i = 0; i < Dimension; ++i) d[i] += weight * q[at++];
     return d;
+}
+
+template <int Dimension>
+template <class Scalar>
+DynamicVector<Scalar> PointPair<Dimension>::spread(const Vector<Scalar, Dimension>& force) const {
+    DynamicVector<Scalar> out(Dimension * static_cast<int>(weights_.size()));
+    int at = 0;
+    for (const double weight : weights_)
+        for (int i = 0; i < Dimension; ++i) out[at++] = weight * force[i];
+    return out;
+}
+
+template <int Dimension>
+void PointPair<Dimension>::spread(const Matrix<double, Dimension>& block, MatrixX& to) const {
+    for (int i = 0; i < to.rows(); ++i)
+        for (int j = 0; j < to.cols(); ++j)
+            to(i, j) += weights_[i / Dimension] * weights_[j / Dimension] *
+                        block(i % Dimension, j % Dimension);
 }
 
 template <int Dimension>
@@ -219,11 +237,7 @@ void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& 
     const Vector<double, Dimension> n = d / distance;
     const Matrix<double, Dimension> curvature =
         at.multipliers[0] / distance * (Matrix<double, Dimension>::Identity() - n * n.transpose());
-    const double* weight = points_.weights().data();
-    for (int i = 0; i < at.q.size(); ++i)
-        for (int j = 0; j < at.q.size(); ++j)
-            out.stiffness(i, j) = weight[i / Dimension] * weight[j / Dimension] *
-                                  curvature(i % Dimension, j % Dimension);
+    points_.spread(curvature, out.stiffness);
     const Vector<double, Dimension> speed = points_.drift(at.time) + points_.moved(at.v);
     const double along = detail::product(n, speed);
     out.convection[0] = (detail::product(speed, speed) - along * along) / distance +

@@ -102,8 +102,7 @@ public:
     /// @throws InvalidArgument for a value that is negative or not finite.
     KelvinVoigt(std::shared_ptr<const Element> element, Coupling coupling, double eta)
         : element_(std::move(element)), coupling_(std::move(coupling)), eta_(eta) {
-        detail::require(std::isfinite(eta) && eta >= 0.0,
-                        "KelvinVoigt: eta must be finite and not negative, got ", eta);
+        detail::require_not_negative("KelvinVoigt: eta", eta);
     }
 
     /// Returns the nodal vectors it acts on.

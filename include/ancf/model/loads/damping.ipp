@@ -38,10 +38,8 @@ namespace detail {
 ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
                                     const std::vector<int>& elements, double a, double b,
                                     const Amplitude& amplitude) {
-    for (const double factor : {a, b})
-        require(std::isfinite(factor) && factor >= 0.0,
-                "add_rayleigh_damping: factors must be finite and not negative, got ", a, " and ",
-                b);
+    require_not_negative("add_rayleigh_damping: a", a);
+    require_not_negative("add_rayleigh_damping: b", b);
     const int dofs = group.dofs();
     VectorX e(dofs), force(dofs);
     MatrixX mass(dofs, dofs), tangent(dofs, dofs);
@@ -77,8 +75,7 @@ ANCF_INLINE MatrixX line_mass(const ElementGroup& group, int prototype, int dime
 
 ANCF_LAZY void add_drag(Scene& model, const ElementGroup& group, const std::vector<int>& elements,
                         double c, const Amplitude& amplitude) {
-    require(std::isfinite(c) && c >= 0.0,
-            "add_drag: the drag must be finite and not negative, got ", c);
+    require_not_negative("add_drag: the drag", c);
     const int node = group.dofs() / 2;
     for (const int index : elements) {
         const Connection& connection = group.connection(index);

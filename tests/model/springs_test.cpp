@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Springs and dampers between points: derivatives, and scenes with a closed form.
+
+#include <ancf/constants.hpp>
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/loads/forces.hpp>
+#include <ancf/model/loads/springs.hpp>
+#include <ancf/model/model.hpp>
+#include <ancf/solver/eigen_ldlt.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/catch.hpp>
+#include <support/complex_step.hpp>
+#include <support/random_state.hpp>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace springs_test {
+
+using namespace ancf;
+using Complex = DynamicVector<std::complex<double>>;
+using Point = Vector<double, 3>;
+using Beam3 = CrossSectionBeam<3>;
+
+constexpr double tolerance = 1e-14;  // round-off; measured 4e-16
+
+template <class Load>
+LoadResult evaluate(const Load& load, const VectorX& q, const VectorX& v) {
+    LoadResult out;
+    out.force.setZero(q.size());
+    out.stiffness.setZero(q.size(), q.size());
+    out.damping.setZero(q.size(), q.size());
+    load.evaluate({q, v, 0.0}, out);
+    return out;
+}
+
+template <int Dimension>
+void check_derivatives(const MaterialPoint& a, const MaterialPoint& b, test::Random& random) {
+    const auto size = static_cast<int>(Dimension * (a.vectors.size() + b.vectors.size()));
+    VectorX q(size), v(size);
+    for (int i = 0; i < size; ++i) {
+        q[i] = random.uniform(-2.0, 2.0);
+        v[i] = random.uniform(-2.0, 2.0);
+    }
+    for (const double length : {0.0, 0.7}) {
+        const Spring<Dimension> spring(a, b, 3.0, length);
+        const LoadResult result = evaluate(spring, q, v);
+        const auto expected =
+            test::complex_step_jacobian([&](const Complex& z) { return spring.force(z); }, q);
+        CHECK(test::relative_error(result.stiffness, expected) < tolerance);
+        CHECK(test::relative_error(result.force, spring.force(q)) < tolerance);
+        // U = k (l - l0)^2/2 and Q = -dU/dq: U(q) by the work along a straight way, Simpson's rule
+        const VectorX aside = q + 1e-3 * v;
+        const VectorX middle = 0.5 * (q + aside);
+        const double work =
+            (spring.force(q) + 4.0 * spring.force(middle) + spring.force(aside)).dot(aside - q) /
+            6.0;
+        CHECK(evaluate(spring, aside, v).potential - result.potential ==
+              Approx(-work).epsilon(1e-9));
+    }
+    const Damper<Dimension> damper(a, b, 0.3);
+    const LoadResult result = evaluate(damper, q, v);
+    const auto by_q = test::complex_step_jacobian(
+        [&](const Complex& z) { return damper.force(z, Complex(v.cast<std::complex<double>>())); },
+        q);
+    const auto by_v = test::complex_step_jacobian(
+        [&](const Complex& z) { return damper.force(Complex(q.cast<std::complex<double>>()), z); },
+        v);
+    CHECK(test::relative_error(result.stiffness, by_q) < tolerance);
+    CHECK(test::relative_error(result.damping, by_v) < tolerance);
+    CHECK(test::relative_error(result.force, damper.force(q, v)) < tolerance);
+}
+
+TEST_CASE("Spring, Damper: derivatives equal the complex step's", "[model][springs]") {
+    const auto seed = GENERATE(range(0U, 20U));
+    INFO("seed " << seed);
+    test::Random random(seed);
+    const MaterialPoint along({{{0}, Field::r}, {{0}, Field::r_x}, {{1}, Field::r}},
+                              {0.6, 0.1, 0.4}, "a point between the nodes 0 and 1");
+    check_derivatives<2>(NodeId{0}, NodeId{1}, random);
+    check_derivatives<3>(NodeId{0}, NodeId{1}, random);
+    check_derivatives<2>(along, NodeId{2}, random);
+    check_derivatives<3>(NodeId{2}, along, random);
+}
+
+/// A straight bar of 1 m from a point in a direction: so stiff that it moves as one mass of 2 kg.
+Beam<Beam3> add_bar(Model& model, const Point& from, const Point& direction) {
+    return straight_beam<Beam3>(model, Material::isotropic(2e11, 0.3, 2e4), rectangle(0.01, 0.01),
+                                from, from + direction, 1);
+}
+
+TEST_CASE("Spring, Damper: a bar swings and decays as the closed form", "[model][springs]") {
+    constexpr double mass = 2.0, stiffness = 50.0, damping = 1.5, length = 0.4, out = 0.1;
+    Model model;
+    const Point direction(0.48, -0.6, 0.64), root(0.1, 0.2, 0.3);
+    const NodeId end = add_bar(model, root + (length + out) * direction, direction).first();
+    model.add(Spring<3>(end, root, stiffness, length));
+    model.add(Damper<3>(end, root, damping));
+    DynamicProblem problem(model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.step = 1e-3;
+    Schedule schedule;
+    schedule.end = 1.0;
+    REQUIRE(GeneralizedAlpha(options).integrate(problem, solver, schedule).status ==
+            Status::converged);
+    const double decay = damping / (2.0 * mass);
+    const double frequency = std::sqrt(stiffness / mass - decay * decay);
+    const double x =
+        out * std::exp(-decay) * (std::cos(frequency) + decay / frequency * std::sin(frequency));
+    CHECK((model.position(end) - root - (length + x) * direction).norm() < 2e-5 * out);
+}
+
+TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring", "[model][springs]") {
+    Model model;
+    const auto bar = add_bar(model, {1.0, 0.0, 0.0}, {0.8, 0.0, 0.6});
+    model.add(Spring<3>(bar.first(), Point::Zero(), 80.0, 0.9));
+    model.set_gravity({0.0, 0.0, -9.81});
+    for (const NodeId node : {bar.first(), bar.last()}) model.set_rate(node, Field::r, {0, 1, 0});
+    DynamicProblem problem(model);
+    EigenLu solver;
+    EnergyMomentumOptions options;
+    options.step = 0.01;
+    Schedule schedule;
+    schedule.end = 5.0;
+    const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.energy_drift < 1e-9);  // of some 50 J
+}
+
+TEST_CASE("Spring: a beam on a spring bends as both bend", "[model][springs]") {
+    const Material steel = Material::isotropic(2e11, 0.0, 7800.0);
+    const Section section = rectangle(0.01, 0.01);
+    const double bending = 3.0 * steel.young * section.moments().yy;  // of 1 m
+    for (const bool at_tip : {true, false}) {
+        Model model;
+        const auto beam = straight_beam<Beam3>(model, steel, section, {0, 0, 0}, {1, 0, 0}, 4);
+        model.clamp(beam.first());
+        model.add(Force<3>(beam.last(), {0.0, 0.0, 1e-3}));
+        if (at_tip)  // of no length, so that it holds the tip in all directions
+            model.add(Spring<3>(beam.last(), Point(1.0, 0.0, 0.0), bending, 0.0));
+        else
+            model.add(Spring<3>(point_along<Beam3>(model, beam.elements[3], 1.0),
+                                Point(1.0, 0.0, -2.0), bending, 2.0));
+        EigenLdlt solver;
+        REQUIRE(solve_statics(model, solver).status == Status::converged);
+        CHECK(model.position(beam.last())[2] == Approx(1e-3 / (2.0 * bending)).epsilon(3e-4));
+    }
+}
+
+TEST_CASE("Spring, Damper: what cannot be meant is refused", "[model][springs][bad-input]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const NodeId a{0}, b{1};
+    CHECK_THROWS_AS(Spring<3>(a, b, -1.0, 1.0), InvalidArgument);
+    CHECK_THROWS_AS(Spring<3>(a, b, infinity, 1.0), InvalidArgument);
+    CHECK_THROWS_AS(Spring<3>(a, b, 1.0, -1.0), InvalidArgument);
+    CHECK_THROWS_AS(Spring<3>(a, a, 1.0, 1.0), InvalidArgument);
+    CHECK_THROWS_AS(Spring<2>(a, Vector<double, 2>(0.0, infinity), 1.0, 1.0), InvalidArgument);
+    CHECK_THROWS_AS(Damper<3>(a, b, -1.0), InvalidArgument);
+    CHECK_THROWS_AS(Damper<2>(b, b, 1.0), InvalidArgument);
+
+    Model model;
+    const NodeId end = add_bar(model, {1.0, 2.0, 3.0}, {1.0, 0.0, 0.0}).first();
+    CHECK_THROWS_AS(model.add(Spring<3>(end, NodeId{7}, 1.0, 1.0)), InvalidArgument);
+    model.add(Spring<3>(end, Point(1.0, 2.0, 3.0), 1.0, 1.0));
+    EigenLdlt solver;
+    const auto report = solve_statics(model, solver);
+    CHECK(report.status == Status::not_finite);
+    CHECK(report.message == "the force of load 0 is not finite");
+}
+
+}  // namespace springs_test
