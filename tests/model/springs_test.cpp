@@ -8,12 +8,14 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads/forces.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/solver/eigen_ldlt.hpp>
 #include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/modal.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
@@ -155,6 +157,26 @@ TEST_CASE("Spring: a beam on a spring bends as both bend", "[model][springs]") {
         REQUIRE(solve_statics(model, solver).status == Status::converged);
         CHECK(model.position(beam.last())[2] == Approx(1e-3 / (2.0 * bending)).epsilon(3e-4));
     }
+}
+
+TEST_CASE("Spring: a column held by a spring at mid-height buckles", "[model][springs]") {
+    // Half a wave each side of u = sqrt(P/(E I)) L/2: k = 4 P/(L (1 - tan(u)/u)); Euler's 2 u = pi
+    const Material steel = Material::isotropic(2e11, 0.0, 7800.0);
+    const Section section = rectangle(0.03, 0.01);  // soft along Y
+    constexpr double u = 2.2, length = 2.0;
+    const double load = 4.0 * u * u * steel.young * section.moments().yy / (length * length);
+    const double stiffness = 4.0 * load / (length * (1.0 - std::tan(u) / u));
+    PlanarModel model;
+    const auto beam = straight_beam<CrossSectionBeam<2>>(model, steel, section, {0, 0}, {length, 0},
+                                                         16, CrossSectionOptions::best());
+    model.pin(beam.first());
+    model.fix(beam.last(), Field::r, 1);
+    model.add(Spring<2>(beam.nodes[8], {0.5 * length, 1.0}, stiffness, 1.0));
+    model.add(Force<2>(beam.last(), {-load, 0.0}));
+    EigenLdlt solver;
+    const auto report = buckling_modes(model, solver);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.modes.front().value == Approx(1.0).epsilon(2e-4));
 }
 
 TEST_CASE("Spring, Damper: what cannot be meant is refused", "[model][springs][bad-input]") {

@@ -58,6 +58,8 @@ using SymmetricStiffness = std::enable_if_t<T::symmetric_stiffness>;
 template <class T>
 using ConstantForce = std::enable_if_t<T::constant_force>;
 template <class T>
+using ActsInFull = std::enable_if_t<T::in_full>;
+template <class T>
 using Settles = decltype(std::declval<T&>().settle(some<Layout>()));
 
 }  // namespace detail
@@ -70,9 +72,10 @@ inline constexpr bool is_load_v = detail::offers<detail::LoadMembers, T>;
 ///
 /// Optional members: `static constexpr bool symmetric_stiffness = true`, or `constant_force = true`
 /// where the force depends neither on coordinates nor on rates; without either the tangent counts
-/// as unsymmetric and needs a solver of full storage. `static constexpr int dimension`, of the
-/// models it belongs to. `void settle(const Layout&)`, for a load that depends on the vectors that
-/// its node has: the model calls it once, before it keeps the load.
+/// as unsymmetric and needs a solver of full storage. `static constexpr bool in_full = true`, for a
+/// spring: without an amplitude it does not grow with the load factor of statics. `static constexpr
+/// int dimension`, of the models it belongs to. `void settle(const Layout&)`, for a load that
+/// depends on the vectors that its node has: the model calls it once, before it keeps the load.
 class AnyLoad {
 public:
     /// Holds a copy of the load.

@@ -200,12 +200,15 @@ public:
     // Loads, constraints, masses --------------------------------------------------------------
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics). Without one
-    /// it grows with the load factor in statics, and acts in full from the start of a motion.
+    /// it grows with the load factor in statics, unless it is a spring, and acts in full from the
+    /// start of a motion.
     /// @throws InvalidArgument for a node that does not exist, a load of another dimension or a
     ///         force of another size.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
     void add(Load load, Amplitude amplitude = {}) {
         check_dimension("a load", detail::dimension_of<Load>::value);
+        if constexpr (detail::offers<detail::ActsInFull, Load>)
+            if (!amplitude) amplitude = [](double) { return 1.0; };
         add_load(AnyLoad(std::move(load)), std::move(amplitude));
     }
 

@@ -27,6 +27,7 @@ class Spring {
 public:
     static constexpr int dimension = Dimension;        ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
+    static constexpr bool in_full = true;              ///< it does not grow with a load factor
 
     /// @param stiffness  k >= 0, N/m  @param length  l0 >= 0, m
     /// @throws InvalidArgument for a value that is negative or not finite, or if both are the same
@@ -66,6 +67,7 @@ template <int Dimension = 3>
 class Damper {
 public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
+    static constexpr bool in_full = true;        ///< it does not grow with a load factor
 
     /// @param damping  c >= 0, N s/m
     /// @throws InvalidArgument for a value that is negative or not finite, or if both are the same
