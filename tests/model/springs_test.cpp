@@ -7,6 +7,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/momentum.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
@@ -137,6 +138,28 @@ TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring", "[mode
     const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift < 1e-9);  // of some 50 J
+}
+
+TEST_CASE("Spring: between two bars it keeps energy and momenta", "[model][springs]") {
+    Model model;
+    const auto first = add_bar(model, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    const auto second = add_bar(model, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8});
+    model.add(Spring<3>(first.last(), second.first(), 500.0, 1.0));
+    for (const NodeId node : first.nodes) model.set_rate(node, Field::r, {1.0, 2.0, 0.3});
+    for (const NodeId node : second.nodes) model.set_rate(node, Field::r, {-1.0, 0.5, 2.0});
+    DynamicProblem problem(model);
+    const Momentum start = momentum(problem, model.state());
+    EigenLu solver;
+    EnergyMomentumOptions options;
+    options.step = 5e-3;
+    Schedule schedule;
+    schedule.end = 0.5;
+    const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.energy_drift < 1e-9);  // of 20 J
+    const Momentum end = momentum(problem, model.state());
+    CHECK((end.linear - start.linear).norm() < 1e-11 * start.linear.norm());
+    CHECK((end.angular - start.angular).norm() < 1e-11 * start.angular.norm());
 }
 
 TEST_CASE("Spring: a beam on a spring bends as both bend", "[model][springs]") {

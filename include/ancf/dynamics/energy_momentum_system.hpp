@@ -19,6 +19,7 @@
 #include <ancf/types.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace ancf::detail {
@@ -47,6 +48,7 @@ private:
     struct LocalLoad {
         LocalCoordinates at;
         std::vector<int> power;  // of a length in each vector's unit
+        bool invariant = false;  // rigid motions leave the potential, or g, as it is
     };
 
     // Calls visit(group, place of the element), element by element.
@@ -54,6 +56,10 @@ private:
     void for_each_element(const Visitor& visit) const;
     void weigh();
     [[nodiscard]] LocalLoad local(const Coupling& coupling) const;
+    /// Writes the values of some functions of local coordinates, and their gradients by rows.
+    using Functions = std::function<void(const VectorX& q, VectorX& values, MatrixX& gradients)>;
+    [[nodiscard]] bool is_invariant(const LocalLoad& local, const Functions& functions) const;
+    [[nodiscard]] bool is_invariant(const AnyLoad& load, const LocalLoad& local) const;
     [[nodiscard]] bool is_invariant(const AnyConstraint& constraint, const LocalLoad& local) const;
     void add_elements(const VectorX& q1, bool matrix);
     void add_loads(const VectorX& q1, bool matrix);
@@ -72,7 +78,6 @@ private:
     const BlockPattern& pattern_;
     StepTangent tangent_;
     std::vector<LocalLoad> loads_, constraints_;
-    std::vector<char> invariant_;
     Revision revision_;    // of the model that gravity_ is of
     VectorX gravity_;      // at unit scale
     double length_ = 1.0;  // of an element: the weight of slopes in joints and loads

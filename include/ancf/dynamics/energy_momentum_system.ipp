@@ -36,10 +36,13 @@ ANCF_INLINE EnergyMomentumSystem::EnergyMomentumSystem(DynamicProblem& problem)
         length_ = before_.empty() ? length : std::min(length_, length);
         before_.push_back(0.0);
     });
-    for (const ScaledLoad& load : model.loads()) loads_.push_back(local(load.load.coupling()));
+    for (const ScaledLoad& load : model.loads()) {
+        loads_.push_back(local(load.load.coupling()));
+        loads_.back().invariant = is_invariant(load.load, loads_.back());
+    }
     for (const AnyConstraint& constraint : model.constraints()) {
         constraints_.push_back(local(constraint.coupling()));
-        invariant_.push_back(is_invariant(constraint, constraints_.back()) ? 1 : 0);
+        constraints_.back().invariant = is_invariant(constraint, constraints_.back());
     }
     for (const Support& support : model.supports()) driven_ = driven_ || support.value;
 }
@@ -63,22 +66,40 @@ ANCF_INLINE EnergyMomentumSystem::LocalLoad EnergyMomentumSystem::local(
     return result;
 }
 
+ANCF_INLINE bool EnergyMomentumSystem::is_invariant(const AnyLoad& load,
+                                                    const LocalLoad& local) const {
+    const double time = problem_.model().state().time;
+    return !load.constant() && is_invariant(local, [&](const VectorX& q, VectorX& values,
+                                                       MatrixX& gradients) {
+        const Eigen::Index size = q.size();
+        LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size)};
+        load.evaluate({q, VectorX::Zero(size), time, false}, out);
+        values.setConstant(1, out.potential);
+        gradients = -out.force.transpose();
+    });
+}
+
 ANCF_INLINE bool EnergyMomentumSystem::is_invariant(const AnyConstraint& constraint,
                                                     const LocalLoad& local) const {
-    const int dimension = problem_.model().dimension();
-    const State& state = problem_.model().state();
+    const double time = problem_.model().state().time;
     const int equations = constraint.equations();
     ConstraintResult out;
-    const auto value = [&](const VectorX& q) {
-        ConstraintState at{q, VectorX::Zero(q.size()), VectorX::Zero(equations), state.time};
+    return is_invariant(local, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
         out.reset(equations, q.size());
-        constraint.evaluate(at, out);
-        return out.violation;
-    };
+        constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(equations), time}, out);
+        values = out.violation;
+        gradients = out.jacobian;
+    });
+}
+
+ANCF_INLINE bool EnergyMomentumSystem::is_invariant(const LocalLoad& local,
+                                                    const Functions& functions) const {
+    const int dimension = problem_.model().dimension();
+    VectorX q, rest, values;
+    MatrixX gradients;
+    gather(problem_.model().state().q, local.at.read(), q);
+    functions(q, rest, gradients);
     // two finite turns about different axes, each with a shift
-    VectorX q;
-    gather(state.q, local.at.read(), q);
-    const VectorX rest = value(q);
     for (int trial = 0; trial < 2; ++trial) {
         const double shift = (0.3 + 0.4 * trial) * problem_.length_scale();
         Matrix<double, 3> turn = Matrix<double, 3>::Identity();
@@ -95,12 +116,12 @@ ANCF_INLINE bool EnergyMomentumSystem::is_invariant(const AnyConstraint& constra
                 for (int j = 0; j < dimension; ++j) moved[first + i] += turn(i, j) * q[first + j];
             }
         }
-        const VectorX change = value(moved) - rest;
-        for (int e = 0; e < equations; ++e) {
+        functions(moved, values, gradients);
+        for (Eigen::Index e = 0; e < rest.size(); ++e) {
             double size = 0.0;  // of the terms that cancel
             for (Eigen::Index j = 0; j < moved.size(); ++j)
-                size += std::abs(out.jacobian(e, j) * moved[j]);
-            if (!(std::abs(change[e]) <= 1e-10 * size)) return false;
+                size += std::abs(gradients(e, j) * moved[j]);
+            if (!(std::abs(values[e] - rest[e]) <= 1e-10 * size)) return false;
         }
     }
     return true;
@@ -207,8 +228,8 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
             if (result.period > 0.0)  // an angle that passes pi
                 fall -= result.period * std::round((fall - work) / result.period);
             if (std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
-                correct_gradient(model.dimension(), fall, middle_q, change, false, place.power,
-                                 length_, result.force);
+                correct_gradient(model.dimension(), fall, middle_q, change, place.invariant,
+                                 place.power, length_, result.force);
         }
         const double scale = load.scale(middle);
         const std::vector<int>& read = place.at.read();
@@ -267,7 +288,7 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
         const double rest = difference[i] - gradient.dot(change);
         if (!(std::abs(rest) > 1e-15 * size_of_terms)) continue;
         correct_gradient(problem_.model().dimension(), difference[i], middle_q, change,
-                         invariant_[k] != 0, place.power, length_, gradient);
+                         place.invariant, place.power, length_, gradient);
         for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
     }
 }
