@@ -19,6 +19,7 @@
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
 #include <sundials/sundials_types.h>
 
 #include <cstddef>
@@ -96,6 +97,9 @@ struct DestroyMatrix {
 struct DestroyLinearSolver {
     void operator()(SUNLinearSolver solver) const noexcept { SUNLinSolFree(solver); }
 };
+struct DestroyNewton {
+    void operator()(SUNNonlinearSolver newton) const noexcept { SUNNonlinSolFree(newton); }
+};
 struct DestroyIda {
     void operator()(void* ida) const noexcept { IDAFree(&ida); }
 };
@@ -109,6 +113,9 @@ using MatrixOwner = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, detail::De
 /// Owns a SUNLinearSolver.
 using LinearSolverOwner =
     std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, detail::DestroyLinearSolver>;
+/// Owns Newton's method of SUNDIALS.
+using NewtonOwner =
+    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, detail::DestroyNewton>;
 using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;  ///< owns the memory of IDA
 
 /// Returns a vector of zeros.
