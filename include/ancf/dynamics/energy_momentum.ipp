@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ancf {
@@ -139,6 +140,8 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
     bool fresh = false;  // whether the matrix is of this step
     bool last = false;   // whether the correction after this one would be round-off
     double before = 0.0;
+    double least = std::numeric_limits<double>::infinity();
+    int stalled = 0;  // corrections since the least one
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status = evaluate(h, renew); status != Status::converged) return status;
         fresh = fresh || renew;
@@ -153,8 +156,11 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         // what Newton's method found from there had energies of its own
         if (change > farthest && reaches_far(correction)) return Status::diverged;
         const double ratio = k > 1 ? change / before : 0.0;
+        stalled = change < least ? 0 : stalled + 1;
+        least = std::min(least, change);
         // corrections that no longer shrink are the round-off of the residual
-        if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11)) {
+        if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11) ||
+            (stalled == 2 && change <= 1e-9)) {
             set_rates(h);
             const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
             return distrusted ? Status::diverged : Status::converged;
