@@ -186,6 +186,8 @@ TEST_CASE("Model: an element's own prototype changes it and no other", "[model]"
         Beam(material, section, 0.6);  // what still share it
     for (int k = 0; k < 4; ++k)
         CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.6));
+    for (const int element : {0, 1, 3}) CHECK(scene.make_own_prototype<Beam>(element) < 4);
+    CHECK(scene.group<Beam>().prototypes.size() == 4);  // the last one had its own by then
     CHECK_THROWS_AS(scene.make_own_prototype<Beam>(4), InvalidArgument);
     CHECK_THROWS_AS(scene.make_own_prototype<Beam>(-1), InvalidArgument);
 }

@@ -194,9 +194,13 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
 }
 
 ANCF_INLINE bool Scene::has_own_prototype(const ElementGroup& group, int element) {
+    // outwards: equal elements mostly stand side by side
     const int shared = group.prototype_of(element);
-    return std::count_if(group.connections.begin(), group.connections.end(),
-                         [=](const Connection& other) { return other.prototype == shared; }) == 1;
+    for (int apart = 1; apart < group.size(); ++apart)
+        for (const int other : {element - apart, element + apart})
+            if (other >= 0 && other < group.size() && group.prototype_of(other) == shared)
+                return false;
+    return true;
 }
 
 ANCF_INLINE void Scene::check_prototype(const ElementGroup& group, int index) {
