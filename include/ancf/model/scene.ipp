@@ -336,23 +336,19 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
     detail::require(initial_[end.index].fields.contains(field), "Model::attach: node ", end.index,
                     " carries no ", name, "; connect its elements first");
     check_unattached("attach", end, field);
-    for (int of = 0; of < field_count; ++of)
-        if (const AttachedVector* const other = attachment_of(end, static_cast<Field>(of)))
-            detail::require(other->to == joint, "Model::attach: node ", end.index, " follows node ",
-                            other->to.index, ", not node ", joint.index, " too");
+    const auto followed_by = [&](NodeId node) {
+        const int last = initial_[node.index].last_attachment;
+        return last < 0 ? NodeId{} : attachments_[last].to;
+    };
+    const NodeId other = followed_by(end);
+    detail::require(other.index < 0 || other == joint, "Model::attach: node ", end.index,
+                    " follows node ", other.index, ", not node ", joint.index, " too");
     for (int component = 0; component < dimension_; ++component)
         detail::require(support_of(end, field, component) < 0, "Model::attach: ", name, " of node ",
                         end.index, " is held or driven; hold node ", joint.index, " instead");
-    std::vector<NodeId> followed = {joint};
-    for (std::size_t k = 0; k < followed.size(); ++k) {
-        detail::require(followed[k] != end, "Model::attach: nodes ", end.index, " and ",
-                        joint.index, " would follow each other in a circle");
-        for (int of = 0; of < field_count; ++of)
-            if (const AttachedVector* const other =
-                    attachment_of(followed[k], static_cast<Field>(of)))
-                if (std::find(followed.begin(), followed.end(), other->to) == followed.end())
-                    followed.push_back(other->to);
-    }
+    for (NodeId node = joint; node.index >= 0; node = followed_by(node))
+        detail::require(node != end, "Model::attach: nodes ", end.index, " and ", joint.index,
+                        " would follow each other in a circle");
 }
 
 ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v) const {
