@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace energy_momentum_test {
@@ -70,6 +71,22 @@ struct Counted {
         *asked += at.derivatives ? 1 : 0;
         out.potential = at.q[0];
         out.force[0] = -1.0;
+    }
+};
+
+/// A link that counts how often more than its terms is asked for.
+struct CountedLink {
+    ancf::Distance<3> held;
+    long* asked;
+    ancf::Coupling coupling() const { return held.coupling(); }
+    int equations() const { return held.equations(); }
+    std::string name() const { return held.name(); }
+    void terms(const VectorX& q, double time, ancf::ConstraintTerms<double>& out) const {
+        held.terms(q, time, out);
+    }
+    void evaluate(const ancf::ConstraintState& at, ancf::ConstraintResult& out) const {
+        ++*asked;
+        held.evaluate(at, out);
     }
 };
 
@@ -265,6 +282,19 @@ TEST_CASE("energy-momentum: repeated constraints change nothing but their multip
     CHECK(distance(twice.model.state().q, once.model.state().q) <= 1e-11);
     const VectorX& shared = twice.model.state().multipliers;
     CHECK(shared[0] == Approx(shared[1]).epsilon(1e-10));
+}
+
+TEST_CASE("energy-momentum: asks constraints for their stiffness where it makes a matrix alone",
+          "[dynamics]") {
+    Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});
+    long asked = 0;
+    scene.model.add(
+        CountedLink{ancf::Distance<3>(scene.first(), Vector3(0.0, 0.0, 0.0), 0.5), &asked});
+    scene.model.set_gravity({0.0, -9.81, 0.0});
+    const DynamicsReport report = run(scene.model, 2e-3, until(0.2));
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.evaluations > 200);
+    CHECK(asked <= report.jacobians + 20);  // at start and end; measured 5 more
 }
 
 TEST_CASE("energy-momentum: a step too long is taken in parts, on the same grid", "[dynamics]") {

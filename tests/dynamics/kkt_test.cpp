@@ -104,6 +104,35 @@ TEST_CASE("KktSystem: few equations and many are solved for while they change", 
     }
 }
 
+TEST_CASE("KktSystem: zeros that it leaves out count from when they are zero no more",
+          "[dynamics][kkt]") {
+    constexpr int nodes = 9, size = 3 * nodes;
+    std::vector<int> blocks;
+    for (int row = 0; row < size; ++row) blocks.push_back(row / 3);
+    MatrixX dense = MatrixX::Zero(size, size);  // a chain, its directions apart at first
+    for (int i = 0; i < size; ++i) {
+        dense(i, i) = 4.0;
+        if (i >= 3) dense(i, i - 3) = dense(i - 3, i) = 1.0 + 0.1 * i;
+    }
+    KktSystem system;
+    for (int change = 0; change < 4; ++change) {
+        CAPTURE(change);
+        if (change == 2) dense(1, 0) = dense(0, 1) = 0.5;
+        if (change == 3) dense(26, 22) = dense(22, 26) = -0.5;
+        SparseMatrix matrix(size, size);
+        for (int j = 0; j < size; ++j)
+            for (int i = 0; i < size; ++i)
+                if (std::abs(i / 3 - j / 3) <= 1) matrix.insert(i, j) = dense(i, j);
+        matrix.makeCompressed();
+        if (change == 0) system.analyze(matrix, size, blocks);
+        REQUIRE(system.factorize(matrix) == Status::converged);
+        const VectorX exact = VectorX::LinSpaced(size, -1.0, 2.0), b = dense * exact;
+        VectorX x;
+        REQUIRE(system.solve(b, x) == Status::converged);
+        CHECK((dense * x - b).norm() <= 1e-13 * b.norm());  // measured 3e-16
+    }
+}
+
 TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough",
           "[dynamics][kkt]") {
     SparseMatrix matrix = nearly_dependent(1.0);

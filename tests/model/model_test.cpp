@@ -5,6 +5,7 @@
 
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/bar.hpp>
@@ -88,6 +89,78 @@ TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]
     CHECK(scene.velocity(far).norm() == 0.0);
 }
 
+/// A beam that counts how often it is asked for its torsion.
+struct CountedBeam : Beam {
+    using Beam::Beam;
+    static inline int asked = 0;
+    [[nodiscard]] ancf::Vector<double, 2> torsion_stiffness() const {
+        ++asked;
+        return {3.0, 1.0};
+    }
+};
+
+TEST_CASE("Model: beams and joints by turns are laid out once each, at the places of beams alone",
+          "[model]") {
+    constexpr int beams = 40;
+    Scene alone, by_turns;
+    ancf::NodeId end;
+    CountedBeam::asked = 0;
+    for (int k = 0; k < beams; ++k) {
+        const auto add = [&](Scene& scene) {
+            return ancf::straight_beam<CountedBeam>(scene, material, section, {1.0 * k, 0, 0},
+                                                    {k + 1.0, 0, 0}, 1);
+        };
+        static_cast<void>(add(alone));
+        const auto beam = add(by_turns);
+        if (k > 0) {
+            by_turns.add(ancf::Revolute(by_turns, end, beam.first(), {0, 0, 1}));
+            by_turns.add(ancf::Weld(by_turns, end, beam.first()));
+        }
+        by_turns.add(ancf::Moment(beam.last(), {1, 0, 0}));
+        end = beam.last();
+    }
+    CHECK(CountedBeam::asked == beams);  // each of one element
+    CHECK(by_turns.state().q == alone.state().q);
+    CHECK(by_turns.state().v == alone.state().v);
+    CHECK(by_turns.state().multipliers.size() == 11 * (beams - 1));
+    CHECK(by_turns.layout().torsion_share(end) == 0.75);
+    CHECK(CountedBeam::asked == 2 * beams);
+}
+
+TEST_CASE("Model: a vector is read at any time between additions as the state has it", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
+    scene.set_value(beam.last(), Field::r, {2.0, 0.5, 0.0});
+    const auto side = ancf::straight_beam<Beam>(scene, material, section, {2, 0, 0}, {2, 3, 0}, 1);
+    CHECK(scene.position(beam.last()) == Vector3(2.0, 0.5, 0.0));
+    CHECK(scene.position(side.last()) == Vector3(2.0, 3.0, 0.0));
+    SECTION("an attached one follows its node") {
+        scene.attach(side.first(), beam.last());
+        CHECK(scene.position(side.first()) == Vector3(2.0, 0.5, 0.0));
+    }
+    SECTION("one that gets more vectors stays") {
+        scene.connect<Bar>(scene.add_prototype(Bar(1, 1, 1)), beam.last(), side.last());
+        const auto far = scene.add_node({5, 0, 0});
+        CHECK(scene.layout().size(far.index) == 0);
+        scene.connect<Bar>(0, side.last(), far);
+        CHECK(scene.position(far) == Vector3(5.0, 0.0, 0.0));
+        CHECK(scene.position(beam.last()) == Vector3(2.0, 0.5, 0.0));
+    }
+    SECTION("so do multipliers and a copy made meanwhile") {
+        scene.add(ancf::Pin<3>(beam.last(), side.first()));
+        scene.state().multipliers.setConstant(7.0);
+        scene.add(ancf::Weld(scene, side.last()));
+        const Scene copy = scene;
+        CHECK(copy.position(side.last()) == Vector3(2.0, 3.0, 0.0));
+        CHECK(copy.state().multipliers.size() == 9);
+        CHECK(copy.state().multipliers.head(3) == Vector3(7.0, 7.0, 7.0));
+        CHECK(copy.state().multipliers.tail(6).norm() == 0.0);
+    }
+    const ancf::VectorX q = scene.state().q;
+    CHECK(scene.position(beam.last()) == q.segment(scene.coordinate(beam.last(), Field::r), 3));
+    CHECK(scene.position(side.last()) == q.segment(scene.coordinate(side.last(), Field::r), 3));
+}
+
 TEST_CASE("Model: element coordinates are the fields of both nodes in order", "[model]") {
     Scene scene;
     const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {2, 0, 0}, 2);
@@ -113,6 +186,8 @@ TEST_CASE("Model: an element's own prototype changes it and no other", "[model]"
         Beam(material, section, 0.6);  // what still share it
     for (int k = 0; k < 4; ++k)
         CHECK(scene.group<Beam>().element(k).length() == (k == 2 ? 0.4 : 0.6));
+    for (const int element : {0, 1, 3}) CHECK(scene.make_own_prototype<Beam>(element) < 4);
+    CHECK(scene.group<Beam>().prototypes.size() == 4);  // the last one had its own by then
     CHECK_THROWS_AS(scene.make_own_prototype<Beam>(4), InvalidArgument);
     CHECK_THROWS_AS(scene.make_own_prototype<Beam>(-1), InvalidArgument);
 }

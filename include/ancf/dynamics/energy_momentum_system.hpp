@@ -65,7 +65,7 @@ private:
     void add_loads(const VectorX& q1, bool matrix);
     void add_constraints(const VectorX& q1, const VectorX& lambda, bool matrix);
     void evaluate_constraint(std::size_t k, int first, const VectorX& q1, const VectorX& lambda,
-                             ConstraintResult& middle, ConstraintResult& end) const;
+                             bool stiffness, ConstraintResult& middle, ConstraintResult& end) const;
     [[nodiscard]] bool is_left_out(int equation) const {
         return problem_.constraints().left_out(equation);
     }

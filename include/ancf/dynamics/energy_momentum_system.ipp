@@ -248,7 +248,7 @@ ANCF_INLINE void EnergyMomentumSystem::add_loads(const VectorX& q1, bool matrix)
 /// replaced by the discrete gradients. Rows of equations that are left out are zero.
 ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int first,
                                                            const VectorX& q1, const VectorX& lambda,
-                                                           ConstraintResult& middle,
+                                                           bool stiffness, ConstraintResult& middle,
                                                            ConstraintResult& end) const {
     const AnyConstraint& constraint = problem_.model().constraints()[k];
     const LocalLoad& place = constraints_[k];
@@ -260,8 +260,7 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
     const auto evaluate = [&](double time, const VectorX& q, ConstraintResult& out) {
         state.time = time;
         gather(q, place.at.read(), state.q);
-        out.reset(equations, size);
-        constraint.evaluate(state, out);
+        constraint.terms(state, out);
     };
     // of the change of g that the coordinates make, at one time
     const double middle_time = t0_ + 0.5 * h_;
@@ -270,6 +269,10 @@ ANCF_INLINE void EnergyMomentumSystem::evaluate_constraint(std::size_t k, int fi
     evaluate(middle_time, q1, end);
     const VectorX difference = end.violation - before;
     evaluate(middle_time, middle_, middle);
+    if (stiffness) {
+        middle.reset(equations, size);
+        constraint.evaluate(state, middle);
+    }
     evaluate(t0_ + h_, q1, end);
     VectorX change, middle_q, gradient(size);
     gather(change_, place.at.read(), change);
@@ -300,7 +303,7 @@ ANCF_INLINE void EnergyMomentumSystem::add_constraints(const VectorX& q1, const 
     for (std::size_t k = 0; k < constraints_.size(); ++k) {
         const LocalCoordinates& map = constraints_[k].at;
         const std::vector<int>&read = map.read(), &at = map.acted();
-        evaluate_constraint(k, first, q1, lambda, middle, end);
+        evaluate_constraint(k, first, q1, lambda, matrix, middle, end);
         const auto equations = static_cast<int>(end.violation.size());
         for (std::size_t j = 0; j < read.size(); ++j)
             for (int i = 0; i < equations; ++i)

@@ -64,8 +64,9 @@ private:
     std::vector<int> blocks_;
     int last_ = 0;  // equations that are eliminated last, all or none
     double share_ = largest_share;
-    SparseMatrix matrix_;     // lower half
+    SparseMatrix matrix_;     // lower half, without zeros where there is no G
     std::vector<int> slots_;  // where its values stand in the pattern
+    std::vector<int> zeros_;  // where those zeros stand
     VectorX scales_;          // of the unknowns
     VectorX sizes_[2];        // of each row sum |entry| scale, over the columns of A, and others
     std::vector<double> factorised_;

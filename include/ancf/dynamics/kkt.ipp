@@ -27,11 +27,25 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
     last_ = equations <= most_last ? equations : 0;
     share_ = largest_share;
     factorised_.clear();
-    matrix_ = lower_half(pattern);
+    // zeros fill L, but the first of two blocks: the order of elimination stays. Constraints sum in
+    // another order without them
+    const auto begins = [&](int row) { return row == 0 || blocks_[row] != blocks_[row - 1]; };
+    matrix_ = SparseMatrix(pattern.cols(), pattern.cols());
     slots_.clear();
-    for (int j = 0; j < pattern.cols(); ++j)
-        for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k)
-            if (pattern.innerIndexPtr()[k] >= j) slots_.push_back(k);
+    zeros_.clear();
+    for (int j = 0; j < pattern.cols(); ++j) {
+        for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
+            const int i = pattern.innerIndexPtr()[k];
+            if (i < j) continue;
+            const bool kept =
+                equations > 0 || i == j || pattern.valuePtr()[k] != 0.0 || (begins(i) && begins(j));
+            (kept ? slots_ : zeros_).push_back(k);
+        }
+        matrix_.outerIndexPtr()[j + 1] = static_cast<int>(slots_.size());
+    }
+    matrix_.resizeNonZeros(static_cast<int>(slots_.size()));
+    for (std::size_t k = 0; k < slots_.size(); ++k)
+        matrix_.innerIndexPtr()[k] = pattern.innerIndexPtr()[slots_[k]];
     for (int row = 0; row < matrix_.cols(); ++row) {
         const SparseMatrix::InnerIterator first(matrix_, row);
         require(first && first.row() == row, "KktSystem: the pattern has no diagonal entry in row ",
@@ -45,6 +59,8 @@ ANCF_INLINE Status KktSystem::factorize(const SparseMatrix& matrix) {
     if (std::equal(first, last, factorised_.begin(), factorised_.end())) return Status::converged;
     factorised_.clear();
     if (!all_finite(matrix)) return Status::not_finite;
+    if (std::any_of(zeros_.begin(), zeros_.end(), [=](int k) { return first[k] != 0.0; }))
+        analyze(matrix, rows_, std::vector<int>(blocks_));
     for (std::size_t k = 0; k < slots_.size(); ++k) matrix_.valuePtr()[k] = first[slots_[k]];
     scales_ = unit_scales(matrix_);
     for (VectorX& sizes : sizes_) sizes.setZero(matrix_.cols());

@@ -54,15 +54,18 @@ public:
     Layout() = default;
 
     /// Makes the order for the fields of every node.
-    /// @param shares  torsion_share() of every node, 0 to 1; none: one half of each
-    Layout(int dimension, detail::Records<Fields> fields, std::vector<double> shares = {})
-        : dimension_(dimension),
-          fields_(std::move(fields)),
-          first_(fields_.size() + 1, 0),
-          shares_(std::move(shares)) {
-        for (std::size_t node = 0; node < fields_.size(); ++node)
-            first_[node + 1] = first_[node] + dimension_ * fields_[node].count();
+    Layout(int dimension, const detail::Records<Fields>& fields) : dimension_(dimension) {
+        for (const Fields of : fields) append(of);
     }
+
+    /// Appends a node of these fields, its torsion_share() one half.
+    void append(Fields fields) {
+        fields_.push_back(fields);
+        first_.push_back(first_.back() + dimension_ * fields.count());
+        shares_.push_back(0.5);
+    }
+    /// Sets the torsion_share() of a node that was appended, 0 to 1.
+    void set_torsion_share(NodeId node, double share) { shares_[node.index] = share; }
 
     /// Returns the number of nodes.
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(fields_.size()); }

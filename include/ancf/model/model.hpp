@@ -112,7 +112,10 @@ public:
     /// Returns one vector of a node as it stands now.
     /// @throws InvalidArgument where the node does not carry it, and for a state of another model.
     [[nodiscard]] Point value(NodeId node, Field field) const {
-        return vector_at(state().q, coordinate(node, field));
+        const double* const vector = vector_now(node, field);
+        Point result;
+        for (int k = 0; k < Dimension; ++k) result[k] = vector[k];
+        return result;
     }
 
     /// Sets one vector of a node.

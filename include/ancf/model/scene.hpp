@@ -271,7 +271,7 @@ public:
     }
     /// Returns what the attached vectors follow.
     [[nodiscard]] const Dependence& dependence() const {
-        refresh();
+        settle();
         return dependence_;
     }
     /// Returns the masses at nodes.
@@ -297,12 +297,12 @@ public:
 
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] const State& state() const {
-        refresh();
+        settle();
         return state_;
     }
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] State& state() {
-        refresh();
+        settle();
         return state_;
     }
 
@@ -321,6 +321,9 @@ public:
 protected:
     /// @throws InvalidArgument unless coordinates, or rates, are as many as a layout has.
     static void check_state(const VectorX& of, const Layout& layout);
+
+    /// Returns the components of a vector as it stands now.
+    [[nodiscard]] const double* vector_now(NodeId node, Field field) const;
 
     /// @throws InvalidArgument for an attached vector.
     void check_unattached(const char* call, NodeId node, Field field) const;
@@ -369,8 +372,14 @@ private:
     void check_dimension(const char* what, int dimension) const;
     void add_load(AnyLoad load, Amplitude amplitude);
     void add_constraint(AnyConstraint constraint);
+    // What is added is appended to the layout alone, so that building by turns, a beam, a joint, a
+    // beam and so on, costs no more than in one go; the state follows when it is asked for.
     void refresh() const;
-    [[nodiscard]] std::vector<double> torsion_shares() const;
+    void settle() const;
+    void add_torsion() const;
+    [[nodiscard]] bool state_fits(const Layout& layout) const noexcept;
+    void fit_state(const Layout& before) const;
+    void widen(NodeId node, Fields fields);
     void check(NodeId node) const;
 
     // Returns the place of a support in supports_, -1 where there is none.
@@ -395,8 +404,13 @@ private:
     Revision revision_;
 
     // Derived from the above when first asked for after a change.
-    mutable bool stale_ = true;
+    mutable bool stale_ = true;      // layout_
+    mutable bool anew_ = true;       // what is in layout_ has changed too
+    mutable bool unsettled_ = true;  // state_ and dependence_
+    mutable int settled_ = 0;        // nodes in state_: the first ones of layout_
     mutable Layout layout_;
+    mutable detail::Records<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
+    mutable std::vector<int> counted_;                        // of each group: elements in torsion_
     mutable Dependence dependence_;
     mutable State state_;
 };
@@ -413,6 +427,7 @@ Element& Scene::prototype(int index) {
     auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
     check_prototype(group, index);
     ++revision_.properties;
+    anew_ = true;
     return group.prototypes[index];
 }
 

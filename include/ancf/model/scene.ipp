@@ -37,7 +37,12 @@ ANCF_INLINE Scene::Scene(const Scene& other)
       exchange_(other.exchange_),
       revision_(other.revision_),
       stale_(other.stale_),
+      anew_(other.anew_),
+      unsettled_(other.unsettled_),
+      settled_(other.settled_),
       layout_(other.layout_),
+      torsion_(other.torsion_),
+      counted_(other.counted_),
       dependence_(other.dependence_),
       state_(other.state_) {
     for (const auto& group : other.groups_) groups_.push_back(group->clone());
@@ -76,7 +81,12 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(exchange_, other.exchange_);
     std::swap(revision_, other.revision_);
     std::swap(stale_, other.stale_);
+    std::swap(anew_, other.anew_);
+    std::swap(unsettled_, other.unsettled_);
+    std::swap(settled_, other.settled_);
     std::swap(layout_, other.layout_);
+    std::swap(torsion_, other.torsion_);
+    std::swap(counted_, other.counted_);
     std::swap(dependence_, other.dependence_);
     std::swap(state_, other.state_);
 }
@@ -141,7 +151,7 @@ ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_co
     InitialNode node;
     node.vectors = vectors;
     initial_.push_back(node);
-    stale_ = true;
+    stale_ = unsettled_ = true;
     ++revision_.scene;
     return {nodes() - 1};
 }
@@ -174,18 +184,23 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
                     prototypes, " prototypes, got index ", prototype);
     group->connections.push_back({prototype, first, second});
     for (const NodeId node : {first, second}) {
-        Fields& fields = initial_[node.index].fields;
-        fields = fields | group->fields();
+        widen(node, group->fields());
+        // stiffnesses of several groups are summed in the order of the groups
+        anew_ = anew_ || (groups_.size() > 1 && node.index < layout_.nodes());
     }
-    stale_ = true;
+    stale_ = unsettled_ = true;
     ++revision_.scene;
     return group->size() - 1;
 }
 
 ANCF_INLINE bool Scene::has_own_prototype(const ElementGroup& group, int element) {
+    // outwards: equal elements mostly stand side by side
     const int shared = group.prototype_of(element);
-    return std::count_if(group.connections.begin(), group.connections.end(),
-                         [=](const Connection& other) { return other.prototype == shared; }) == 1;
+    for (int apart = 1; apart < group.size(); ++apart)
+        for (const int other : {element - apart, element + apart})
+            if (other >= 0 && other < group.size() && group.prototype_of(other) == shared)
+                return false;
+    return true;
 }
 
 ANCF_INLINE void Scene::check_prototype(const ElementGroup& group, int index) {
@@ -287,7 +302,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
                     end.index, " to attach to node ", joint.index, ", got none");
     for (int k = 0; k < vectors.count(); ++k) check_attachment(end, joint, vectors.at(k));
     const auto& from = initial_[end.index].vectors;
-    InitialNode& to = initial_[joint.index];
+    const auto& to = initial_[joint.index].vectors;
     // sums of a user's coordinates: what round-off leaves of an offset is none
     constexpr double round_off = 1e-12;
     for (int k = 0; k < vectors.count(); ++k) {
@@ -295,7 +310,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
         double vector[3] = {};
         double size = 0.0;  // of what the vector is the difference of
         for (std::size_t i = 0; i < 3; ++i) {
-            const double base = field == Field::r ? to.vectors[i] : 0.0;
+            const double base = field == Field::r ? to[i] : 0.0;
             vector[i] = from[3 * static_cast<std::size_t>(field) + i] - base;
             size = std::max({size, std::abs(base), std::abs(vector[i])});
         }
@@ -306,12 +321,12 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
         for (std::size_t i = 0; i < 3; ++i) {
             const double factor = std::abs(slopes[i]) <= round_off * size ? 0.0 : slopes[i];
             attachment.factors[1 + i] = factor;
-            if (factor != 0.0) to.fields = to.fields | static_cast<Field>(1 + i);
+            if (factor != 0.0) widen(joint, static_cast<Field>(1 + i));
         }
-        if (field == Field::r) to.fields = to.fields | Field::r;
+        if (field == Field::r) widen(joint, Field::r);
         append(attachment);
     }
-    stale_ = true;
+    stale_ = unsettled_ = true;
     ++revision_.scene;
 }
 
@@ -321,23 +336,19 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
     detail::require(initial_[end.index].fields.contains(field), "Model::attach: node ", end.index,
                     " carries no ", name, "; connect its elements first");
     check_unattached("attach", end, field);
-    for (int of = 0; of < field_count; ++of)
-        if (const AttachedVector* const other = attachment_of(end, static_cast<Field>(of)))
-            detail::require(other->to == joint, "Model::attach: node ", end.index, " follows node ",
-                            other->to.index, ", not node ", joint.index, " too");
+    const auto followed_by = [&](NodeId node) {
+        const int last = initial_[node.index].last_attachment;
+        return last < 0 ? NodeId{} : attachments_[last].to;
+    };
+    const NodeId other = followed_by(end);
+    detail::require(other.index < 0 || other == joint, "Model::attach: node ", end.index,
+                    " follows node ", other.index, ", not node ", joint.index, " too");
     for (int component = 0; component < dimension_; ++component)
         detail::require(support_of(end, field, component) < 0, "Model::attach: ", name, " of node ",
                         end.index, " is held or driven; hold node ", joint.index, " instead");
-    std::vector<NodeId> followed = {joint};
-    for (std::size_t k = 0; k < followed.size(); ++k) {
-        detail::require(followed[k] != end, "Model::attach: nodes ", end.index, " and ",
-                        joint.index, " would follow each other in a circle");
-        for (int of = 0; of < field_count; ++of)
-            if (const AttachedVector* const other =
-                    attachment_of(followed[k], static_cast<Field>(of)))
-                if (std::find(followed.begin(), followed.end(), other->to) == followed.end())
-                    followed.push_back(other->to);
-    }
+    for (NodeId node = joint; node.index >= 0; node = followed_by(node))
+        detail::require(node != end, "Model::attach: nodes ", end.index, " and ", joint.index,
+                        " would follow each other in a circle");
 }
 
 ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v) const {
@@ -405,7 +416,7 @@ ANCF_INLINE void Scene::add_constraint(AnyConstraint constraint) {
     detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
                     " has ", constraint.equations(), " equations, expected at least 1");
     constraints_.push_back(std::move(constraint));
-    stale_ = true;
+    unsettled_ = true;
     ++revision_.scene;
 }
 
@@ -436,58 +447,93 @@ ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
     return first;
 }
 
+ANCF_INLINE const double* Scene::vector_now(NodeId node, Field field) const {
+    const int first = coordinate(node, field);
+    if (unsettled_ && state_fits(layout_) && attachment_of(node, field) == nullptr)
+        return first < state_.q.size()
+                   ? state_.q.data() + first
+                   : initial_[node.index].vectors.data() + 3 * static_cast<int>(field);
+    check_state(state().q, layout_);
+    return state_.q.data() + first;
+}
+
+ANCF_INLINE void Scene::widen(NodeId node, Fields fields) {
+    Fields& carried = initial_[node.index].fields;
+    const Fields all = carried | fields;
+    anew_ = anew_ || (node.index < layout_.nodes() && !(all == carried));
+    carried = all;
+}
+
 ANCF_INLINE void Scene::refresh() const {
     if (!stale_) return;
-    const bool own = state_.q.size() == layout_.size() && state_.v.size() == layout_.size();
-    detail::Records<Fields> fields;
-    fields.reserve(initial_.size());
-    for (const InitialNode& node : initial_) fields.push_back(node.fields);
-    const Layout before =
-        std::exchange(layout_, Layout(dimension_, std::move(fields), torsion_shares()));
-    dependence_ = Dependence(layout_, attachments_);
-    const State old = std::exchange(state_, State{});
-    state_.time = old.time;
-    state_.q.setZero(layout_.size());
-    state_.v.setZero(layout_.size());
+    stale_ = false;
+    const bool anew = std::exchange(anew_, false);
+    Layout before;
+    if (anew) {
+        before = std::exchange(layout_, Layout(dimension_, {}));
+        torsion_.clear();
+        counted_.clear();
+    }
+    for (int node = layout_.nodes(); node < nodes(); ++node) layout_.append(initial_[node].fields);
+    add_torsion();
+    if (anew) fit_state(before);
+}
+
+ANCF_INLINE void Scene::add_torsion() const {
+    torsion_.resize(initial_.size());
+    counted_.resize(groups_.size(), 0);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        for (const ElementGroup& group = *groups_[g]; counted_[g] < group.size(); ++counted_[g]) {
+            const Connection& connection = group.connections[counted_[g]];
+            double own[2];
+            group.torsion_stiffness(connection.prototype, own);
+            for (const NodeId node : {connection.first, connection.second}) {
+                std::array<double, 2>& all = torsion_[node.index];
+                for (std::size_t k = 0; k < 2; ++k) all[k] += own[k];
+                const double sum = all[0] + all[1];
+                layout_.set_torsion_share(node, sum > 0.0 ? all[0] / sum : 0.5);
+            }
+        }
+}
+
+ANCF_INLINE bool Scene::state_fits(const Layout& layout) const noexcept {
+    const int size = layout.first(settled_);
+    return state_.q.size() == size && state_.v.size() == size;
+}
+
+ANCF_INLINE void Scene::fit_state(const Layout& before) const {
+    const bool own = state_fits(before);
+    const VectorX q = std::exchange(state_.q, VectorX::Zero(layout_.size()));
+    const VectorX v = std::exchange(state_.v, VectorX::Zero(layout_.size()));
     for (int node = 0; node < nodes(); ++node)
         for (int k = 0; k < field_count; ++k) {
             const NodeField at{{node}, static_cast<Field>(k)};
             const int to = layout_.index(at);
             if (to < 0) continue;
-            const int from = own && node < before.nodes() ? before.index(at) : -1;
+            const int from = own && node < settled_ ? before.index(at) : -1;
             const double* const vector = initial_[node].vectors.data() + 3 * k;
             for (int i = 0; i < dimension_; ++i) {
-                state_.q[to + i] = from >= 0 ? old.q[from + i] : vector[i];
-                if (from >= 0) state_.v[to + i] = old.v[from + i];
+                state_.q[to + i] = from >= 0 ? q[from + i] : vector[i];
+                if (from >= 0) state_.v[to + i] = v[from + i];
             }
         }
+    settled_ = nodes();
+    detail::require(own, "Model: the state had another size; now it is that of the nodes as added");
+}
+
+ANCF_INLINE void Scene::settle() const {
+    if (!unsettled_) return;
+    refresh();
+    if (settled_ < nodes() || !state_fits(layout_)) fit_state(layout_);
+    dependence_ = Dependence(layout_, attachments_);
     dependence_.complete(state_.q);
     dependence_.complete(state_.v);
     int equations = 0;
     for (const AnyConstraint& constraint : constraints_) equations += constraint.equations();
-    state_.multipliers.setZero(equations);
-    const auto kept = std::min<Eigen::Index>(equations, old.multipliers.size());
-    std::copy_n(old.multipliers.data(), kept, state_.multipliers.data());
-    stale_ = false;
-    detail::require(own, "Model: the state had another size; now it is that of the nodes as added");
-}
-
-ANCF_INLINE std::vector<double> Scene::torsion_shares() const {
-    detail::Records<std::array<double, 2>> stiffness(initial_.size());
-    for (const auto& group : groups_)
-        for (const Connection& connection : group->connections) {
-            double own[2];
-            group->torsion_stiffness(connection.prototype, own);
-            for (const NodeId node : {connection.first, connection.second})
-                for (std::size_t k = 0; k < 2; ++k) stiffness[node.index][k] += own[k];
-        }
-    std::vector<double> shares;
-    shares.reserve(stiffness.size());
-    for (const auto& of : stiffness) {
-        const double sum = of[0] + of[1];
-        shares.push_back(sum > 0.0 ? of[0] / sum : 0.5);
-    }
-    return shares;
+    const VectorX old = std::exchange(state_.multipliers, VectorX::Zero(equations));
+    const auto kept = std::min<Eigen::Index>(equations, old.size());
+    std::copy_n(old.data(), kept, state_.multipliers.data());
+    unsettled_ = false;
 }
 
 ANCF_INLINE void Scene::check_state(const VectorX& of, const Layout& layout) {

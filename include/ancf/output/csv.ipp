@@ -10,11 +10,10 @@
 #include <ancf/error.hpp>
 #include <ancf/output/csv.hpp>
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <locale>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,11 +26,9 @@ ANCF_INLINE std::string number_text(double value, int digits) {
                     digits);
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(digits);
-    text << value;
-    return text.str();
+    char text[32];  // of any locale
+    return {text,
+            std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }
 
 ANCF_INLINE CsvWriter::CsvWriter(std::ostream& out, std::vector<std::string> columns)

@@ -111,9 +111,10 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
     const SparseMatrix& tangent = assembly.tangent();
     const int free = assembly.numbering().free_coordinates();
+    const bool stored = assembly.pattern().storage() == Storage::lower;  // and no constraints
     VectorX diagonal = VectorX::Zero(free);
     Records<MatrixEntry> entries;
-    entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
+    if (!stored) entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
     for (int column = 0; column < free; ++column)
         for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];
              ++k) {
@@ -122,12 +123,13 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
             if (!std::isfinite(own)) return Stability::unknown;
             if (row < column || row >= free) continue;
             const double value = symmetric ? own : 0.5 * (own + tangent.coeff(column, row));
-            entries.push_back({row, column, value});
+            if (!stored) entries.push_back({row, column, value});
             if (row == column) diagonal[column] = value;
         }
     if (free == 0) return Stability::stable;
     if (!add_springs(tangent, diagonal, entries)) return Stability::unknown;
-    const SparseMatrix lower = compressed(free, entries);
+    const SparseMatrix made = stored ? SparseMatrix() : compressed(free, entries);
+    const SparseMatrix& lower = stored ? tangent : made;
     SparseLdlt factor;
     if (!factor.factorize(lower, blocks_of(assembly.numbering(), free))) return Stability::unknown;
     bool positive = true;
