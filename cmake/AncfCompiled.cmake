@@ -43,7 +43,7 @@ function(_ancf_compiled_layers result)
                 _ancf_compiled_unit(sources ${stem} ${file} "")
             endforeach()
         elseif(definitions)
-            # Of models, apart, with what stands on their points: one unit would take the most memory of all.
+            # Constraints, and springs, which use their points, apart: one unit would take the most memory of all.
             set(constraints ${definitions})
             list(FILTER constraints INCLUDE REGEX "/constraints/|/springs[.]")
             list(FILTER definitions EXCLUDE REGEX "/constraints/|/springs[.]")

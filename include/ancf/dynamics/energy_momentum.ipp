@@ -160,7 +160,7 @@ ANCF_INLINE Status EnergyMomentumRun::iterate(double h, bool renew) {
         least = std::min(least, change);
         // corrections that no longer shrink are the round-off of the residual
         if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11) ||
-            (stalled == 2 && change <= 1e-9)) {
+            (stalled >= 2 && change <= 1e-9)) {
             set_rates(h);
             const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
             return distrusted ? Status::diverged : Status::converged;

@@ -27,8 +27,8 @@ ANCF_INLINE void KktSystem::analyze(const SparseMatrix& pattern, int rows,
     last_ = equations <= most_last ? equations : 0;
     share_ = largest_share;
     factorised_.clear();
-    // zeros fill L, but the first of two blocks: the order of elimination stays. Constraints sum in
-    // another order without them
+    // Explicit zeros would fill L. The first entry of each pair of blocks stays: blocks keep
+    // their order. With constraints all stay: their sums keep their bits.
     const auto begins = [&](int row) { return row == 0 || blocks_[row] != blocks_[row - 1]; };
     matrix_ = SparseMatrix(pattern.cols(), pattern.cols());
     slots_.clear();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// All loads of the library: dead and following forces and moments.
+/// Forces and moments, dead and following. Damping and springs have headers of their own.
 
 #pragma once
 

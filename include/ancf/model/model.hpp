@@ -112,10 +112,7 @@ public:
     /// Returns one vector of a node as it stands now.
     /// @throws InvalidArgument where the node does not carry it, and for a state of another model.
     [[nodiscard]] Point value(NodeId node, Field field) const {
-        const double* const vector = vector_now(node, field);
-        Point result;
-        for (int k = 0; k < Dimension; ++k) result[k] = vector[k];
-        return result;
+        return Eigen::Map<const Point>(vector_now(node, field));
     }
 
     /// Sets one vector of a node.
@@ -138,7 +135,8 @@ public:
     /// Returns the velocity of a node, m/s.
     /// @throws InvalidArgument for a node that does not exist or has no position.
     [[nodiscard]] Point velocity(NodeId node) const {
-        return vector_at(state().v, coordinate(node, Field::r));
+        check_state(state().v, layout());
+        return Eigen::Map<const Point>(state().v.data() + coordinate(node, Field::r));
     }
 
 private:
@@ -147,12 +145,6 @@ private:
     static constexpr bool fits =
         detail::dimension_of<What>::value == 0 || detail::dimension_of<What>::value == Dimension;
 
-    [[nodiscard]] Point vector_at(const VectorX& of, int first) const {
-        check_state(of, layout());
-        Point result;
-        for (int k = 0; k < Dimension; ++k) result[k] = of[first + k];
-        return result;
-    }
     void set_vector(const char* call, VectorX& of, NodeId node, Field field,
                     const Point& vector) const {
         detail::require(detail::all_finite(vector), "Model::", call, ": ", to_string(field),

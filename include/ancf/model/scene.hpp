@@ -200,8 +200,8 @@ public:
     // Loads, constraints, masses --------------------------------------------------------------
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics). Without one
-    /// it grows with the load factor in statics, unless it is a spring, and acts in full from the
-    /// start of a motion.
+    /// it grows with the load factor in statics, unless it declares `in_full` as Spring does, and
+    /// acts in full from the start of a motion.
     /// @throws InvalidArgument for a node that does not exist, a load of another dimension or a
     ///         force of another size.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
@@ -271,7 +271,7 @@ public:
     }
     /// Returns what the attached vectors follow.
     [[nodiscard]] const Dependence& dependence() const {
-        settle();
+        update_state();
         return dependence_;
     }
     /// Returns the masses at nodes.
@@ -297,12 +297,12 @@ public:
 
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] const State& state() const {
-        settle();
+        update_state();
         return state_;
     }
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] State& state() {
-        settle();
+        update_state();
         return state_;
     }
 
@@ -372,10 +372,10 @@ private:
     void check_dimension(const char* what, int dimension) const;
     void add_load(AnyLoad load, Amplitude amplitude);
     void add_constraint(AnyConstraint constraint);
-    // What is added is appended to the layout alone, so that building by turns, a beam, a joint, a
-    // beam and so on, costs no more than in one go; the state follows when it is asked for.
+    // New nodes are appended to the layout; the state follows when it is asked for. The layout is
+    // made anew where nodes that it has get more vectors, elements of a second type, or prototypes.
     void refresh() const;
-    void settle() const;
+    void update_state() const;
     void add_torsion() const;
     [[nodiscard]] bool state_fits(const Layout& layout) const noexcept;
     void fit_state(const Layout& before) const;
@@ -404,10 +404,10 @@ private:
     Revision revision_;
 
     // Derived from the above when first asked for after a change.
-    mutable bool stale_ = true;      // layout_
-    mutable bool anew_ = true;       // what is in layout_ has changed too
-    mutable bool unsettled_ = true;  // state_ and dependence_
-    mutable int settled_ = 0;        // nodes in state_: the first ones of layout_
+    mutable bool layout_stale_ = true;  // layout_
+    mutable bool rebuild_ = true;       // what is in layout_ has changed too
+    mutable bool state_stale_ = true;   // state_ and dependence_
+    mutable int state_nodes_ = 0;       // nodes in state_: the first ones of layout_
     mutable Layout layout_;
     mutable detail::Records<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
     mutable std::vector<int> counted_;                        // of each group: elements in torsion_
@@ -427,7 +427,7 @@ Element& Scene::prototype(int index) {
     auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
     check_prototype(group, index);
     ++revision_.properties;
-    anew_ = true;
+    rebuild_ = true;
     return group.prototypes[index];
 }
 

@@ -36,10 +36,10 @@ ANCF_INLINE Scene::Scene(const Scene& other)
       gravity_amplitude_(other.gravity_amplitude_),
       exchange_(other.exchange_),
       revision_(other.revision_),
-      stale_(other.stale_),
-      anew_(other.anew_),
-      unsettled_(other.unsettled_),
-      settled_(other.settled_),
+      layout_stale_(other.layout_stale_),
+      rebuild_(other.rebuild_),
+      state_stale_(other.state_stale_),
+      state_nodes_(other.state_nodes_),
       layout_(other.layout_),
       torsion_(other.torsion_),
       counted_(other.counted_),
@@ -80,10 +80,10 @@ ANCF_INLINE void Scene::swap(Scene& other) noexcept {
     std::swap(gravity_amplitude_, other.gravity_amplitude_);
     std::swap(exchange_, other.exchange_);
     std::swap(revision_, other.revision_);
-    std::swap(stale_, other.stale_);
-    std::swap(anew_, other.anew_);
-    std::swap(unsettled_, other.unsettled_);
-    std::swap(settled_, other.settled_);
+    std::swap(layout_stale_, other.layout_stale_);
+    std::swap(rebuild_, other.rebuild_);
+    std::swap(state_stale_, other.state_stale_);
+    std::swap(state_nodes_, other.state_nodes_);
     std::swap(layout_, other.layout_);
     std::swap(torsion_, other.torsion_);
     std::swap(counted_, other.counted_);
@@ -151,7 +151,7 @@ ANCF_INLINE NodeId Scene::add_initial_node(const std::array<double, 3 * field_co
     InitialNode node;
     node.vectors = vectors;
     initial_.push_back(node);
-    stale_ = unsettled_ = true;
+    layout_stale_ = state_stale_ = true;
     ++revision_.scene;
     return {nodes() - 1};
 }
@@ -186,9 +186,9 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
     for (const NodeId node : {first, second}) {
         widen(node, group->fields());
         // stiffnesses of several groups are summed in the order of the groups
-        anew_ = anew_ || (groups_.size() > 1 && node.index < layout_.nodes());
+        rebuild_ = rebuild_ || (groups_.size() > 1 && node.index < layout_.nodes());
     }
-    stale_ = unsettled_ = true;
+    layout_stale_ = state_stale_ = true;
     ++revision_.scene;
     return group->size() - 1;
 }
@@ -326,7 +326,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
         if (field == Field::r) widen(joint, Field::r);
         append(attachment);
     }
-    stale_ = unsettled_ = true;
+    layout_stale_ = state_stale_ = true;
     ++revision_.scene;
 }
 
@@ -416,7 +416,7 @@ ANCF_INLINE void Scene::add_constraint(AnyConstraint constraint) {
     detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
                     " has ", constraint.equations(), " equations, expected at least 1");
     constraints_.push_back(std::move(constraint));
-    unsettled_ = true;
+    state_stale_ = true;
     ++revision_.scene;
 }
 
@@ -449,7 +449,7 @@ ANCF_INLINE int Scene::coordinate(NodeId node, Field field) const {
 
 ANCF_INLINE const double* Scene::vector_now(NodeId node, Field field) const {
     const int first = coordinate(node, field);
-    if (unsettled_ && state_fits(layout_) && attachment_of(node, field) == nullptr)
+    if (state_stale_ && state_fits(layout_) && attachment_of(node, field) == nullptr)
         return first < state_.q.size()
                    ? state_.q.data() + first
                    : initial_[node.index].vectors.data() + 3 * static_cast<int>(field);
@@ -460,14 +460,13 @@ ANCF_INLINE const double* Scene::vector_now(NodeId node, Field field) const {
 ANCF_INLINE void Scene::widen(NodeId node, Fields fields) {
     Fields& carried = initial_[node.index].fields;
     const Fields all = carried | fields;
-    anew_ = anew_ || (node.index < layout_.nodes() && !(all == carried));
+    rebuild_ = rebuild_ || (node.index < layout_.nodes() && !(all == carried));
     carried = all;
 }
 
 ANCF_INLINE void Scene::refresh() const {
-    if (!stale_) return;
-    stale_ = false;
-    const bool anew = std::exchange(anew_, false);
+    if (!layout_stale_) return;
+    const bool anew = std::exchange(rebuild_, false);
     Layout before;
     if (anew) {
         before = std::exchange(layout_, Layout(dimension_, {}));
@@ -476,6 +475,7 @@ ANCF_INLINE void Scene::refresh() const {
     }
     for (int node = layout_.nodes(); node < nodes(); ++node) layout_.append(initial_[node].fields);
     add_torsion();
+    layout_stale_ = false;
     if (anew) fit_state(before);
 }
 
@@ -497,7 +497,7 @@ ANCF_INLINE void Scene::add_torsion() const {
 }
 
 ANCF_INLINE bool Scene::state_fits(const Layout& layout) const noexcept {
-    const int size = layout.first(settled_);
+    const int size = layout.first(state_nodes_);
     return state_.q.size() == size && state_.v.size() == size;
 }
 
@@ -510,21 +510,21 @@ ANCF_INLINE void Scene::fit_state(const Layout& before) const {
             const NodeField at{{node}, static_cast<Field>(k)};
             const int to = layout_.index(at);
             if (to < 0) continue;
-            const int from = own && node < settled_ ? before.index(at) : -1;
+            const int from = own && node < state_nodes_ ? before.index(at) : -1;
             const double* const vector = initial_[node].vectors.data() + 3 * k;
             for (int i = 0; i < dimension_; ++i) {
                 state_.q[to + i] = from >= 0 ? q[from + i] : vector[i];
                 if (from >= 0) state_.v[to + i] = v[from + i];
             }
         }
-    settled_ = nodes();
+    state_nodes_ = nodes();
     detail::require(own, "Model: the state had another size; now it is that of the nodes as added");
 }
 
-ANCF_INLINE void Scene::settle() const {
-    if (!unsettled_) return;
+ANCF_INLINE void Scene::update_state() const {
+    if (!state_stale_) return;
     refresh();
-    if (settled_ < nodes() || !state_fits(layout_)) fit_state(layout_);
+    if (state_nodes_ < nodes() || !state_fits(layout_)) fit_state(layout_);
     dependence_ = Dependence(layout_, attachments_);
     dependence_.complete(state_.q);
     dependence_.complete(state_.v);
@@ -533,7 +533,7 @@ ANCF_INLINE void Scene::settle() const {
     const VectorX old = std::exchange(state_.multipliers, VectorX::Zero(equations));
     const auto kept = std::min<Eigen::Index>(equations, old.size());
     std::copy_n(old.data(), kept, state_.multipliers.data());
-    unsettled_ = false;
+    state_stale_ = false;
 }
 
 ANCF_INLINE void Scene::check_state(const VectorX& of, const Layout& layout) {

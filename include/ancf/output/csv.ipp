@@ -26,7 +26,7 @@ ANCF_INLINE std::string number_text(double value, int digits) {
                     digits);
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value < 0.0 ? "-inf" : "inf";
-    char text[32];  // of any locale
+    char text[32];
     return {text,
             std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }

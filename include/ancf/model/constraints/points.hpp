@@ -71,9 +71,10 @@ public:
 
     /// Returns the generalised force of a force on P_a, and its opposite on P_b: W^T f.
     template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> spread(const Vector<Scalar, Dimension>& force) const;
+    [[nodiscard]] DynamicVector<Scalar> generalised_force(
+        const Vector<Scalar, Dimension>& force) const;
     /// Adds W^T B W.
-    void spread(const Matrix<double, Dimension>& block, MatrixX& to) const;
+    void add_block(const Matrix<double, Dimension>& block, MatrixX& to) const;
 
     /// Returns the weights of the coupling's vectors, those of b with their sign turned.
     [[nodiscard]] const std::vector<double>& weights() const noexcept { return weights_; }

@@ -57,7 +57,7 @@ PointPair<Dimension>::PointPair(MaterialPoint a, MaterialPoint b)
     check(*b_);
     require(a_.vectors.size() != 1 || b_->vectors.size() != 1 ||
                 a_.vectors[0].node != b_->vectors[0].node,
-            "two points are joined, got ", a_.name, " twice");
+            "expected two points, got ", a_.name, " twice");
     for (const double weight : b_->weights) weights_.push_back(-weight);
 }
 
@@ -123,7 +123,8 @@ Vector<Scalar, Dimension> PointPair<Dimension>::moved(const DynamicVector<Scalar
 
 template <int Dimension>
 template <class Scalar>
-DynamicVector<Scalar> PointPair<Dimension>::spread(const Vector<Scalar, Dimension>& force) const {
+DynamicVector<Scalar> PointPair<Dimension>::generalised_force(
+    const Vector<Scalar, Dimension>& force) const {
     DynamicVector<Scalar> out(Dimension * static_cast<int>(weights_.size()));
     int at = 0;
     for (const double weight : weights_)
@@ -132,7 +133,7 @@ DynamicVector<Scalar> PointPair<Dimension>::spread(const Vector<Scalar, Dimensio
 }
 
 template <int Dimension>
-void PointPair<Dimension>::spread(const Matrix<double, Dimension>& block, MatrixX& to) const {
+void PointPair<Dimension>::add_block(const Matrix<double, Dimension>& block, MatrixX& to) const {
     for (int i = 0; i < to.rows(); ++i)
         for (int j = 0; j < to.cols(); ++j)
             to(i, j) += weights_[i / Dimension] * weights_[j / Dimension] *
@@ -237,7 +238,7 @@ void Distance<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& 
     const Vector<double, Dimension> n = d / distance;
     const Matrix<double, Dimension> curvature =
         at.multipliers[0] / distance * (Matrix<double, Dimension>::Identity() - n * n.transpose());
-    points_.spread(curvature, out.stiffness);
+    points_.add_block(curvature, out.stiffness);
     const Vector<double, Dimension> speed = points_.drift(at.time) + points_.moved(at.v);
     const double along = detail::product(n, speed);
     out.convection[0] = (detail::product(speed, speed) - along * along) / distance +

@@ -20,7 +20,6 @@
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <memory>
 #include <unordered_map>
 #include <utility>

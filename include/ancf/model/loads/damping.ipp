@@ -13,7 +13,6 @@
 #include <ancf/model/loads/damping.hpp>
 #include <ancf/types.hpp>
 
-#include <cmath>
 #include <utility>
 #include <vector>
 

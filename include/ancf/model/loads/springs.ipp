@@ -31,7 +31,7 @@ DynamicVector<Scalar> Spring<Dimension>::force(const DynamicVector<Scalar>& q) c
     const Vector<Scalar, Dimension> d = points_.difference(q, Scalar(0.0));
     Scalar tension_per_length = stiffness_;
     if (length_ > 0.0) tension_per_length *= 1.0 - length_ / sqrt(detail::product(d, d));
-    return points_.spread(Vector<Scalar, Dimension>(-tension_per_length * d));
+    return points_.generalised_force(Vector<Scalar, Dimension>(-tension_per_length * d));
 }
 
 template <int Dimension>
@@ -48,7 +48,7 @@ void Spring<Dimension>::evaluate(const LoadState& state, LoadResult& out) const 
         block += stiffness_ * length_ / distance *
                  (Matrix<double, Dimension>::Identity() - n * n.transpose());
     }
-    points_.spread(block, out.stiffness);
+    points_.add_block(block, out.stiffness);
 }
 
 template <int Dimension>
@@ -63,7 +63,7 @@ DynamicVector<Scalar> Damper<Dimension>::force(const DynamicVector<Scalar>& q,
                                                const DynamicVector<Scalar>& v) const {
     const Vector<Scalar, Dimension> d = points_.difference(q, Scalar(0.0)), w = points_.moved(v);
     const Scalar rate = detail::product(d, w) / detail::product(d, d);
-    return points_.spread(Vector<Scalar, Dimension>(-damping_ * rate * d));
+    return points_.generalised_force(Vector<Scalar, Dimension>(-damping_ * rate * d));
 }
 
 template <int Dimension>
@@ -75,8 +75,8 @@ void Damper<Dimension>::evaluate(const LoadState& state, LoadResult& out) const 
     const double square = detail::product(d, d), rate = detail::product(d, w) / square;
     const Vector<double, Dimension> turn = (w - 2.0 * rate * d) / square;
     const Matrix<double, Dimension> identity = Matrix<double, Dimension>::Identity();
-    points_.spread(-damping_ * (rate * identity + d * turn.transpose()), out.stiffness);
-    points_.spread(-damping_ / square * d * d.transpose(), out.damping);
+    points_.add_block(-damping_ * (rate * identity + d * turn.transpose()), out.stiffness);
+    points_.add_block(-damping_ / square * d * d.transpose(), out.damping);
 }
 
 #if defined(ANCF_SOURCE)
