@@ -60,7 +60,6 @@ private:
     void fill_tolerances(Eigen::Map<VectorX>& absolute);
     void choose_error_test();
     void measure_rate();
-    [[nodiscard]] bool has_stiff_joints() const;
     [[nodiscard]] double first_step() const;
     [[nodiscard]] bool step();
     [[nodiscard]] bool rests();
@@ -130,7 +129,7 @@ ANCF_INLINE void IdaRun::set_up() {
     SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
     call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
     call(IDASetJacFn(ida, &IdaSystem::jacobian));
-    if (report_.order == 2 && options_.form == Form::index3 && !has_stiff_joints()) measure_rate();
+    if (report_.order == 2 && options_.form == Form::index3) measure_rate();
     call(IDASetMaxOrd(ida, report_.order));
     call(IDASetDeltaCjLSetup(ida, 0.05));
     call(IDASetMaxNonlinIters(ida, 6));
@@ -213,12 +212,6 @@ ANCF_INLINE void IdaRun::measure_rate() {
     call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
 }
 
-ANCF_INLINE bool IdaRun::has_stiff_joints() const {
-    const auto& groups = problem_.model().groups();
-    return std::any_of(groups.begin(), groups.end(),
-                       [](const auto& group) { return group->one_node(); });
-}
-
 ANCF_INLINE int IdaRun::order_limit() {
     if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
     // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are too
@@ -227,7 +220,8 @@ ANCF_INLINE int IdaRun::order_limit() {
     constexpr double stable = 0.7;
     report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
     // a stiff joint carries no motion of its own, but its frequency would hold order 5's step down
-    if (has_stiff_joints()) return 2;
+    for (const auto& group : problem_.model().groups())
+        if (group->one_node()) return 2;
     if (slow_frequency_ == 0.0) return 5;
     const double period = 2.0 * pi / slow_frequency_;
     return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
