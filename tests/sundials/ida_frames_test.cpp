@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// SUNDIALS on frames: stiff joints hold neither the step nor the spin down, and explicit steps agree.
+/// SUNDIALS on frames of stiff joints: IDA keeps long steps and the spin, explicit steps agree.
 
 #include <ancf/constants.hpp>
 #include <ancf/element/cross_section/beam.hpp>
