@@ -102,6 +102,15 @@ Beam<Beam3> add_bar(Model& model, const Point& from, const Point& direction) {
                                 from, from + direction, 1);
 }
 
+DynamicsReport keep_energy(DynamicProblem& problem, double step, double end) {
+    EigenLu solver;
+    EnergyMomentumOptions options;
+    options.step = step;
+    Schedule schedule;
+    schedule.end = end;
+    return EnergyMomentum(options).integrate(problem, solver, schedule);
+}
+
 TEST_CASE("Spring, Damper: a bar swings and decays as the closed form", "[model][springs]") {
     constexpr double mass = 2.0, stiffness = 50.0, damping = 1.5, length = 0.4, out = 0.1;
     Model model;
@@ -131,12 +140,7 @@ TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring", "[mode
     model.set_gravity({0.0, 0.0, -9.81});
     for (const NodeId node : {bar.first(), bar.last()}) model.set_rate(node, Field::r, {0, 1, 0});
     DynamicProblem problem(model);
-    EigenLu solver;
-    EnergyMomentumOptions options;
-    options.step = 0.01;
-    Schedule schedule;
-    schedule.end = 5.0;
-    const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    const auto report = keep_energy(problem, 0.01, 5.0);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift < 1e-9);  // of some 50 J
 }
@@ -151,12 +155,7 @@ TEST_CASE("Spring: between two bars it keeps energy and momenta", "[model][sprin
     for (const NodeId node : second.nodes) model.set_rate(node, Field::r, {-1.0, 0.5, 2.0});
     DynamicProblem problem(model);
     const Momentum start = momentum(problem, model.state());
-    EigenLu solver;
-    EnergyMomentumOptions options;
-    options.step = 5e-3;
-    Schedule schedule;
-    schedule.end = 0.5;
-    const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    const auto report = keep_energy(problem, 5e-3, 0.5);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift < 1e-9);  // of 20 J
     const Momentum end = momentum(problem, model.state());
@@ -186,12 +185,7 @@ TEST_CASE("EnergyMomentum: a load that is slack at the start keeps its energy",
     model.add(Rope{bar.first(), 200.0, 1.0});
     for (const NodeId node : bar.nodes) model.set_rate(node, Field::r, {3.0, 1.0, 0.0});
     DynamicProblem problem(model);
-    EigenLu solver;
-    EnergyMomentumOptions options;
-    options.step = 5e-3;
-    Schedule schedule;
-    schedule.end = 1.0;
-    const auto report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    const auto report = keep_energy(problem, 5e-3, 1.0);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift < 1e-9);  // of 10 J
 }

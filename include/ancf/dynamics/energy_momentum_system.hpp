@@ -16,6 +16,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/layout.hpp>
+#include <ancf/model/load.hpp>
 #include <ancf/types.hpp>
 
 #include <cstddef>

@@ -8,7 +8,6 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
-#include <ancf/model/load.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/types.hpp>
