@@ -35,6 +35,13 @@ private:
         VectorX acceleration, algorithmic;
     };
 
+    // What its steps told of the matrix at hand.
+    struct Experience {
+        double steps = 0.0;        // begun with it
+        double contraction = 0.0;  // of its corrections after the second, in the step `told`
+        double told = 0.0;         // 0: none
+    };
+
     static constexpr double farthest = 1.0;  // of corrections that grow: a slope's length
 
     void begin(const Memory& memory);
@@ -47,6 +54,7 @@ private:
     [[nodiscard]] Status newton(double h);
     [[nodiscard]] Status iterate(double h, bool renew);
     [[nodiscard]] Status factorise(double h);
+    [[nodiscard]] double expected_contraction() const;
     void predict(double h);
     void correct(double h);
     [[nodiscard]] double change_of_acceleration() const {
@@ -64,6 +72,7 @@ private:
     double width_ = 0.0;             // step that now_.algorithmic belongs to
     MotionPoint linearised_;         // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;  // its step; 0: there is no matrix
+    Experience matrix_;
 
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
@@ -180,6 +189,8 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
     predict(h);
     rhs_.resize(n + m);
     bool fresh = false;  // whether the matrix is of this step
+    int since = 0;       // corrections by the matrix at hand
+    matrix_.steps += 1.0;
     double before = 0.0;
     for (int k = 1; k <= options_.max_iterations; ++k) {
         if (const Status status =
@@ -189,6 +200,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         if (renew) {
             if (const Status status = factorise(h); status != Status::converged) return status;
             fresh = true;
+            since = 0;
         }
         product_ = -problem_.force();
         problem_.add_mass_product(-1.0, next_.acceleration, product_);
@@ -202,10 +214,14 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         // far below the local error of the step, however short it is
         const double local = h * h * beta_hat_ * change_of_acceleration();
         const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
-        // what is left is known from two corrections by one matrix; one alone tells nothing
         const double ratio = k > 1 ? change / before : 1.0;
-        const bool measured = k > 1 && !renew && ratio < 0.5;
-        const double left = measured ? std::max(ratio, 1e-4) / (1.0 - ratio) * change : change;
+        if (++since > 2) {
+            matrix_.contraction = since > 3 ? std::max(matrix_.contraction, ratio) : ratio;
+            matrix_.told = matrix_.steps;
+        }
+        // one correction tells nothing of what is left
+        const double shrinks = std::max(ratio, expected_contraction());
+        const double left = since > 1 ? shrinks / std::max(1.0 - shrinks, 0.1) * change : change;
         // at the round-off of the residual the corrections no longer shrink
         const bool small = change <= 1e3 * options_.newton_tolerance;
         if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
@@ -216,6 +232,18 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         before = change;
     }
     return Status::max_iterations;
+}
+
+/// Returns what a correction by the matrix at hand leaves of the last one, from earlier steps.
+///
+/// The first ratio of a step flatters: the first correction is mostly the prediction's error. In a
+/// stiff body that turns this contraction grows with the square of the angle since the matrix was
+/// made.
+ANCF_INLINE double GeneralizedAlphaRun::expected_contraction() const {
+    constexpr double unknown = 0.9;
+    if (matrix_.told == 0.0) return unknown;
+    const double grown = matrix_.steps / matrix_.told;
+    return std::min(matrix_.contraction * grown * grown, unknown);
 }
 
 /// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises
@@ -235,6 +263,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
     const Status status = solver_.factorize(system_).status;
     linearised_ = next_;
     linearised_width_ = status == Status::converged ? h : 0.0;
+    matrix_ = {1.0};
     return status;
 }
 
@@ -260,7 +289,8 @@ ANCF_INLINE void GeneralizedAlphaRun::correct(double h) {
 
 ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
     remember("generalized_alpha", now_,
-             {width_, linearised_.time, linearised_width_, options_.rho});
+             {width_, linearised_.time, linearised_width_, options_.rho, matrix_.steps,
+              matrix_.contraction, matrix_.told});
     report_.memory.put("acceleration", now_.acceleration);
     report_.memory.put("algorithmic", now_.algorithmic);
     if (linearised_width_ > 0.0) remember("linearised_", linearised_);
@@ -269,10 +299,10 @@ ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
 /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
 /// Returns whether it ended by a step that was cut.
 ANCF_INLINE bool GeneralizedAlphaRun::read(const Memory& memory) {
-    const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 4);
+    const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 7);
     require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
             ", the options have ", options_.rho);
-    problem_.set_length_scale(values[8]);
+    problem_.set_length_scale(values[11]);
     static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
     now_.acceleration = memory.get("acceleration", problem_.size());
     now_.algorithmic = memory.get("algorithmic", problem_.size());
@@ -291,6 +321,8 @@ ANCF_INLINE void GeneralizedAlphaRun::recall_run(const Memory& memory) {
         (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
          factorise(linearised_width_) != Status::converged))
         linearised_width_ = 0.0;  // the first step builds a matrix of its own
+    const VectorX& values = memory.get("scalars", 12);
+    matrix_ = {values[8], values[9], values[10]};
     if (begins_anew) begin_anew();
 }
 

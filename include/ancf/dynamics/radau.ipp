@@ -120,7 +120,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
                         : options.tolerance > 0.0
                             ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
                             : 1e-13),
-      of_accelerations_(options.stages > 3 ? 1e-3 : 1e-2),
+      of_accelerations_(options.stages > 3 ? 1e-4 : 1e-3),
       round_off_(std::max(1e-10, newton_tolerance_)),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
