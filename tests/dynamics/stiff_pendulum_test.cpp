@@ -92,8 +92,7 @@ TEST_CASE("a stiff pendulum's tip is where short steps of another method have it
     CHECK((coarse.tip() - exact.tip()).norm() <= 1e-4);
 }
 
-/// A square bar of four elements in the plane, a tenth of its length thick unless told otherwise, that spins about its
-/// pinned end or freely about its middle.
+/// A bar of four planar elements that spins about its pinned end, or freely about its middle.
 struct SpunBar {
     PlanarModel model;
     Beam<CrossSectionBeam<2>> beam;
