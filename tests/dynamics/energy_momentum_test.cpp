@@ -139,7 +139,7 @@ TEST_CASE("energy-momentum: a thin quintic column swings without shorter steps",
 TEST_CASE("energy-momentum: a spinning free chain keeps energy and momenta", "[dynamics]") {
     const double step = GENERATE(1e-3, 1e-2);
     Chain scene = chain(4, {0.2, 0.1, 0.0}, {1.2, 0.4, 0.3});
-    spin(scene.model, {0.5, 3.0, 4.0}, {0.3, -0.2, 0.1});
+    scene.model.set_rigid_rates({0.3, -0.2, 0.1}, {0.5, 3.0, 4.0});
     scene.model.set_rate(scene.nodes[2], Field::r, {0.5, 1.0, -1.0});
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, step, 2.0, report);
@@ -152,7 +152,7 @@ TEST_CASE("energy-momentum: links inside a free chain move no momentum either", 
     Chain scene = chain(4, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 200.0);
     scene.model.add(ancf::Distance<3>(scene.nodes[0], scene.nodes[2], 0.5));
     scene.model.add(ancf::Distance<3>(scene.nodes[1], scene.nodes[4], 0.75));
-    spin(scene.model, {0.0, 1.0, 5.0}, {0.3, -0.2, 0.1});
+    scene.model.set_rigid_rates({0.3, -0.2, 0.1}, {0.0, 1.0, 5.0});
     DynamicsReport report;
     const double drift = momentum_drift(scene.model, 5e-3, 2.0, report);
     REQUIRE(report.status == Status::converged);
@@ -299,7 +299,7 @@ TEST_CASE("energy-momentum: asks constraints for their stiffness where it makes 
 
 TEST_CASE("energy-momentum: a step too long is taken in parts, on the same grid", "[dynamics]") {
     Chain scene = swing();
-    spin(scene.model, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
+    scene.model.set_rigid_rates({0.0, 0.0, 0.0}, {0.0, 0.0, 40.0});
     const DynamicsReport report = run(scene.model, 0.1, until(0.3));
     REQUIRE(report.status == Status::converged);
     CHECK(report.convergence_failures > 0);
@@ -313,7 +313,7 @@ TEST_CASE("energy-momentum: a run stopped within a step taken in parts goes on f
     Chain scene = chain(3, {0.0, 0.0, 0.0}, {1.2, 0.0, 0.0}, 5e5);
     const Vector3 gravity(1.0, -9.0, 2.0);
     scene.model.set_gravity(gravity);
-    spin(scene.model, {0.0, 0.0, 40.0}, {0.0, 0.0, 0.0});
+    scene.model.set_rigid_rates({0.0, 0.0, 0.0}, {0.0, 0.0, 40.0});
     scene.model.set_rate(scene.nodes[2], Field::r, {0.5, 1.0, -1.0});
     const auto linear_momentum = [&]() -> Vector3 {
         ancf::DynamicProblem problem(scene.model);

@@ -51,7 +51,7 @@ void add_flying(Scene& scene) {
         scene.state().q.data() + scene.coordinate(beam.last(), Field::r_x));
     const auto tip = scene.add_node(Vector3(end + 0.4 * slopes.col(0)), slopes);
     scene.connect<Cubic>(prototype, beam.last(), tip);
-    spin(scene, {1.0, 3.0, -4.0}, {0.3, -0.2, 0.1});
+    scene.set_rigid_rates({0.3, -0.2, 0.1}, {1.0, 3.0, -4.0});
 }
 
 ancf::DynamicsReport run(Scene& scene, const ancf::Schedule& schedule,

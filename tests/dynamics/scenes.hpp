@@ -54,21 +54,6 @@ struct Chain {
     return result;
 }
 
-/// Sets the rates of a rigid turn about the origin and a translation.
-inline void spin(Scene& model, const Vector3& turn, const Vector3& translation) {
-    State& state = model.state();
-    for (int node = 0; node < model.nodes(); ++node)
-        for (int k = 0; k < field_count; ++k) {
-            const NodeField at{{node}, static_cast<Field>(k)};
-            const int first = model.layout().index(at);
-            if (first < 0) continue;
-            const Vector3 value = state.q.segment<3>(first);
-            Vector3 rate = cross(turn, value);
-            if (at.field == Field::r) rate += translation;
-            state.v.segment<3>(first) = rate;
-        }
-}
-
 /// Three bars on a massless link, thrown out of the plane of gravity.
 [[nodiscard]] inline Chain swing() {
     Chain scene = chain(3, {0.0, -0.5, 0.0}, {1.2, -0.5, 0.0});

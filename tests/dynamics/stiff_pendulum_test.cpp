@@ -102,11 +102,7 @@ struct SpunBar {
               model, material, rectangle(thickness, thickness), {pinned ? 0.0 : -0.5 * length, 0.0},
               {pinned ? length : 0.5 * length, 0.0}, 4, mixed())) {
         if (pinned) model.pin(beam.first());
-        for (const NodeId node : beam.nodes)
-            for (const Field field : {Field::r, Field::r_x, Field::r_y}) {
-                const Vector<double, 2> at = model.value(node, field);
-                model.set_rate(node, field, Vector<double, 2>(-spin * at[1], spin * at[0]));
-            }
+        model.set_rigid_rates({0.0, 0.0}, spin);
     }
 
     [[nodiscard]] double angle() const {

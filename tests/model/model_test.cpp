@@ -4,13 +4,16 @@
 #include <ancf/model/model.hpp>
 
 #include <ancf/element/continuum/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 
 #include <support/bar.hpp>
 #include <support/catch.hpp>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <limits>
@@ -269,6 +272,44 @@ TEST_CASE("add_line_load: its resultant is the force per length times the length
     CHECK((sum - std::sqrt(5.0) * Vector3(0, -3, 1)).norm() <= 1e-14);
 }
 
+TEST_CASE("Model: rigid rates are those of a body that spins about a point", "[model]") {
+    Scene scene;
+    const auto turning =
+        ancf::straight_beam<Beam>(scene, material, section, {0, 1, 0}, {1, 1, 2}, 2);
+    const auto still = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
+    const Vector3 velocity(0.5, -1.0, 2.0), spin(0.3, 2.0, -1.0), about(0.1, 0.2, 0.3);
+    scene.set_rigid_rates(turning.nodes, velocity, spin, about);
+    constexpr double step = 1e-7;  // s
+    const auto before = scene.state();
+    const ancf::Matrix<double, 3> turn(Eigen::AngleAxisd(step * spin.norm(), spin.normalized()));
+    for (const ancf::NodeId node : turning.nodes) {
+        const Vector3 place = scene.position(node);
+        const Vector3 moved = about + turn * (place - about) + step * velocity;
+        CHECK((moved - place - step * scene.velocity(node)).norm() < 1e-12);
+        for (const Field field : {Field::r_x, Field::r_y, Field::r_z}) {
+            const Vector3 slope = scene.value(node, field);
+            const int first = scene.layout().index({node, field});
+            const Vector3 rate = before.v.segment<3>(first);
+            CHECK((turn * slope - slope - step * rate).norm() < 1e-12);
+        }
+    }
+    CHECK(scene.velocity(still.last()) == Vector3(0, 0, 0));
+}
+
+TEST_CASE("Model: rigid rates move what is attached with what it follows", "[model]") {
+    ancf::PlanarModel model;
+    const auto built = ancf::frame<ancf::CrossSectionBeam<2>>(
+        model, {{material, section}}, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 2}});
+    model.set_rigid_rates({1.0, 2.0}, 3.0);
+    const auto& state = model.state();
+    for (int first = 0; first < model.layout().size(); first += 2) {
+        const double still = model.layout().field_of(first) == Field::r ? 1.0 : 0.0;
+        CHECK(state.v[first] == Approx(still - 3.0 * state.q[first + 1]).margin(1e-14));
+        CHECK(state.v[first + 1] ==
+              Approx(2.0 * still + 3.0 * state.q[first]).margin(1e-14));
+    }
+}
+
 TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]") {
     Scene scene;
     const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 1);
@@ -298,6 +339,9 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(scene.add_mass(absent, 1.0), InvalidArgument);
     CHECK_THROWS_AS(scene.set_gravity({0, 0, not_a_number}), InvalidArgument);
     CHECK_THROWS_AS(scene.position(absent), InvalidArgument);
+    CHECK_THROWS_AS(scene.set_rigid_rates({absent}, {0, 0, 0}, {0, 0, 1}), InvalidArgument);
+    CHECK_THROWS_WITH(scene.set_rigid_rates({0, 0, 0}, {0, 0, not_a_number}),
+                      ContainsSubstring("must be finite"));
     CHECK_THROWS_AS(scene.prototype<Bar>(1), InvalidArgument);
     CHECK_THROWS_AS(beam.node(2), InvalidArgument);
     CHECK_THROWS_AS(ancf::add_line_load(scene, beam, {0, not_a_number, 0}), InvalidArgument);

@@ -195,11 +195,7 @@ TEST_CASE("Surface: velocities are those of a rigid rotation", "[output]") {
     using Element = ancf::CrossSectionBeam<3>;
     Scene<Element> scene;
     const Point spin(0.3, -0.2, 0.9);
-    for (int node = 0; node < scene.model.nodes(); ++node)
-        for (const auto field :
-             {ancf::Field::r, ancf::Field::r_x, ancf::Field::r_y, ancf::Field::r_z})
-            scene.model.set_rate({node}, field,
-                                 spin.cross(Point(scene.model.value({node}, field))));
+    scene.model.set_rigid_rates(Point(Point::Zero()), spin);
     ancf::Surface surface;
     surface.add(scene.model, scene.beam, scene.section, 3);
     const auto& values = surface.arrays()[ancf::Surface::velocity].values;

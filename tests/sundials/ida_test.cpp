@@ -392,11 +392,7 @@ TEST_CASE("Ida: a stiff bar that spins is moved to the end, though Newton's meth
         model, ancf::Material::from_moduli(2.1e11, 2.1e11 / 2.6, 7850.0),
         ancf::rectangle(1e-3, 1e-3), {0, 0}, {1, 0}, 4, mixed);
     model.pin(bar.first());
-    for (const ancf::NodeId node : bar.nodes)
-        for (const auto field : {ancf::Field::r, ancf::Field::r_x, ancf::Field::r_y}) {
-            const ancf::Vector<double, 2> at = model.value(node, field);
-            model.set_rate(node, field, {-spin * at[1], spin * at[0]});
-        }
+    model.set_rigid_rates({0, 0}, spin);
     ancf::DynamicProblem problem(model);
     IdaOptions options;
     options.tolerance = 1e-6;
@@ -414,12 +410,7 @@ TEST_CASE("Ida: a stiff free bar keeps its spin", "[ida][spin]") {
     free.beam =
         ancf::straight_beam<Element>(*free.model, ancf::Material::isotropic(young, 0.3, 1000.0),
                                      ancf::rectangle(0.1, 0.3), {-0.5, 0, 0}, {0.5, 0, 0}, 2);
-    for (const ancf::NodeId node : free.beam.nodes)
-        for (const auto field :
-             {ancf::Field::r, ancf::Field::r_x, ancf::Field::r_y, ancf::Field::r_z}) {
-            const Point at = free.model->value(node, field);
-            free.model->set_rate(node, field, {-spin * at[1], spin * at[0], 0.0});
-        }
+    free.model->set_rigid_rates({0, 0, 0}, {0, 0, spin});
     ancf::DynamicProblem problem(*free.model);
     IdaOptions options;
     options.tolerance = 1e-7;

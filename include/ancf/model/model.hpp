@@ -12,8 +12,10 @@
 #include <ancf/vector_argument.hpp>
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace ancf {
 
@@ -60,6 +62,8 @@ public:
     using Point = Vector<double, Dimension>;     ///< a vector of space
     using Argument = VectorArgument<Dimension>;  ///< a vector, also in braces
     using Slopes = Matrix<double, Dimension>;    ///< columns r_x, r_y (and r_z)
+    /// The rate of a turn, rad/s: a vector, in the plane a number.
+    using Spin = std::conditional_t<Dimension == 3, VectorArgument<3>, double>;
 
     BasicModel() : Scene(Dimension) {}
 
@@ -128,6 +132,26 @@ public:
         set_vector("set_rate", state().v, node, field, rate);
     }
 
+    /// Sets the rates of some nodes to those of a rigid body that spins.
+    ///
+    /// What is attached to them or to others follows those. The body spins as the nodes stand now.
+    /// @param velocity  of the body at `about`, m/s.
+    /// @param spin      rad/s.
+    /// @param about     a point, m.
+    /// @throws InvalidArgument unless every value is finite, for a node that does not exist, and for
+    ///         a state of another model.
+    void set_rigid_rates(const std::vector<NodeId>& nodes, const Argument& velocity,
+                         const Spin& spin, const Argument& about = Point(Point::Zero()));
+
+    /// Sets the rates of all nodes so.
+    /// @throws InvalidArgument as the other one.
+    void set_rigid_rates(const Argument& velocity, const Spin& spin,
+                         const Argument& about = Point(Point::Zero())) {
+        std::vector<NodeId> all(static_cast<std::size_t>(nodes()));
+        for (int node = 0; node < nodes(); ++node) all[node] = {node};
+        set_rigid_rates(all, velocity, spin, about);
+    }
+
     /// Returns the position of a node, m.
     /// @throws InvalidArgument for a node that does not exist or has no position.
     [[nodiscard]] Point position(NodeId node) const { return value(node, Field::r); }
@@ -157,6 +181,36 @@ private:
         dependence().complete(of, first);
     }
 };
+
+template <int Dimension>
+void BasicModel<Dimension>::set_rigid_rates(const std::vector<NodeId>& nodes,
+                                            const Argument& velocity, const Spin& spin,
+                                            const Argument& about) {
+    const auto turned = [&](const Point& vector) -> Point {
+        if constexpr (Dimension == 3)
+            return cross<double>(spin, vector);
+        else
+            return spin * Point(-vector[1], vector[0]);
+    };
+    const Point at_origin = velocity - turned(about);
+    detail::require(detail::all_finite(at_origin),
+                    "Model::set_rigid_rates: velocity, spin and about must be finite");
+    VectorX& rates = state().v;
+    check_state(rates, layout());
+    for (const NodeId node : nodes) {
+        check(node);
+        const Fields fields = layout().fields(node.index);
+        for (int k = 0; k < fields.count(); ++k) {
+            const int first = layout().first(node.index) + k * Dimension;
+            if (dependence().attached(first)) continue;
+            const Point now = value(node, fields.at(k));
+            Eigen::Map<Point> rate(rates.data() + first);
+            rate = turned(now);
+            if (fields.at(k) == Field::r) rate += at_origin;
+        }
+    }
+    dependence().complete(rates);
+}
 
 using Model = BasicModel<3>;        ///< a model in space
 using PlanarModel = BasicModel<2>;  ///< a model in the plane

@@ -322,6 +322,9 @@ protected:
     /// @throws InvalidArgument unless coordinates, or rates, are as many as a layout has.
     static void check_state(const VectorX& of, const Layout& layout);
 
+    /// @throws InvalidArgument for a node that does not exist.
+    void check(NodeId node) const;
+
     /// Returns the components of a vector as it stands now.
     [[nodiscard]] const double* vector_now(NodeId node, Field field) const;
 
@@ -380,7 +383,6 @@ private:
     [[nodiscard]] bool state_fits(const Layout& layout) const noexcept;
     void fit_state(const Layout& before) const;
     void widen(NodeId node, Fields fields);
-    void check(NodeId node) const;
 
     // Returns the place of a support in supports_, -1 where there is none.
     [[nodiscard]] int support_of(NodeId node, Field field, int component) const noexcept;
