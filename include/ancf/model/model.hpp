@@ -138,8 +138,8 @@ public:
     /// @param velocity  of the body at `about`, m/s.
     /// @param spin      rad/s.
     /// @param about     a point, m.
-    /// @throws InvalidArgument unless every value is finite, for a node that does not exist, and for
-    ///         a state of another model.
+    /// @throws InvalidArgument unless every value is finite, for a node that does not exist, and
+    ///         for a state of another model.
     void set_rigid_rates(const std::vector<NodeId>& nodes, const Argument& velocity,
                          const Spin& spin, const Argument& about = Point(Point::Zero()));
 
