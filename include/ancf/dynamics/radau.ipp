@@ -46,6 +46,7 @@ private:
 
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
+    static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
@@ -80,7 +81,6 @@ private:
     RadauSystem system_;
     const double newton_tolerance_;
     const double of_accelerations_;       // the same, of what they move in a step
-    const double round_off_;              // corrections that no longer shrink may be as large
     const std::vector<double> at_start_;  // l_i(0)
 
     Point now_, next_;
@@ -120,8 +120,7 @@ ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
                         : options.tolerance > 0.0
                             ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
                             : 1e-13),
-      of_accelerations_(options.stages > 3 ? 1e-4 : 1e-3),
-      round_off_(std::max(1e-10, newton_tolerance_)),
+      of_accelerations_(options.stages > 3 ? 3e-5 : 3e-4),
       at_start_(lagrange_weights(tableau_.nodes, 0.0)),
       Y_(stages_, VectorX::Zero(problem.size())),
       rate_change_(Y_),
@@ -342,15 +341,16 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
         const double wanted = std::min(
             newton_tolerance_, std::max(of_accelerations_ * h * h * scaled(Y_.back()), 1e-13));
         const double ratio = iterations_ > 1 ? change / before : 0.0;
+        const double enough = std::max(wanted, round_off);
         // at the round-off of the residual the corrections no longer shrink; in a scene at rest
         // they are round-off of nothing, and tell nothing of the matrices
         if (change <= nothing) contraction_ = 0.0;
-        if (change <= nothing || (ratio >= 1.0 && change <= round_off_)) break;
+        if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
         if (++since > 1) {
             // a first ratio may flatter: it stands beside that of the step before
             const double contraction =
                 since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
-            if (contraction >= 0.99 && change <= round_off_) break;
+            if (contraction >= 0.99 && change <= enough) break;
             contraction_ = contraction;
             if (contraction_ >= 0.99) return Status::diverged;
             eta_ = contraction_ / (1.0 - contraction_);
@@ -379,7 +379,7 @@ ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
 /// Tells whether so many corrections by the matrices at hand tell what is left: where fixed steps
 /// ask for round-off the first ratio flatters by powers of ten.
 ANCF_INLINE bool RadauRun::is_told(int since, double change) const {
-    return control_.is_adaptive() || since > 2 || change <= round_off_ ||
+    return control_.is_adaptive() || since > 2 || change <= round_off ||
            iterations_ == options_.max_iterations;
 }
 
@@ -442,7 +442,7 @@ ANCF_INLINE bool RadauRun::solve_half(const Span& half) {
         if (!std::isfinite(change)) return false;
         const double ratio = iteration > 1 ? change / before : 0.5;
         if (iteration > 1 && ratio >= 1.0) {
-            if (change > round_off_) return false;
+            if (change > std::max(newton_tolerance_, round_off)) return false;
             break;
         }
         if (ratio / (1.0 - ratio) * change <= newton_tolerance_) break;
