@@ -9,16 +9,11 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/requirement.hpp>
-#include <ancf/error.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace ancf {
 

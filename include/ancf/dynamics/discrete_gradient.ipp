@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/dynamics/discrete_gradient.hpp>
-#include <ancf/dynamics/rigid_modes.hpp>
 #include <ancf/element/fields.hpp>
 
 #include <algorithm>

@@ -10,11 +10,7 @@
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/error.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace ancf::detail {

@@ -9,7 +9,6 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/error.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
 
@@ -17,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 

@@ -8,13 +8,9 @@
 
 #include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
-#include <ancf/model/element_group.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 

@@ -9,12 +9,8 @@
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

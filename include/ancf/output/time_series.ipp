@@ -10,15 +10,10 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/state.hpp>
 #include <ancf/output/time_series.hpp>
 
 #include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

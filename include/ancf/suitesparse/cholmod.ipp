@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/solver/direct_solver.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 
 #include <cholmod.h>

@@ -19,7 +19,6 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <string>
 
 namespace ancf::sundials {
 namespace detail {

@@ -15,8 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace ancf::sundials::detail {
 

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/dynamics/motion_run.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/run.hpp>
 

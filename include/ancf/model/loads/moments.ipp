@@ -11,7 +11,6 @@
 #include <ancf/error.hpp>
 #include <ancf/model/loads/moments.hpp>
 #include <ancf/model/triad.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
