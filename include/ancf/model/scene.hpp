@@ -11,7 +11,6 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>

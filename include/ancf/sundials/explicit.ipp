@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/arkode.hpp>
 #include <ancf/sundials/explicit.hpp>
