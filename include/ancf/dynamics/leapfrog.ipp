@@ -74,9 +74,10 @@ private:
     [[nodiscard]] MotionPoint between(double time);
     [[nodiscard]] bool is_fixed() const noexcept { return options_.step > 0.0; }
     [[nodiscard]] bool goes_on() const noexcept { return now_.time < schedule_.end; }
-    void fail(Status status, std::string message) {
+    bool fail(Status status, std::string message) {
         report_.status = status;
         report_.message = std::move(message);
+        return false;
     }
 
     DynamicProblem& problem_;
@@ -154,9 +155,8 @@ ANCF_INLINE bool LeapfrogRun::read_constraints() {
     at_.lambda = now_.lambda;
     manifold_.emplace(problem_);
     if (manifold_->find(now_.time, now_.q, at_.at_q)) return true;
-    fail(Status::singular,
-         joined({"the constraints depend on each other at ", now_.time, " s"}, 6));
-    return false;
+    return fail(Status::singular,
+                joined({"the constraints depend on each other at ", now_.time, " s"}, 6));
 }
 
 /// A kick takes forces where the rates are not known yet: refuses those that depend on rates.
@@ -197,10 +197,8 @@ ANCF_INLINE void LeapfrogRun::estimate() {
 /// Goes on with a scene that an observer has changed.
 ANCF_INLINE bool LeapfrogRun::renew() {
     revision_ = problem_.model().revision();
-    if (!evaluate(now_.time, now_.q, now_.lambda, at_.kick)) {
-        fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
-        return false;
-    }
+    if (!evaluate(now_.time, now_.q, now_.lambda, at_.kick))
+        return fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
     if (!read_constraints()) return false;
     least_stable_ = std::numeric_limits<double>::infinity();
     estimate();
@@ -215,36 +213,33 @@ ANCF_INLINE bool LeapfrogRun::fill(double step) {
     count_ = 0.0;
     steps_ = std::max(1.0, std::ceil(rest / step - 1e-9));
     step_ = rest / steps_;
-    if (steps_ > 1.0 && step_ <= time_resolution(origin_, schedule_.end)) {
-        fail(Status::step_too_small,
-             joined({"a stable step of ", step_, " s is below the resolution of time at ", origin_,
-                     " s"},
-                    6));
-        return false;
-    }
+    if (steps_ > 1.0 && step_ <= time_resolution(origin_, schedule_.end))
+        return fail(Status::step_too_small,
+                    joined({"a stable step of ", step_, " s is below the resolution of time at ",
+                            origin_, " s"},
+                           6));
     if (options_.max_steps == 0 ||
         steps_ <= static_cast<double>(options_.max_steps - report_.steps))
         return true;
-    fail(Status::max_iterations, joined({"at ", now_.time, " s the rest of the run takes ", steps_,
-                                         " steps of ", step_, " s, as the scene vibrates at up to ",
-                                         report_.highest_frequency, " rad/s, and max_steps is ",
-                                         options_.max_steps, "; a stiff scene is one for RadauIIA"},
-                                        6));
-    return false;
+    return fail(Status::max_iterations,
+                joined({"at ", now_.time, " s the rest of the run takes ", steps_, " steps of ",
+                        step_, " s, as the scene vibrates at up to ", report_.highest_frequency,
+                        " rad/s, and max_steps is ", options_.max_steps,
+                        "; a stiff scene is one for RadauIIA"},
+                       6));
 }
 
 /// Tells whether the step is below the stable one; chooses it anew where the margin has changed.
 ANCF_INLINE bool LeapfrogRun::is_stable() {
     if (report_.status != Status::converged) return false;
     const double stable = report_.stable_step, most = options_.stable_share * least_stable_;
-    if (step_ > stable) {
-        fail(Status::diverged,
-             joined({"the step of ", step_, " s is above the stable one of ", stable, " s at ",
-                     now_.time, " s",
-                     is_fixed() ? "" : "; a smaller stable_share or stable_interval may pass"},
-                    6));
-        return false;
-    }
+    if (step_ > stable)
+        return fail(
+            Status::diverged,
+            joined({"the step of ", step_, " s is above the stable one of ", stable, " s at ",
+                    now_.time, " s",
+                    is_fixed() ? "" : "; a smaller stable_share or stable_interval may pass"},
+                   6));
     const bool suits = step_ <= std::min(1.1 * most, 0.5 * (most + stable)) && step_ >= 0.5 * most;
     return is_fixed() || suits || !goes_on() || fill(most);
 }
@@ -351,12 +346,11 @@ ANCF_INLINE bool LeapfrogRun::take_step() {
 ANCF_INLINE bool LeapfrogRun::advance() {
     while (!take_step()) {
         ++report_.convergence_failures;
-        if (is_fixed() || ++attempts_ == most_attempts) {
-            fail(report_.fault ? report_.fault->status : Status::max_iterations,
-                 joined({"a step of ", step_, " s from ", now_.time, " s failed; "}, 6) +
-                     (report_.fault ? problem_.assembly().describe(*report_.fault) : reason_));
-            return false;
-        }
+        if (is_fixed() || ++attempts_ == most_attempts)
+            return fail(
+                report_.fault ? report_.fault->status : Status::max_iterations,
+                joined({"a step of ", step_, " s from ", now_.time, " s failed; "}, 6) +
+                    (report_.fault ? problem_.assembly().describe(*report_.fault) : reason_));
         if (!fill(0.5 * step_)) return false;
     }
     count_ += 1.0;
