@@ -308,13 +308,13 @@ ANCF_INLINE Start DynamicProblem::start() {
     full_a_.setZero(state.v.size());
 
     const double fastest = largest_of_parts(detail::largest_ratio(state.v, full_scales_));
-    detail::together(exchange_, [&] { check_state(fastest, start); });
-    if (exchange_ != nullptr) {  // the part that knows the worst has its message
-        const auto worst = static_cast<Status>(
-            static_cast<int>(exchange_->largest(static_cast<int>(start.status))));
-        if (worst != start.status) start.message.clear();
-        start.status = worst;
-    }
+    const auto check = [&] {
+        check_state(fastest, start);
+        return static_cast<double>(start.status);
+    };
+    const double worst = exchange_ == nullptr ? check() : detail::largest_of(*exchange_, check);
+    if (worst != static_cast<double>(start.status)) start.message.clear();  // another part has it
+    start.status = static_cast<Status>(static_cast<int>(worst));
     if (start.status != Status::converged) return start;
     left_out_.clear();
     constraints_.leave_out(left_out_);
