@@ -125,7 +125,7 @@ ANCF_INLINE void ConstraintManifold::look(double t, const VectorX& place, Tangen
     problem_.constraints().write_rows(place_, at.G);
     at.g = problem_.constraints().violation();
     for (const int equation : problem_.left_out()) at.g[equation] = 0.0;
-    at.rate = problem_.constraint_rate();
+    at.rate = problem_.constraints().rate();
 }
 
 ANCF_INLINE void ConstraintManifold::spread(TangentSpace& at) const {

@@ -531,11 +531,6 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
     constraints_.evaluate(t, full_q_, full_v_, false);
 }
 
-ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double scale,
-                                                      VectorX& out) const {
-    constraints_.add_transpose_product(mu, scale, out);
-}
-
 ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
     if (detail::entries(out) != detail::entries(mass_)) out = mass_;
     std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
