@@ -388,13 +388,6 @@ ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) cons
             pattern_.first_rows(),
             pattern_.heights(),
             pattern_.storage(),
-            nullptr,
-            nullptr,
-            nullptr,
-            nullptr,
-            false,
-            nullptr,
-            nullptr,
             values,
             plan.attached.empty() ? nullptr : plan.attached.data()};
 }
