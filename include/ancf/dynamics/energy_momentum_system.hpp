@@ -284,8 +284,9 @@ private:
                     force_[read[j]] +=
                         middle.jacobian(i, static_cast<Eigen::Index>(j)) * lambda[first + i];
             for (int i = 0; i < equations; ++i)
-                violation_[first + i] =
-                    is_left_out(first + i) ? lambda[first + i] : end.violation[i];
+                violation_[first + i] = problem_.constraints().left_out(first + i)
+                                            ? lambda[first + i]
+                                            : end.violation[i];
             if (matrix) {
                 map.carry(middle.stiffness);
                 map.carry_columns(end.jacobian);
@@ -330,7 +331,7 @@ private:
         gather(change_, place.at.read(), change);
         gather(middle_, place.at.read(), middle_q);
         for (int i = 0; i < equations; ++i) {
-            if (is_left_out(first + i)) {
+            if (problem_.constraints().left_out(first + i)) {
                 for (Eigen::Index j = 0; j < size; ++j)
                     middle.jacobian(i, j) = end.jacobian(i, j) = 0.0;
                 continue;
@@ -346,10 +347,6 @@ private:
                              place.invariant, place.power, length_, gradient);
             for (Eigen::Index j = 0; j < size; ++j) middle.jacobian(i, j) = gradient[j];
         }
-    }
-
-    [[nodiscard]] bool is_left_out(int equation) const {
-        return problem_.constraints().left_out(equation);
     }
 
     void add_inertia(const VectorX& v1) {
@@ -375,7 +372,7 @@ private:
                                          });
         const int own = numbering_.constraint_block(constraint);
         for (int i = 0; i < end.rows(); ++i)
-            if (is_left_out(first + i))
+            if (problem_.constraints().left_out(first + i))
                 values[pattern_.base(own, own) + pattern_.column_offset(own, i) + i] = 1.0;
     }
 
