@@ -7,12 +7,9 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/compiler.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace ancf::detail {
 

@@ -8,10 +8,8 @@
 
 #include <ancf/error.hpp>
 
-#include <initializer_list>
 #include <ostream>
 #include <sstream>
-#include <string>
 
 namespace ancf::detail {
 

@@ -260,8 +260,8 @@ TEST_CASE("problem: projection reaches round-off by the least change in the mass
     const VectorX fast = v;
     REQUIRE(problem.project(0.3, q, v));
     problem.evaluate_constraints(0.3, q, v);
-    CHECK(problem.constraint_violation() <= 1e-15);
-    CHECK(problem.violation_rate() <= 2e-15);
+    CHECK(problem.constraints().largest_violation() <= 1e-15);
+    CHECK(problem.constraints().largest_rate() <= 2e-15);
     CHECK(distance(q, off) > 1e-4);
 
     // M (v - fast) is a combination of the rows of G: what moves freely is untouched
@@ -270,7 +270,8 @@ TEST_CASE("problem: projection reaches round-off by the least change in the mass
     ancf::MatrixX rows(problem.size(), problem.multipliers());
     for (int k = 0; k < problem.multipliers(); ++k) {
         VectorX column = VectorX::Zero(problem.size());
-        problem.add_constraint_force(VectorX::Unit(problem.multipliers(), k), 1.0, column);
+        problem.constraints().add_transpose_product(VectorX::Unit(problem.multipliers(), k), 1.0,
+                                                    column);
         rows.col(k) = column;
     }
     along = ancf::test::solved(rows.transpose() * rows, rows.transpose() * impulse);
@@ -294,7 +295,7 @@ TEST_CASE("problem: accelerations and jerk keep a moving scene on its constraint
         const VectorX q =
             start.q + s * start.v + 0.5 * s * s * start.acceleration + s * s * s / 6.0 * jerk;
         problem.evaluate_constraints(s, q, start.v);
-        return problem.constraint_violation();
+        return problem.constraints().largest_violation();
     };
     CHECK(violation(1e-2) <= 2e-6);  // 1.3e-6 measured: s^4/24 times the fourth derivative
     CHECK(violation(1e-2) / violation(5e-3) == Approx(16.0).epsilon(0.2));
@@ -371,8 +372,8 @@ TEST_CASE("problem: velocity-level terms are derivatives of G^T mu and of G v", 
         for (const int side : {0, 1}) {
             problem.evaluate_constraints(0.2, q + (side == 0 ? h : -h) * VectorX::Unit(n, j), v);
             force[side] = VectorX::Zero(n);
-            problem.add_constraint_force(mu, 1.0, force[side]);
-            rate[side] = problem.constraint_rate();
+            problem.constraints().add_transpose_product(mu, 1.0, force[side]);
+            rate[side] = problem.constraints().rate();
         }
         CHECK(distance((force[0] - force[1]) / (2.0 * h), dense.col(j).head(n)) <= 1e-8);
         CHECK(distance((rate[0] - rate[1]) / (2.0 * h), dense.col(j).tail(m)) <= 1e-8);

@@ -9,18 +9,56 @@
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/requirement.hpp>
-#include <ancf/error.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace ancf {
+
+namespace detail {
+
+/// Returns the worst fault that a call gives in the parts of a scene; of another part its status.
+template <class Call>
+[[nodiscard]] std::optional<Fault> worst_of_parts(const Exchange& exchange, const Call& call) {
+    std::optional<Fault> own;
+    const auto status = [&] {
+        own = call();
+        return own ? static_cast<double>(own->status) : 0.0;
+    };
+    const auto worst = static_cast<Status>(static_cast<int>(largest_of(exchange, status)));
+    if (worst == (own ? own->status : Status::converged)) return own;
+    return Fault{worst, -1, -1};
+}
+
+/// Returns the least cosine of the angle between the slopes at the ends of an element.
+[[nodiscard]] ANCF_INLINE double least_cosine(const Layout& layout, const ElementGroup& group,
+                                              int dimension, const VectorX& q) {
+    double least = 1.0;
+    for (const Connection& connection : group.connections) {
+        const double* a = q.data() + layout.index({connection.first, Field::r_x});
+        const double* b = q.data() + layout.index({connection.second, Field::r_x});
+        double aa = 0.0, ab = 0.0, bb = 0.0;
+        for (int i = 0; i < dimension; ++i) {
+            aa += a[i] * a[i];
+            ab += a[i] * b[i];
+            bb += b[i] * b[i];
+        }
+        const double lengths = std::sqrt(aa) * std::sqrt(bb);
+        if (lengths > 0.0) least = std::min(least, ab / lengths);
+    }
+    return least;
+}
+
+/// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
+[[nodiscard]] ANCF_INLINE std::vector<double> prototype_masses(const ElementGroup& group) {
+    const std::ptrdiff_t size = group.dofs() * group.dofs();
+    std::vector<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
+    for (int k = 0; k < group.prototype_count(); ++k) group.mass(k, masses.data() + size * k);
+    return masses;
+}
+
+}  // namespace detail
 
 ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     : model_(model), numbering_(model), revision_(model.revision()) {
@@ -262,22 +300,9 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const detail::Exchange&
                                                          const Configuration& at, Request request,
                                                          const VectorX* increment,
                                                          const Correction* last) {
-    constexpr double threw = 1000.0;
-    std::optional<Fault> fault;
-    std::exception_ptr thrown;  // none may leave the other parts waiting
-    try {
-        fault = evaluate_own(at, request, increment, last);
-    } catch (...) {
-        thrown = std::current_exception();
-    }
-    const double own = thrown ? threw : fault ? 1.0 + static_cast<int>(fault->status) : 0.0;
-    const double worst = exchange.largest(own);
-    if (thrown) std::rethrow_exception(thrown);
-    if (worst == threw) throw std::runtime_error("another part of the scene threw an exception");
-    if (worst > 0.0) {
-        const auto status = static_cast<Status>(static_cast<int>(worst) - 1);
-        return own == worst ? *fault : Fault{status, -1, -1};
-    }
+    if (const auto fault = detail::worst_of_parts(
+            exchange, [&] { return evaluate_own(at, request, increment, last); }))
+        return fault;
     exchange.add(internal_);
     exchange.add(external_);
     if (!exchange.constraints().empty()) exchange.add(constraint_);
@@ -363,13 +388,6 @@ ANCF_INLINE GroupTarget Assembly::target(std::size_t group, double* values) cons
             pattern_.first_rows(),
             pattern_.heights(),
             pattern_.storage(),
-            nullptr,
-            nullptr,
-            nullptr,
-            nullptr,
-            false,
-            nullptr,
-            nullptr,
             values,
             plan.attached.empty() ? nullptr : plan.attached.data()};
 }
@@ -625,12 +643,8 @@ ANCF_INLINE int Assembly::faulty_support(const VectorX& entries) const {
 }
 
 ANCF_INLINE std::optional<Fault> Assembly::inspect_parts(const VectorX& q) const {
-    const auto own = inspect(q);
-    if (model_.exchange() == nullptr) return own;
-    const auto worst = static_cast<Status>(
-        static_cast<int>(model_.exchange()->largest(own ? static_cast<double>(own->status) : 0.0)));
-    if (worst == (own ? own->status : Status::converged)) return own;
-    return Fault{worst, -1, -1};
+    const auto own = [&] { return inspect(q); };
+    return model_.exchange() == nullptr ? own() : detail::worst_of_parts(*model_.exchange(), own);
 }
 
 ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
@@ -664,29 +678,6 @@ ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) con
         return group.softened(prototype, e);
     });
 }
-
-namespace detail {
-
-/// Returns the least cosine of the angle between the slopes at the ends of an element.
-[[nodiscard]] ANCF_INLINE double least_cosine(const Layout& layout, const ElementGroup& group,
-                                              int dimension, const VectorX& q) {
-    double least = 1.0;
-    for (const Connection& connection : group.connections) {
-        const double* a = q.data() + layout.index({connection.first, Field::r_x});
-        const double* b = q.data() + layout.index({connection.second, Field::r_x});
-        double aa = 0.0, ab = 0.0, bb = 0.0;
-        for (int i = 0; i < dimension; ++i) {
-            aa += a[i] * a[i];
-            ab += a[i] * b[i];
-            bb += b[i] * b[i];
-        }
-        const double lengths = std::sqrt(aa) * std::sqrt(bb);
-        if (lengths > 0.0) least = std::min(least, ab / lengths);
-    }
-    return least;
-}
-
-}  // namespace detail
 
 ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
     check_size("largest_turn", "coordinates", q);
@@ -728,18 +719,6 @@ ANCF_INLINE void Assembly::predicted_residual(VectorX& out) const {
         if (const int equation = numbering_.equation(k); equation >= 0)
             out[equation] += predicted_[k] - internal_[k];
 }
-
-namespace detail {
-
-/// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
-[[nodiscard]] ANCF_INLINE std::vector<double> prototype_masses(const ElementGroup& group) {
-    const std::ptrdiff_t size = group.dofs() * group.dofs();
-    std::vector<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
-    for (int k = 0; k < group.prototype_count(); ++k) group.mass(k, masses.data() + size * k);
-    return masses;
-}
-
-}  // namespace detail
 
 ANCF_INLINE SparseMatrix Assembly::mass() const {
     check_scene();

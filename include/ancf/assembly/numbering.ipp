@@ -9,8 +9,6 @@
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/error.hpp>
 
-#include <cstddef>
-
 namespace ancf {
 
 ANCF_INLINE Numbering::Numbering(const Scene& model) {

@@ -9,7 +9,6 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
-#include <ancf/model/layout.hpp>
 
 namespace ancf {
 namespace detail {

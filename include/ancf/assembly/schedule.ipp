@@ -9,7 +9,6 @@
 #include <ancf/assembly/schedule.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 
 namespace ancf {

@@ -12,10 +12,14 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
+#include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -26,10 +30,69 @@ struct DenseLu {
     std::vector<int> order;  ///< rows by their pivots
 
     /// Factorises in place. @return false where a pivot is zero or no number.
-    [[nodiscard]] bool factorize();
+    [[nodiscard]] bool factorize() {
+        const Eigen::Index rows = factors.rows();
+        order.resize(static_cast<std::size_t>(rows));
+        for (Eigen::Index j = 0; j < rows; ++j) {
+            Eigen::Index pivot = j;
+            for (Eigen::Index i = j + 1; i < rows; ++i)
+                if (std::abs(factors(i, j)) > std::abs(factors(pivot, j))) pivot = i;
+            order[j] = static_cast<int>(pivot);
+            for (Eigen::Index k = 0; pivot != j && k < rows; ++k)
+                std::swap(factors(j, k), factors(pivot, k));
+            const double diagonal = factors(j, j);
+            if (diagonal == 0.0 || !std::isfinite(diagonal)) return false;
+            for (Eigen::Index i = j + 1; i < rows; ++i) factors(i, j) /= diagonal;
+            for (Eigen::Index k = j + 1; k < rows; ++k)
+                for (Eigen::Index i = j + 1; i < rows; ++i)
+                    factors(i, k) -= factors(i, j) * factors(j, k);
+        }
+        return true;
+    }
+
     /// Solves in place.
-    void solve(VectorX& x) const;
+    void solve(VectorX& x) const {
+        const Eigen::Index rows = x.size();
+        for (Eigen::Index j = 0; j < rows; ++j) std::swap(x[j], x[order[j]]);
+        for (Eigen::Index j = 0; j < rows; ++j)
+            for (Eigen::Index i = j + 1; i < rows; ++i) x[i] -= factors(i, j) * x[j];
+        for (Eigen::Index j = rows - 1; j >= 0; --j) {
+            x[j] /= factors(j, j);
+            for (Eigen::Index i = 0; i < j; ++i) x[i] -= factors(i, j) * x[j];
+        }
+    }
 };
+
+/// Adds scale A x, x beginning at an entry of a vector.
+inline void add_product(const MatrixX& A, double scale, const VectorX& x, Eigen::Index from,
+                        VectorX& out) {
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+        const double factor = scale * x[from + j];
+        for (Eigen::Index i = 0; i < A.rows(); ++i) out[i] += factor * A(i, j);
+    }
+}
+
+/// Adds scale A^T x likewise.
+inline void add_transposed(const MatrixX& A, double scale, const VectorX& x, Eigen::Index from,
+                           VectorX& out) {
+    for (Eigen::Index j = 0; j < A.cols(); ++j) {
+        double sum = 0.0;
+        for (Eigen::Index i = 0; i < A.rows(); ++i) sum += A(i, j) * x[from + i];
+        out[j] += scale * sum;
+    }
+}
+
+/// Adds scale A B, A with many zeros, to a block.
+inline void add_product(const MatrixX& A, const MatrixX& B, double scale, Eigen::Index row,
+                        Eigen::Index column, MatrixX& out) {
+    for (Eigen::Index k = 0; k < A.cols(); ++k)
+        for (Eigen::Index i = 0; i < A.rows(); ++i) {
+            if (A(i, k) == 0.0) continue;
+            const double factor = scale * A(i, k);
+            for (Eigen::Index j = 0; j < B.cols(); ++j)
+                out(row + i, column + j) += factor * B(k, j);
+        }
+}
 
 /// The constraints at a place: m equations in k active coordinates.
 struct TangentSpace {
@@ -44,30 +107,208 @@ struct TangentSpace {
 class ConstraintManifold {
 public:
     /// Reads M, and which equations are left out. @pre the problem has started.
-    explicit ConstraintManifold(DynamicProblem& problem);
+    explicit ConstraintManifold(DynamicProblem& problem) : problem_(problem) {
+        const int n = problem.size(), m = problem.multipliers();
+        if (m == 0) return;
+        const SparseMatrix rows = problem.constraints().transposed_jacobian();
+        std::vector<char> acted(static_cast<std::size_t>(n), 0);
+        for (int e = 0; e < entries(rows); ++e) acted[rows.innerIndexPtr()[e]] = 1;
+        place_.assign(static_cast<std::size_t>(n), -1);
+        const Numbering& numbering = problem.numbering();
+        for (int coordinate = 0; coordinate < numbering.coordinates(); ++coordinate) {
+            const int equation = numbering.equation(coordinate);
+            if (equation < 0 || acted[equation] == 0) continue;
+            place_[equation] = static_cast<int>(active_.size());
+            active_.push_back(equation);
+            coordinates_.push_back(coordinate);
+        }
+        const auto k = static_cast<Eigen::Index>(active_.size());
+        const VectorX& scales = problem.scales();
+        gather(scales, active_, scales_);
+        columns_.resize(n, k);
+        block_.resize(k, k);
+        VectorX unit = VectorX::Zero(n), column, part;
+        for (Eigen::Index j = 0; j < k; ++j) {
+            const int equation = active_[j];
+            unit[equation] = 1.0;
+            problem.solve_mass(unit, column);
+            unit[equation] = 0.0;
+            std::copy_n(column.data(), n, columns_.data() + j * n);
+            gather(column, active_, part);
+            std::copy_n(part.data(), k, block_.data() + j * k);
+            const double least = 1e-18 * largest_ratio(column, scales);
+            int first = 0, last = n;
+            while (std::abs(column[first]) <= least * scales[first]) ++first;
+            while (std::abs(column[last - 1]) <= least * scales[last - 1]) --last;
+            first_.push_back(first);
+            last_.push_back(last);
+        }
+        push_.setZero(2 * m);
+        before_.setZero(2 * m);
+    }
 
     /// Evaluates the constraints at a place. @return false where they depend on each other.
-    [[nodiscard]] bool find(double t, const VectorX& q, TangentSpace& at);
+    [[nodiscard]] bool find(double t, const VectorX& q, TangentSpace& at) {
+        if (!binds()) return true;
+        gather(q, active_, there_);
+        look(t, there_, at);
+        return factorize(at);
+    }
 
     /// Adds M^-1 G^T l to x, so that G x + b = 0, and l to a vector where one is given.
-    void project(const TangentSpace& at, const VectorX& b, VectorX& x, VectorX* sum = nullptr);
+    void project(const TangentSpace& at, const VectorX& b, VectorX& x, VectorX* sum = nullptr) {
+        if (!binds()) return;
+        gather(x, active_, there_);
+        multipliers_ = b;
+        add_product(at.G, 1.0, there_, 0, multipliers_);
+        at.S.solve(multipliers_);
+        force_.setZero(there_.size());
+        add_transposed(at.G, -1.0, multipliers_, 0, force_);
+        add(force_, 1.0, x);
+        if (sum != nullptr) *sum -= multipliers_;
+    }
 
     /// Moves q onto g = 0 along M^-1 G^T of a place nearby, and evaluates the constraints there.
     /// @return false where the iteration fails.
-    [[nodiscard]] bool bring(double t, const TangentSpace& along, VectorX& q, TangentSpace& at);
+    [[nodiscard]] bool bring(double t, const TangentSpace& along, VectorX& q, TangentSpace& at) {
+        if (!binds()) return true;
+        gather(q, active_, there_);
+        force_.setZero(there_.size());
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            look(t, there_, at);
+            multipliers_ = at.g;
+            along.S.solve(multipliers_);
+            change_.setZero(there_.size());
+            add_product(along.C, -1.0, multipliers_, 0, change_);
+            add_transposed(along.G, -1.0, multipliers_, 0, force_);
+            there_ += change_;
+            const double gap = largest_ratio(change_, scales_);
+            if (!(gap < 1.0)) return false;
+            if (gap > 1e-9) continue;
+            add(force_, 1.0, q);
+            return factorize(at);
+        }
+        return false;
+    }
 
     /// Moves q and v by h on the constraints. What v has along G^T at the begin has no effect; at
     /// the end it is left to project(). @return false where Newton's method fails.
     [[nodiscard]] bool drift(double t, double h, const TangentSpace& from, VectorX& q, VectorX& v,
-                             TangentSpace& to);
+                             TangentSpace& to) {
+        if (!binds()) {
+            q += h * v;
+            return true;
+        }
+        const Eigen::Index m = from.G.rows();
+        gather(q, active_, place_now_);
+        gather(v, active_, rate_);
+        if (!find_push(t, h, from, to) || !factorize(to)) {
+            middle_.C.resize(0, 0);  // no guess for the next one
+            push_.setZero();
+            before_.setZero();
+            return false;
+        }
+        q += h * v;
+        force_.setZero(rate_.size());
+        add_transposed(from.G, h * h / 6.0, push_, 0, force_);
+        add_transposed(middle_.G, h * h / 3.0, push_, m, force_);
+        add(force_, -1.0, q);
+        force_.setZero();
+        add_transposed(from.G, h / 6.0, push_, 0, force_);
+        add_transposed(middle_.G, 2.0 * h / 3.0, push_, m, force_);
+        add(force_, -1.0, v);
+        return true;
+    }
 
 private:
     [[nodiscard]] bool binds() const noexcept { return problem_.multipliers() > 0; }
-    void look(double t, const VectorX& place, TangentSpace& at);
-    void spread(TangentSpace& at) const;
-    [[nodiscard]] bool factorize(TangentSpace& at) const;
-    [[nodiscard]] bool find_push(double t, double h, const TangentSpace& from, TangentSpace& to);
-    void add(const VectorX& force, double scale, VectorX& x) const;
+
+    /// Evaluates the constraints at active coordinates.
+    void look(double t, const VectorX& place, TangentSpace& at) {
+        problem_.evaluate_constraints(t, coordinates_, place);
+        at.G.resize(problem_.multipliers(), place.size());
+        problem_.constraints().write_rows(place_, at.G);
+        at.g = problem_.constraints().violation();
+        for (const int equation : problem_.left_out()) at.g[equation] = 0.0;
+        at.rate = problem_.constraints().rate();
+    }
+
+    void spread(TangentSpace& at) const {
+        at.C.setZero(at.G.cols(), at.G.rows());
+        for (Eigen::Index i = 0; i < at.G.rows(); ++i)
+            for (Eigen::Index j = 0; j < at.G.cols(); ++j) {
+                const double factor = at.G(i, j);
+                if (factor == 0.0) continue;
+                for (Eigen::Index l = 0; l < at.G.cols(); ++l) at.C(l, i) += factor * block_(l, j);
+            }
+    }
+
+    [[nodiscard]] bool factorize(TangentSpace& at) const {
+        spread(at);
+        at.S.factors.setZero(at.G.rows(), at.G.rows());
+        add_product(at.G, at.C, 1.0, 0, 0, at.S.factors);
+        for (const int equation : problem_.left_out()) at.S.factors(equation, equation) = 1.0;
+        return at.S.factorize();
+    }
+
+    /// Finds mu at the begin and half-way, so that there and at the end g = 0.
+    [[nodiscard]] bool find_push(double t, double h, const TangentSpace& from, TangentSpace& to) {
+        const Eigen::Index m = from.G.rows(), k = from.G.cols();
+        const double part = h * h / 24.0;
+        change_ = push_;
+        push_ = 2.0 * push_ - before_;
+        before_ = change_;
+        guess_ = from.C;
+        if (middle_.C.cols() == guess_.cols()) guess_ = 2.0 * guess_ - middle_.C;
+        for (int iteration = 0; iteration < 12; ++iteration) {
+            there_ = place_now_ + 0.5 * h * rate_;
+            add_product(from.C, -2.0 * part, push_, 0, there_);
+            add_product(guess_, -part, push_, m, there_);
+            look(t + 0.5 * h, there_, middle_);
+            spread(middle_);
+            slip_.setZero(k);
+            add_product(guess_, part, push_, m, slip_);
+            add_product(middle_.C, -part, push_, m, slip_);
+            guess_ = middle_.C;
+            multipliers_ = middle_.g;
+            add_product(middle_.G, 1.0, slip_, 0, multipliers_);
+            there_ = place_now_ + h * rate_;
+            add_product(from.C, -4.0 * part, push_, 0, there_);
+            add_product(middle_.C, -8.0 * part, push_, m, there_);
+            look(t + h, there_, to);
+            if (iteration == 0) {
+                newton_.factors.setZero(2 * m, 2 * m);
+                add_product(middle_.G, from.C, 2.0 * part, 0, 0, newton_.factors);
+                add_product(middle_.G, middle_.C, part, 0, m, newton_.factors);
+                add_product(to.G, from.C, 4.0 * part, m, 0, newton_.factors);
+                add_product(to.G, middle_.C, 8.0 * part, m, m, newton_.factors);
+                for (const int i : problem_.left_out())
+                    newton_.factors(i, i) = newton_.factors(m + i, m + i) = 1.0;
+                if (!newton_.factorize()) return false;
+            }
+            change_.resize(2 * m);
+            std::copy_n(to.g.data(), m, std::copy_n(multipliers_.data(), m, change_.data()));
+            newton_.solve(change_);
+            push_ += change_;
+            there_.setZero();
+            add_product(from.C, 4.0 * part, change_, 0, there_);
+            add_product(middle_.C, 8.0 * part, change_, m, there_);
+            const double gap =
+                std::max(largest_ratio(there_, scales_), largest_ratio(slip_, scales_));
+            if (!(gap < 1.0)) return false;
+            if (gap <= 1e-8) return true;
+        }
+        return false;
+    }
+
+    /// Adds scale M^-1 f of active forces.
+    void add(const VectorX& force, double scale, VectorX& x) const {
+        for (std::size_t j = 0; j < active_.size(); ++j) {
+            const double factor = scale * force.data()[j];
+            const double* const column = columns_.data() + static_cast<Eigen::Index>(j) * x.size();
+            for (int i = first_[j]; i < last_[j]; ++i) x.data()[i] += factor * column[i];
+        }
+    }
 
     DynamicProblem& problem_;
     std::vector<int> active_, coordinates_;  // active ones among the free, and among all
@@ -84,7 +325,3 @@ private:
 };
 
 }  // namespace ancf::detail
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/dynamics/constraint_manifold.ipp>  // IWYU pragma: export
-#endif

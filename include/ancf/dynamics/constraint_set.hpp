@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
@@ -50,9 +51,11 @@ public:
     [[nodiscard]] const VectorX& convection() const noexcept { return convection_; }
 
     /// Returns the largest |g|.
-    [[nodiscard]] double largest_violation() const noexcept;
+    [[nodiscard]] double largest_violation() const noexcept {
+        return largest_magnitude(violation_);
+    }
     /// Returns the largest |G v + g_t|.
-    [[nodiscard]] double largest_rate() const noexcept;
+    [[nodiscard]] double largest_rate() const noexcept { return largest_magnitude(full_rate_); }
 
     /// Returns G a for all coordinates.
     [[nodiscard]] VectorX product(const VectorX& a) const;
@@ -85,6 +88,9 @@ private:
     // Calls visit(constraint, result, its coordinates, its first equation).
     template <class Visitor>
     void for_each(const Visitor& visit) const;
+    // Calls visit(equation, free coordinate, G of both) for those that are not left out.
+    template <class Visitor>
+    void for_each_entry(const Visitor& visit) const;
 
     const Scene& model_;
     const Numbering& numbering_;

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/error.hpp>
 
@@ -20,6 +19,19 @@ template <class Visitor>
 void ConstraintSet::for_each(const Visitor& visit) const {
     for (std::size_t k = 0; k < results_.size(); ++k)
         visit(static_cast<int>(k), results_[k], coordinates_[k].acted(), first_[k]);
+}
+
+template <class Visitor>
+void ConstraintSet::for_each_entry(const Visitor& visit) const {
+    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
+        for (std::size_t j = 0; j < at.size(); ++j) {
+            const int equation = numbering_.equation(at[j]);
+            if (equation < 0) continue;
+            for (int i = 0; i < result.jacobian.rows(); ++i)
+                if (!left_out(first + i))
+                    visit(first + i, equation, result.jacobian(i, static_cast<Eigen::Index>(j)));
+        }
+    });
 }
 
 ANCF_INLINE ConstraintSet::ConstraintSet(const Scene& model, const Numbering& numbering)
@@ -79,14 +91,6 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
     }
 }
 
-ANCF_INLINE double ConstraintSet::largest_violation() const noexcept {
-    return largest_magnitude(violation_);
-}
-
-ANCF_INLINE double ConstraintSet::largest_rate() const noexcept {
-    return largest_magnitude(full_rate_);
-}
-
 ANCF_INLINE VectorX ConstraintSet::product(const VectorX& a) const {
     VectorX out = VectorX::Zero(size());
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
@@ -112,16 +116,8 @@ ANCF_INLINE VectorX ConstraintSet::magnitude(const VectorX& x) const {
 
 ANCF_INLINE void ConstraintSet::add_transpose_product(const VectorX& mu, double scale,
                                                       VectorX& free) const {
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        for (std::size_t j = 0; j < at.size(); ++j) {
-            const int equation = numbering_.equation(at[j]);
-            if (equation < 0) continue;
-            for (int i = 0; i < result.jacobian.rows(); ++i)
-                if (!left_out(first + i))
-                    free[equation] +=
-                        scale * result.jacobian(i, static_cast<Eigen::Index>(j)) * mu[first + i];
-        }
-    });
+    for_each_entry(
+        [&](int row, int free_one, double entry) { free[free_one] += scale * entry * mu[row]; });
 }
 
 ANCF_INLINE void ConstraintSet::write_jacobian(const Assembly& assembly,
@@ -148,16 +144,8 @@ ANCF_INLINE void ConstraintSet::write_jacobian(const Assembly& assembly,
 
 ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, MatrixX& rows) const {
     rows.setZero();
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        for (std::size_t j = 0; j < at.size(); ++j) {
-            const int equation = numbering_.equation(at[j]);
-            if (equation < 0) continue;
-            const int column = columns[equation];
-            for (int i = 0; i < result.jacobian.rows(); ++i)
-                if (!left_out(first + i))
-                    rows(first + i, column) += result.jacobian(i, static_cast<Eigen::Index>(j));
-        }
-    });
+    for_each_entry(
+        [&](int row, int free_one, double entry) { rows(row, columns[free_one]) += entry; });
 }
 
 ANCF_INLINE void ConstraintSet::add_velocity_level(const Assembly& assembly, const VectorX& mu,

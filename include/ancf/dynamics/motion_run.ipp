@@ -10,11 +10,7 @@
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/error.hpp>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace ancf::detail {
@@ -147,8 +143,8 @@ ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
 }
 
 ANCF_INLINE void Recorder::check_rates(double time) {
-    if (std::isfinite(problem_.violation_rate()) || report_.status != Status::converged) return;
     const ConstraintSet& constraints = problem_.constraints();
+    if (std::isfinite(constraints.largest_rate()) || report_.status != Status::converged) return;
     int worst = 0;
     while (worst + 1 < constraints.size() && std::isfinite(constraints.rate()[worst])) ++worst;
     report_.status = Status::not_finite;
@@ -183,8 +179,9 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point) {
     if (report_.steps % std::max(1L, 24 / in_a_step) == 0) inspect(point);
     if (problem_.multipliers() > 0) {
         problem_.evaluate_constraints(point.time, point.q, point.v, false);
-        report_.violation = larger(report_.violation, problem_.constraint_violation());
-        report_.violation_rate = larger(report_.violation_rate, problem_.violation_rate());
+        const ConstraintSet& constraints = problem_.constraints();
+        report_.violation = larger(report_.violation, constraints.largest_violation());
+        report_.violation_rate = larger(report_.violation_rate, constraints.largest_rate());
         check_rates(point.time);
         check_left_out(point.time);
     }

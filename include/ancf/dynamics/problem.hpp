@@ -195,20 +195,6 @@ public:
         return constraints_.convection() + constraints_.product(full_a_);
     }
 
-    /// Returns G v + g_t, m entries, held and driven coordinates included.
-    [[nodiscard]] const VectorX& constraint_rate() const noexcept { return constraints_.rate(); }
-
-    /// Returns the largest |g| of the last evaluate_constraints, all equations included.
-    [[nodiscard]] double constraint_violation() const noexcept {
-        return constraints_.largest_violation();
-    }
-
-    /// Returns the largest |G v + g_t| of the last evaluate_constraints, all equations included.
-    [[nodiscard]] double violation_rate() const noexcept { return constraints_.largest_rate(); }
-
-    /// Adds scale G^T mu to n entries.
-    void add_constraint_force(const VectorX& mu, double scale, VectorX& out) const;
-
     /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms
     /// that hold the constraint at velocity level (g_t as independent of q).
     void velocity_level(const VectorX& mu, SparseMatrix& out) const;

@@ -9,7 +9,6 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/error.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
 
@@ -17,9 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -311,13 +308,13 @@ ANCF_INLINE Start DynamicProblem::start() {
     full_a_.setZero(state.v.size());
 
     const double fastest = largest_of_parts(detail::largest_ratio(state.v, full_scales_));
-    detail::together(exchange_, [&] { check_state(fastest, start); });
-    if (exchange_ != nullptr) {  // the part that knows the worst has its message
-        const auto worst = static_cast<Status>(
-            static_cast<int>(exchange_->largest(static_cast<int>(start.status))));
-        if (worst != start.status) start.message.clear();
-        start.status = worst;
-    }
+    const auto check = [&] {
+        check_state(fastest, start);
+        return static_cast<double>(start.status);
+    };
+    const double worst = exchange_ == nullptr ? check() : detail::largest_of(*exchange_, check);
+    if (worst != static_cast<double>(start.status)) start.message.clear();  // another part has it
+    start.status = static_cast<Status>(static_cast<int>(worst));
     if (start.status != Status::converged) return start;
     left_out_.clear();
     constraints_.leave_out(left_out_);
@@ -532,11 +529,6 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
         expand(t, free, VectorX::Zero(size()));
     }
     constraints_.evaluate(t, full_q_, full_v_, false);
-}
-
-ANCF_INLINE void DynamicProblem::add_constraint_force(const VectorX& mu, double scale,
-                                                      VectorX& out) const {
-    constraints_.add_transpose_product(mu, scale, out);
 }
 
 ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {

@@ -7,11 +7,9 @@
 #pragma once
 
 #include <ancf/dynamics/report.hpp>
-#include <ancf/error.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ancf {
 

@@ -12,10 +12,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 

@@ -8,13 +8,10 @@
 
 #include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
-#include <ancf/model/element_group.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -233,31 +230,17 @@ ANCF_INLINE AttachedElement::AttachedElement(const Layout& layout, const Depende
             " follow ", count, " vectors by attachments, expected at most ", most_vectors);
 }
 
-/// Adds K T in the columns of T: `Dimension` columns of K, of `rows` entries, for each of its own
-/// vectors.
-template <int Dimension>
-void multiply_columns(const FollowedVectors& vectors, const double* tangent, int rows,
-                      double* out) {
+/// Adds what stands for each of its own vectors, `width` numbers, to what it follows.
+/// @param width  an int, or a constant of that type
+template <class Width>
+void multiply(const FollowedVectors& vectors, const double* from, Width width, double* out) {
     for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
         for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
             const FollowedVectors::Part& part = vectors.parts[k];
-            double* const to = out + part.vector * Dimension * rows;
-            for (int i = 0; i < Dimension * rows; ++i) to[i] += part.factor * tangent[i];
+            double* const to = out + part.vector * width;
+            for (int i = 0; i < width; ++i) to[i] += part.factor * from[i];
         }
-        tangent += Dimension * rows;
-    }
-}
-
-/// Adds T^T times a vector.
-template <int Dimension>
-void multiply_transposed(const FollowedVectors& vectors, const double* column, double* out) {
-    for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
-        for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
-            const FollowedVectors::Part& part = vectors.parts[k];
-            double* const to = out + part.vector * Dimension;
-            for (int i = 0; i < Dimension; ++i) to[i] += part.factor * column[i];
-        }
-        column += Dimension;
+        from += width;
     }
 }
 
@@ -281,12 +264,12 @@ void add_transformed(const AttachedElement& element, const GroupTarget& target,
     }
     double half[most * ElementGroup::max_dofs], column[most];
     std::fill_n(half, Dimension * count * rows, 0.0);
-    multiply_columns<Dimension>(vectors, tangent, rows, half);
+    multiply(vectors, tangent, Dimension * rows, half);  // K T in the columns of T
     for (int q = 0; q < Dimension * count; ++q) {
         const int own = place[q];
         if (own < 0) continue;
         std::fill_n(column, Dimension * count, 0.0);
-        multiply_transposed<Dimension>(vectors, half + q * rows, column);
+        multiply(vectors, half + q * rows, std::integral_constant<int, Dimension>(), column);
         const int block = element.block_of[q / Dimension];
         const int offset = target.column_offset(element.blocks[block], own);
         for (int vector = 0; vector < count; ++vector) {

@@ -11,9 +11,6 @@
 #include <ancf/model/constraint.hpp>
 
 #include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace ancf {
 

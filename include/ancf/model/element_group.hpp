@@ -46,21 +46,22 @@ struct AttachedElement;
 /// The tangent's values of a pair of nodes (a, b) stand at slots.base[a][b] + column + row, with
 /// the row within the node's block and the column's place from column_offset().
 struct GroupTarget {
-    const ElementSlots* slots;  ///< of each element of the group
-    const Layout& layout;       ///< of the scene
-    const int* equation;        ///< of each coordinate, -1 where a support holds it
-    const int* first_row;       ///< of each block
-    const int* height;          ///< stored rows in the first column of each block
-    Storage storage;            ///< of the tangent
-    const double* q;            ///< coordinates
-    const double* increment;    ///< their change whose linear effect is wanted, or null
-    const double* before;       ///< where the last correction began, or null
-    const double* change;       ///< the last correction, or null
-    bool tangent;               ///< wanted beside the force
-    double* internal_force;     ///< to add to
-    double* predicted_force;    ///< that of the tangent's stresses, to add to, or null
-    double* values;             ///< of the tangent, to add to
+    const ElementSlots* slots;                ///< of each element of the group
+    const Layout& layout;                     ///< of the scene
+    const int* equation;                      ///< of each coordinate, -1 where a support holds it
+    const int* first_row;                     ///< of each block
+    const int* height;                        ///< stored rows in the first column of each block
+    Storage storage;                          ///< of the tangent
+    double* values;                           ///< of the tangent, to add to
     const detail::AttachedElement* attached;  ///< those of the group's elements, or null
+
+    const double* q = nullptr;          ///< coordinates
+    const double* increment = nullptr;  ///< their change whose linear effect is wanted, or null
+    const double* before = nullptr;     ///< where the last correction began, or null
+    const double* change = nullptr;     ///< the last correction, or null
+    bool tangent = false;               ///< wanted beside the force
+    double* internal_force = nullptr;   ///< to add to
+    double* predicted_force = nullptr;  ///< that of the tangent's stresses, to add to, or null
 
     /// Returns how far the values of a column of a block lie from its first column's.
     [[nodiscard]] int column_offset(int block, int column) const noexcept {

@@ -37,28 +37,34 @@ public:
     [[nodiscard]] virtual int element(int group, int element) const noexcept = 0;
     /// Returns the constraints of the whole scene.
     [[nodiscard]] virtual const std::vector<AnyConstraint>& constraints() const noexcept = 0;
-
-protected:
-    Exchange() = default;
-    Exchange(const Exchange&) = default;             ///< by derived classes alone
-    Exchange& operator=(const Exchange&) = default;  ///< by derived classes alone
 };
 
-/// Calls what may throw in one part of a scene alone: then all parts throw.
-/// @param exchange  none of a whole scene
+/// Returns the largest of the numbers below 1000 that a call gives in the parts of a scene. Where
+/// it throws in one of them, all throw.
 /// @throws std::runtime_error where only others did; else what the call throws.
 template <class Call>
-void together(const Exchange* exchange, const Call& call) {
-    if (exchange == nullptr) return call();
-    std::exception_ptr thrown;
+[[nodiscard]] double largest_of(const Exchange& exchange, const Call& call) {
+    constexpr double threw = 1000.0;
+    double own = threw;
+    std::exception_ptr thrown;  // none may leave the other parts waiting
     try {
-        call();
+        own = call();
     } catch (...) {
         thrown = std::current_exception();
     }
-    const bool any = exchange->largest(thrown ? 1.0 : 0.0) > 0.0;
+    const double largest = exchange.largest(own);
     if (thrown) std::rethrow_exception(thrown);
-    if (any) throw std::runtime_error("another part of the scene threw an exception");
+    if (largest == threw) throw std::runtime_error("another part of the scene threw an exception");
+    return largest;
+}
+
+/// Calls what may throw in one part of a scene alone: then all parts throw, likewise.
+/// @param exchange  none of a whole scene
+template <class Call>
+void together(const Exchange* exchange, const Call& call) {
+    if (exchange == nullptr) return call();
+    const auto none = [&] { return call(), 0.0; };
+    static_cast<void>(largest_of(*exchange, none));
 }
 
 }  // namespace ancf::detail

@@ -107,14 +107,12 @@ public:
     [[nodiscard]] bool admissible(int k, const double* e) const override {
         return prototype(k).admissible(copied(e));
     }
-    [[nodiscard]] bool softened(int k, const double* e) const override {
-        if constexpr (detail::offers<detail::Softening, Element>) {
+    [[nodiscard]] bool softened([[maybe_unused]] int k,
+                                [[maybe_unused]] const double* e) const override {
+        if constexpr (detail::offers<detail::Softening, Element>)
             return prototype(k).softened(copied(e));
-        } else {
-            static_cast<void>(k);
-            static_cast<void>(e);
+        else
             return false;
-        }
     }
     void mass(int k, double* out) const override { copy(prototype(k).mass(), out); }
     void gravity(int k, const double* acceleration, double* out) const override {
@@ -122,15 +120,11 @@ public:
         std::copy_n(acceleration, Element::dimension, g.data());
         copy(prototype(k).gravity(g), out);
     }
-    void torsion_stiffness(int k, double (&out)[2]) const override {
-        out[0] = out[1] = 0.0;
-        if constexpr (detail::offers<detail::TorsionStiffness, Element>) {
-            const Vector<double, 2> own = prototype(k).torsion_stiffness();
-            out[0] = own[0];
-            out[1] = own[1];
-        } else {
-            static_cast<void>(k);
-        }
+    void torsion_stiffness([[maybe_unused]] int k, double (&out)[2]) const override {
+        Vector<double, 2> own = {0.0, 0.0};
+        if constexpr (detail::offers<detail::TorsionStiffness, Element>)
+            own = prototype(k).torsion_stiffness();
+        std::copy_n(own.data(), 2, out);
     }
     double add(const ElementRun& run, const GroupTarget& target) const override;
     void add_block(int index, const GroupTarget& target, const double* block) const override {
@@ -207,8 +201,8 @@ template <class Element>
 double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) const {
     constexpr int lanes = detail::pack_lanes<Element>;
     double energy = 0.0;
-    const bool plain = target.increment == nullptr && target.before == nullptr;
-    const auto equal = [&](int first) {
+    [[maybe_unused]] const bool plain = target.increment == nullptr && target.before == nullptr;
+    [[maybe_unused]] const auto equal = [&](int first) {
         const Connection* const part = &connections[first];
         return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
             return other.prototype == part->prototype;
@@ -225,8 +219,6 @@ double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) c
         energy += add_element(k, target);
         ++k;
     }
-    static_cast<void>(plain);
-    static_cast<void>(equal);
     return energy;
 }
 

@@ -10,9 +10,7 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/records.hpp>
 
-#include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ancf {

@@ -11,7 +11,6 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
@@ -67,12 +66,62 @@ struct ScenePart {
     std::vector<char> nodes;                 ///< of every node: whether the part has it
 };
 
+namespace detail {
+
+/// Groups of elements; a copy of the list has copies of them.
+struct ElementGroups : std::vector<std::unique_ptr<ElementGroup>> {
+    ElementGroups() = default;
+    ElementGroups(const ElementGroups& other) : ElementGroups() {
+        for (const auto& group : other) push_back(group->clone());
+    }
+    ElementGroups(ElementGroups&&) = default;
+    ElementGroups& operator=(ElementGroups&&) = default;
+};
+
+/// What a scene holds.
+class SceneContents {
+protected:
+    struct InitialNode {
+        Fields fields;
+        std::array<double, 3 * field_count> vectors;
+        int last_support = -1, last_attachment = -1;  // places in supports_ and attachments_
+    };
+
+    Records<InitialNode> initial_;
+    ElementGroups groups_;
+    std::vector<Support> supports_;
+    std::vector<int> support_before_;  // of the same node: place in supports_, -1: none
+    std::vector<ScaledLoad> loads_;
+    std::vector<AnyConstraint> constraints_;
+    Records<AttachedVector> attachments_;
+    std::vector<int> attachment_before_;  // likewise
+    Records<PointMass> masses_;
+    std::array<double, 3> gravity_ = {};
+    Amplitude gravity_amplitude_;
+    std::shared_ptr<const Exchange> exchange_;
+
+    Revision revision_;
+
+    // Derived from the above when first asked for after a change.
+    mutable bool layout_stale_ = true;  // layout_
+    mutable bool rebuild_ = true;       // what is in layout_ has changed too
+    mutable bool state_stale_ = true;   // state_ and dependence_
+    mutable int state_nodes_ = 0;       // nodes in state_: the first ones of layout_
+    mutable Layout layout_;
+    mutable Records<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
+    mutable std::vector<int> counted_;                // of each group: elements in torsion_
+    mutable Dependence dependence_;
+    mutable State state_;
+};
+
+}  // namespace detail
+
 /// What a model is, whatever its dimension. Model and PlanarModel are what a program makes.
 ///
 /// It is built once and then solved or integrated; it holds no solver. Nodes carry the union of the
 /// vectors that their elements need. Equal elements share one prototype. Element types mix freely:
 /// each has a group, in the order in which their first prototypes were added.
-class Scene {
+class Scene : detail::SceneContents {
 public:
     /// Copies nodes, elements, supports, loads, constraints and state.
     Scene(const Scene& other);
@@ -341,12 +390,6 @@ protected:
     void set_gravity_components(const std::array<double, 3>& gravity, Amplitude amplitude);
 
 private:
-    struct InitialNode {
-        Fields fields;
-        std::array<double, 3 * field_count> vectors;
-        int last_support = -1, last_attachment = -1;  // places in supports_ and attachments_
-    };
-
     // Not inlined: a program needs it once, and looks elements up at many places.
     template <class Element>
     [[nodiscard]] ANCF_NOINLINE ElementGroup* find_group() const noexcept {
@@ -390,31 +433,6 @@ private:
     void append(const AttachedVector& attachment);
 
     int dimension_;
-    detail::Records<InitialNode> initial_;
-    std::vector<std::unique_ptr<ElementGroup>> groups_;
-    std::vector<Support> supports_;
-    std::vector<int> support_before_;  // of the same node: place in supports_, -1: none
-    std::vector<ScaledLoad> loads_;
-    std::vector<AnyConstraint> constraints_;
-    detail::Records<AttachedVector> attachments_;
-    std::vector<int> attachment_before_;  // likewise
-    detail::Records<PointMass> masses_;
-    std::array<double, 3> gravity_ = {};
-    Amplitude gravity_amplitude_;
-    std::shared_ptr<const detail::Exchange> exchange_;
-
-    Revision revision_;
-
-    // Derived from the above when first asked for after a change.
-    mutable bool layout_stale_ = true;  // layout_
-    mutable bool rebuild_ = true;       // what is in layout_ has changed too
-    mutable bool state_stale_ = true;   // state_ and dependence_
-    mutable int state_nodes_ = 0;       // nodes in state_: the first ones of layout_
-    mutable Layout layout_;
-    mutable detail::Records<std::array<double, 2>> torsion_;  // stiffness at each node of layout_
-    mutable std::vector<int> counted_;                        // of each group: elements in torsion_
-    mutable Dependence dependence_;
-    mutable State state_;
 };
 
 template <class Element>

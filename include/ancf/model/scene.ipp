@@ -9,12 +9,8 @@
 #include <ancf/model/scene.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -22,31 +18,7 @@ ANCF_INLINE Scene::Scene(int dimension) noexcept : dimension_(dimension) {}
 
 ANCF_INLINE Scene::~Scene() = default;
 
-ANCF_INLINE Scene::Scene(const Scene& other)
-    : dimension_(other.dimension_),
-      initial_(other.initial_),
-      supports_(other.supports_),
-      support_before_(other.support_before_),
-      loads_(other.loads_),
-      constraints_(other.constraints_),
-      attachments_(other.attachments_),
-      attachment_before_(other.attachment_before_),
-      masses_(other.masses_),
-      gravity_(other.gravity_),
-      gravity_amplitude_(other.gravity_amplitude_),
-      exchange_(other.exchange_),
-      revision_(other.revision_),
-      layout_stale_(other.layout_stale_),
-      rebuild_(other.rebuild_),
-      state_stale_(other.state_stale_),
-      state_nodes_(other.state_nodes_),
-      layout_(other.layout_),
-      torsion_(other.torsion_),
-      counted_(other.counted_),
-      dependence_(other.dependence_),
-      state_(other.state_) {
-    for (const auto& group : other.groups_) groups_.push_back(group->clone());
-}
+ANCF_INLINE Scene::Scene(const Scene& other) = default;
 
 ANCF_INLINE Scene::Scene(Scene&& other) noexcept : dimension_(other.dimension_) {
     swap(other);
@@ -66,30 +38,7 @@ ANCF_INLINE Scene& Scene::operator=(Scene&& other) {
     return *this;
 }
 
-ANCF_INLINE void Scene::swap(Scene& other) noexcept {
-    std::swap(initial_, other.initial_);
-    std::swap(groups_, other.groups_);
-    std::swap(supports_, other.supports_);
-    std::swap(support_before_, other.support_before_);
-    std::swap(loads_, other.loads_);
-    std::swap(constraints_, other.constraints_);
-    std::swap(attachments_, other.attachments_);
-    std::swap(attachment_before_, other.attachment_before_);
-    std::swap(masses_, other.masses_);
-    std::swap(gravity_, other.gravity_);
-    std::swap(gravity_amplitude_, other.gravity_amplitude_);
-    std::swap(exchange_, other.exchange_);
-    std::swap(revision_, other.revision_);
-    std::swap(layout_stale_, other.layout_stale_);
-    std::swap(rebuild_, other.rebuild_);
-    std::swap(state_stale_, other.state_stale_);
-    std::swap(state_nodes_, other.state_nodes_);
-    std::swap(layout_, other.layout_);
-    std::swap(torsion_, other.torsion_);
-    std::swap(counted_, other.counted_);
-    std::swap(dependence_, other.dependence_);
-    std::swap(state_, other.state_);
-}
+ANCF_INLINE void Scene::swap(Scene& other) noexcept { std::swap<SceneContents>(*this, other); }
 
 ANCF_INLINE std::unique_ptr<Scene> Scene::part(
     const ScenePart& held, std::shared_ptr<const detail::Exchange> exchange) const {

@@ -12,12 +12,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <ostream>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 

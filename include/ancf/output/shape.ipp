@@ -7,14 +7,11 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/error.hpp>
 #include <ancf/output/csv.hpp>
 #include <ancf/output/shape.hpp>
 
-#include <cstddef>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace ancf {
 

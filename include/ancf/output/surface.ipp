@@ -10,9 +10,6 @@
 #include <ancf/error.hpp>
 #include <ancf/output/surface.hpp>
 
-#include <cstddef>
-#include <vector>
-
 namespace ancf {
 
 ANCF_INLINE Surface::Surface() {

@@ -10,25 +10,12 @@
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/state.hpp>
 #include <ancf/output/time_series.hpp>
 
 #include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace ancf {
-
-namespace detail {
-
-ANCF_INLINE std::vector<std::string> reaction_parts() {
-    return {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
-}
-
-}  // namespace detail
 
 ANCF_INLINE TimeSeries::TimeSeries(std::ostream& out, const Scene& model)
     : out_(out), model_(model) {}
@@ -54,9 +41,10 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, int constraint,
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
     detail::require(found, "TimeSeries: ", held.name(), " does not hold node ", node.index);
-    add(name, detail::reaction_parts(), [this, node, constraint](const State& state, Values& row) {
-        append_force(node, state, constraint_force(constraint, state), row);
-    });
+    add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"},
+        [this, node, constraint](const State& state, Values& row) {
+            append_force(node, state, constraint_force(constraint, state), row);
+        });
 }
 
 ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem& problem,
@@ -70,9 +58,10 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem&
         if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
     };
-    add(name, detail::reaction_parts(), [this, node](const State& state, Values& row) {
-        append_force(node, state, support_force_, row);
-    });
+    add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"},
+        [this, node](const State& state, Values& row) {
+            append_force(node, state, support_force_, row);
+        });
 }
 
 /// Returns -G^T lambda of one constraint, of all coordinates.

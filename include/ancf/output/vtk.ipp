@@ -11,18 +11,13 @@
 #include <ancf/output/csv.hpp>
 #include <ancf/output/vtk.hpp>
 
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <ios>
 #include <locale>
 #include <ostream>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace ancf {
 

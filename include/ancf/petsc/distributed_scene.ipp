@@ -98,9 +98,7 @@ ANCF_INLINE void DistributedScene::write_vtk(const std::filesystem::path& file,
 
 // Calls a function that says whether to go on; one process that says no, or throws, ends all.
 ANCF_INLINE bool DistributedScene::all_go_on(const std::function<bool()>& call) const {
-    bool goes_on = true;
-    ancf::detail::together(partition_.get(), [&] { goes_on = call(); });
-    return partition_->largest(goes_on ? 0.0 : 1.0) == 0.0;
+    return ancf::detail::largest_of(*partition_, [&] { return call() ? 0.0 : 1.0; }) == 0.0;
 }
 
 // Gives a fault its element's number in the whole scene, and every process the texts of the first

@@ -18,7 +18,6 @@
 
 #include <petscsf.h>
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

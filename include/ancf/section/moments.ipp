@@ -9,7 +9,6 @@
 #include <ancf/compiler.hpp>
 #include <ancf/error.hpp>
 #include <ancf/section/moments.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 

@@ -9,8 +9,6 @@
 #include <ancf/error.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
-#include <ancf/solver/block_tridiagonal_layout.hpp>
-#include <ancf/solver/direct_solver.hpp>
 
 namespace ancf {
 

@@ -14,7 +14,6 @@
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/fixed_column.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -23,10 +23,29 @@ public:
     explicit ComplexBorderedChain(std::unique_ptr<ComplexSolver> general)
         : general_(std::move(general)) {}
 
-    ANCF_INLINE_VIRTUAL void analyze(const SparseMatrix& pattern) override;
-    [[nodiscard]] ANCF_INLINE_VIRTUAL Status
-    factorize(const std::vector<std::complex<double>>& values) override;
-    ANCF_INLINE_VIRTUAL void solve(ComplexVectorX& b) const override;
+    void analyze(const SparseMatrix& pattern) override {
+        require_storage(name(), pattern, Storage::full);
+        is_chain_ = factors_.analyze(pattern);
+        require(is_chain_ || general_, name(), " has no general solver: see complex_solver_for");
+        by_chain_ = analysed_ = false;
+        pattern_ = pattern;
+    }
+
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+        by_chain_ =
+            is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
+        if (by_chain_) return Status::converged;
+        if (!general_) return Status::singular;
+        if (!analysed_) general_->analyze(pattern_);
+        analysed_ = true;
+        return general_->factorize(values);
+    }
+
+    void solve(ComplexVectorX& b) const override {
+        require(by_chain_ || analysed_, name(), " has no factorisation");
+        by_chain_ ? factors_.solve(b.data()) : general_->solve(b);
+    }
+
     [[nodiscard]] std::string_view name() const noexcept override {
         return is_chain_ || !general_ ? "complex bordered-chain" : general_->name();
     }
@@ -41,30 +60,6 @@ private:
     bool is_chain_ = false, by_chain_ = false;
     bool analysed_ = false;  // by the general solver
 };
-
-ANCF_INLINE void ComplexBorderedChain::analyze(const SparseMatrix& pattern) {
-    require_storage(name(), pattern, Storage::full);
-    is_chain_ = factors_.analyze(pattern);
-    require(is_chain_ || general_, name(), " has no general solver: see complex_solver_for");
-    by_chain_ = analysed_ = false;
-    pattern_ = pattern;
-}
-
-ANCF_INLINE Status
-ComplexBorderedChain::factorize(const std::vector<std::complex<double>>& values) {
-    by_chain_ =
-        is_chain_ && values.size() == factors_.entries() && factors_.factorize(values.data());
-    if (by_chain_) return Status::converged;
-    if (!general_) return Status::singular;
-    if (!analysed_) general_->analyze(pattern_);
-    analysed_ = true;
-    return general_->factorize(values);
-}
-
-ANCF_INLINE void ComplexBorderedChain::solve(ComplexVectorX& b) const {
-    require(by_chain_ || analysed_, name(), " has no factorisation");
-    by_chain_ ? factors_.solve(b.data()) : general_->solve(b);
-}
 
 }  // namespace detail
 

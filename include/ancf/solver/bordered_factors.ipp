@@ -6,15 +6,12 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
-#include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/bordered_factors.hpp>
 #include <ancf/solver/direct_solver.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 

@@ -8,7 +8,6 @@
 
 #include <ancf/error.hpp>
 #include <ancf/solver/block_tridiagonal_kernel.hpp>
-#include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/solver/complex_block_tridiagonal.hpp>
 #include <ancf/solver/linear_solver.hpp>
 

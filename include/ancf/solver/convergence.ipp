@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>

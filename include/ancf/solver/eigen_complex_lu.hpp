@@ -8,12 +8,12 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <Eigen/OrderingMethods>
 
 #include <complex>
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -43,12 +43,9 @@ public:
 
 private:
     struct Factors;  // Eigen's class and its matrix
-    struct Free {
-        void operator()(Factors* factors) const noexcept;
-    };
 
     Storage storage_;
-    std::unique_ptr<Factors, Free> factors_;
+    detail::Hidden<Factors> factors_{nullptr, nullptr};
 };
 
 /// The factorisation of any complex square matrix, columns ordered by COLAMD.

@@ -9,7 +9,6 @@
 #include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/solver/eigen_complex_lu.hpp>
-#include <ancf/solver/linear_solver.hpp>
 
 #include <Eigen/SparseLU>
 
@@ -32,14 +31,9 @@ struct BasicEigenComplexLu<Ordering>::Factors {
 };
 
 template <class Ordering>
-void BasicEigenComplexLu<Ordering>::Free::operator()(Factors* factors) const noexcept {
-    delete factors;
-}
-
-template <class Ordering>
 void BasicEigenComplexLu<Ordering>::analyze(const SparseMatrix& pattern) {
     detail::require_storage(name(), pattern, storage_);
-    factors_.reset(new Factors);
+    factors_ = detail::hidden<Factors>();
     factors_->magnitudes = pattern;
     // column by column the places of both halves: rows ascend, as mirror images come first
     const auto size = static_cast<std::size_t>(pattern.cols());

@@ -12,7 +12,6 @@
 
 #include <Eigen/OrderingMethods>
 
-#include <memory>
 #include <string_view>
 
 namespace ancf {
@@ -40,15 +39,12 @@ public:
 
 private:
     struct Factors;  // Eigen's class
-    struct Free {
-        void operator()(Factors* factors) const noexcept;
-    };
 
     void analyze_pattern(const SparseMatrix& lower) override;
     [[nodiscard]] FactorReport factorize_values(const SparseMatrix& lower) override;
     void substitute(const VectorX& b, VectorX& x) const override;
 
-    std::unique_ptr<Factors, Free> ldlt_;
+    detail::Hidden<Factors> ldlt_{nullptr, nullptr};
 };
 
 /// The factorisation of a symmetric matrix, ordered by minimum degree.

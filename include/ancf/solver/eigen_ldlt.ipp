@@ -18,13 +18,8 @@ struct BasicEigenLdlt<Ordering>::Factors
     : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering> {};
 
 template <class Ordering>
-void BasicEigenLdlt<Ordering>::Free::operator()(Factors* factors) const noexcept {
-    delete factors;
-}
-
-template <class Ordering>
 void BasicEigenLdlt<Ordering>::analyze_pattern(const SparseMatrix& lower) {
-    ldlt_.reset(new Factors);
+    ldlt_ = detail::hidden<Factors>();
     ldlt_->analyzePattern(lower);
 }
 

@@ -12,7 +12,6 @@
 
 #include <Eigen/OrderingMethods>
 
-#include <memory>
 #include <string_view>
 
 namespace ancf {
@@ -37,15 +36,12 @@ public:
 
 private:
     struct Factors;  // Eigen's class
-    struct Free {
-        void operator()(Factors* factors) const noexcept;
-    };
 
     void analyze_pattern(const SparseMatrix& matrix) override;
     [[nodiscard]] FactorReport factorize_values(const SparseMatrix& matrix) override;
     void substitute(const VectorX& b, VectorX& x) const override;
 
-    std::unique_ptr<Factors, Free> lu_;
+    detail::Hidden<Factors> lu_{nullptr, nullptr};
     SparseMatrix scaled_;
     VectorX row_scale_;
 };

@@ -17,13 +17,8 @@ template <class Ordering>
 struct BasicEigenLu<Ordering>::Factors : Eigen::SparseLU<SparseMatrix, Ordering> {};
 
 template <class Ordering>
-void BasicEigenLu<Ordering>::Free::operator()(Factors* factors) const noexcept {
-    delete factors;
-}
-
-template <class Ordering>
 void BasicEigenLu<Ordering>::analyze_pattern(const SparseMatrix& matrix) {
-    lu_.reset(new Factors);
+    lu_ = detail::hidden<Factors>();
     scaled_ = matrix;
     lu_->analyzePattern(scaled_);
 }

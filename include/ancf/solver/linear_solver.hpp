@@ -112,6 +112,16 @@ namespace detail {
 /// @throws InvalidArgument where the solver gives another number of entries than b has.
 void solve_with(const LinearSolver& solver, const VectorX& b, VectorX& x);
 
+/// Owns what is complete only where hidden() makes it.
+template <class T>
+using Hidden = std::unique_ptr<T, void (*)(const T*)>;
+
+/// Makes such an object.
+template <class T, class... Arguments>
+[[nodiscard]] Hidden<T> hidden(const Arguments&... arguments) {
+    return {new T(arguments...), [](const T* object) { delete object; }};
+}
+
 /// Throws unless the matrix is square, compressed, sorted, and of the storage asked for.
 void require_storage(std::string_view solver, const SparseMatrix& matrix, Storage storage);
 
@@ -121,13 +131,6 @@ void require_storage(std::string_view solver, const SparseMatrix& matrix, Storag
 /// solver that was moved from starts again.
 class SolverStage {
 public:
-    SolverStage() = default;
-    SolverStage(const SolverStage&) = default;
-    SolverStage& operator=(const SolverStage&) = default;
-    SolverStage(SolverStage&& other) noexcept;
-    SolverStage& operator=(SolverStage&& other) noexcept;
-    ~SolverStage() = default;
-
     void reset() noexcept;
 
     void analysed(const SparseMatrix& matrix);

@@ -10,7 +10,6 @@
 #include <ancf/solver/linear_solver.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace ancf::detail {
 
@@ -38,18 +37,6 @@ ANCF_INLINE void require_storage(std::string_view solver, const SparseMatrix& ma
                     ", column ", column);
         }
     }
-}
-
-ANCF_INLINE SolverStage::SolverStage(SolverStage&& other) noexcept
-    : columns_(std::move(other.columns_)), factorised_(std::exchange(other.factorised_, false)) {
-    other.columns_.clear();
-}
-
-ANCF_INLINE SolverStage& SolverStage::operator=(SolverStage&& other) noexcept {
-    columns_.swap(other.columns_);
-    factorised_ = other.factorised_;
-    other.reset();
-    return *this;
 }
 
 ANCF_INLINE void SolverStage::reset() noexcept {
@@ -84,7 +71,8 @@ ANCF_INLINE const FactorReport& SolverStage::finished(const FactorReport& report
 }
 
 ANCF_INLINE void SolverStage::require_solvable(std::string_view solver, const VectorX& b) const {
-    require(factorised_, solver, ": solve needs a factorisation that converged");
+    require(factorised_ && !columns_.empty(), solver,
+            ": solve needs a factorisation that converged");
     require(b.size() == size(), solver, " factorised a matrix of ", size(), " x ", size(),
             ", got a right-hand side of ", b.size());
 }

@@ -7,20 +7,13 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/assembly/assembly.hpp>
-#include <ancf/error.hpp>
-#include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
-#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/modal.hpp>
 #include <ancf/solver/subspace.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace ancf {

@@ -7,22 +7,14 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
-#include <ancf/assembly/assembly.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
-#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/path.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace ancf {

@@ -64,9 +64,6 @@ public:
 
 private:
     class Session;  // the state of CHOLMOD
-    struct Finish {
-        void operator()(Session* session) const noexcept;
-    };
 
     ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& lower) override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
@@ -74,7 +71,7 @@ private:
     ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     CholmodOptions options_;
-    std::unique_ptr<Session, Finish> session_;
+    ancf::detail::Hidden<Session> session_{nullptr, nullptr};
 };
 
 }  // namespace ancf::suitesparse

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/error.hpp>
-#include <ancf/solver/direct_solver.hpp>
 #include <ancf/suitesparse/cholmod.hpp>
 
 #include <cholmod.h>
@@ -156,14 +155,12 @@ private:
     Dense x_, y_, e_;
 };
 
-ANCF_INLINE void Cholmod::Finish::operator()(Session* session) const noexcept { delete session; }
-
 ANCF_INLINE bool Cholmod::supernodal() const noexcept {
     return session_ && session_->factor() != nullptr && session_->factor()->is_super != 0;
 }
 
 ANCF_INLINE void Cholmod::analyze_pattern(const SparseMatrix& lower) {
-    session_.reset(new Session);
+    session_ = ancf::detail::hidden<Session>();
     detail::configure(options_, session_->common());
     cholmod_sparse matrix = detail::view(lower);
     session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));

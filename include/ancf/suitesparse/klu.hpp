@@ -46,9 +46,6 @@ public:
 
 private:
     struct Session;  // the state of KLU
-    struct Finish {
-        void operator()(Session* session) const noexcept;
-    };
 
     ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& matrix) override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
@@ -56,7 +53,7 @@ private:
     ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     KluOptions options_;
-    std::unique_ptr<Session, Finish> session_;
+    ancf::detail::Hidden<Session> session_{nullptr, nullptr};
 };
 
 }  // namespace ancf::suitesparse

@@ -100,8 +100,6 @@ struct Klu::Session : detail::KluFactors<double> {
     using KluFactors::KluFactors;
 };
 
-ANCF_INLINE void Klu::Finish::operator()(Session* session) const noexcept { delete session; }
-
 ANCF_INLINE Klu::Klu(const KluOptions& options)
     : DirectSolver(options.singular_rcond), options_(options) {
     ancf::detail::require(options.pivot_tolerance > 0.0 && options.pivot_tolerance <= 1.0,
@@ -109,7 +107,7 @@ ANCF_INLINE Klu::Klu(const KluOptions& options)
 }
 
 ANCF_INLINE void Klu::analyze_pattern(const SparseMatrix& matrix) {
-    session_.reset(new Session(options_.pivot_tolerance));
+    session_ = ancf::detail::hidden<Session>(options_.pivot_tolerance);
     session_->analyze(matrix);
 }
 

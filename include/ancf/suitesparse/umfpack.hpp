@@ -42,9 +42,6 @@ public:
 
 private:
     struct Session;  // the state of UMFPACK
-    struct Finish {
-        void operator()(Session* session) const noexcept;
-    };
 
     ANCF_INLINE_VIRTUAL void analyze_pattern(const SparseMatrix& matrix) override;
     [[nodiscard]] ANCF_INLINE_VIRTUAL FactorReport
@@ -52,7 +49,7 @@ private:
     ANCF_INLINE_VIRTUAL void substitute(const VectorX& b, VectorX& x) const override;
 
     UmfpackOptions options_;
-    std::unique_ptr<Session, Finish> session_;
+    ancf::detail::Hidden<Session> session_{nullptr, nullptr};
 };
 
 }  // namespace ancf::suitesparse

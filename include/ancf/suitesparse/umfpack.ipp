@@ -115,8 +115,6 @@ struct Umfpack::Session : detail::UmfpackFactors<double> {
     using UmfpackFactors::UmfpackFactors;
 };
 
-ANCF_INLINE void Umfpack::Finish::operator()(Session* session) const noexcept { delete session; }
-
 ANCF_INLINE Umfpack::Umfpack(const UmfpackOptions& options)
     : DirectSolver(options.singular_rcond), options_(options) {
     ancf::detail::require(options.refinement_steps >= 0,
@@ -124,7 +122,7 @@ ANCF_INLINE Umfpack::Umfpack(const UmfpackOptions& options)
 }
 
 ANCF_INLINE void Umfpack::analyze_pattern(const SparseMatrix& matrix) {
-    session_.reset(new Session(options_.refinement_steps));
+    session_ = ancf::detail::hidden<Session>(options_.refinement_steps);
     session_->analyze(matrix);
 }
 

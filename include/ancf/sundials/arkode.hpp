@@ -72,10 +72,7 @@ struct Arkode {
     return table == Table::bogacki_shampine || table == Table::dormand_prince;
 }
 
-struct DestroyArkode {
-    void operator()(void* arkode) const noexcept { Arkode::free(&arkode); }
-};
-using ArkodeOwner = std::unique_ptr<void, DestroyArkode>;  ///< owns the memory of ARKODE
+using ArkodeOwner = std::unique_ptr<void, Destroy<Arkode::free>>;  ///< owns the memory of ARKODE
 
 /// Returns an object of ERKStep whose messages go to the context.
 [[nodiscard]] inline ArkodeOwner make_erk(Context& context, ARKRhsFn rate, double time,

@@ -88,35 +88,32 @@ template <class Index = sunindextype>
     return static_cast<Index>(count);
 }
 
-struct DestroyVector {
-    void operator()(N_Vector vector) const noexcept { N_VDestroy(vector); }
-};
-struct DestroyMatrix {
-    void operator()(SUNMatrix matrix) const noexcept { SUNMatDestroy(matrix); }
-};
-struct DestroyLinearSolver {
-    void operator()(SUNLinearSolver solver) const noexcept { SUNLinSolFree(solver); }
-};
-struct DestroyNewton {
-    void operator()(SUNNonlinearSolver newton) const noexcept { SUNNonlinSolFree(newton); }
-};
-struct DestroyIda {
-    void operator()(void* ida) const noexcept { IDAFree(&ida); }
+/// Frees an object by a function that takes its handle, or the address of that.
+template <auto Free>
+struct Destroy {
+    template <class Handle>
+    void operator()(Handle handle) const noexcept {
+        if constexpr (std::is_same_v<Handle, void*>)
+            Free(&handle);
+        else
+            Free(handle);
+    }
 };
 
 }  // namespace detail
 
 /// Owns an N_Vector.
-using VectorOwner = std::unique_ptr<std::remove_pointer_t<N_Vector>, detail::DestroyVector>;
+using VectorOwner = std::unique_ptr<std::remove_pointer_t<N_Vector>, detail::Destroy<N_VDestroy>>;
 /// Owns a SUNMatrix.
-using MatrixOwner = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, detail::DestroyMatrix>;
+using MatrixOwner =
+    std::unique_ptr<std::remove_pointer_t<SUNMatrix>, detail::Destroy<SUNMatDestroy>>;
 /// Owns a SUNLinearSolver.
 using LinearSolverOwner =
-    std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, detail::DestroyLinearSolver>;
+    std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, detail::Destroy<SUNLinSolFree>>;
 /// Owns Newton's method of SUNDIALS.
 using NewtonOwner =
-    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, detail::DestroyNewton>;
-using IdaOwner = std::unique_ptr<void, detail::DestroyIda>;  ///< owns the memory of IDA
+    std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, detail::Destroy<SUNNonlinSolFree>>;
+using IdaOwner = std::unique_ptr<void, detail::Destroy<IDAFree>>;  ///< owns the memory of IDA
 
 /// Returns a vector of zeros.
 /// @throws InvalidArgument where SUNDIALS cannot count so far: see checked_index

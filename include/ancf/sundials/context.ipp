@@ -13,9 +13,7 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <new>
-#include <string>
 
 namespace ancf::sundials {
 namespace detail {

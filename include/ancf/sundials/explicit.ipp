@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/sundials/arkode.hpp>
 #include <ancf/sundials/explicit.hpp>
@@ -42,18 +41,61 @@ class ExplicitSystem : public SceneCalls {
 public:
     /// @pre problem.start() has converged; no multipliers.
     /// @param every  steps between two estimates of the stable one.
-    ExplicitSystem(DynamicProblem& problem, Reach reach, int every);
+    ExplicitSystem(DynamicProblem& problem, Reach reach, int every)
+        : SceneCalls(problem),
+          reach_(reach),
+          every_(every),
+          stable_step_(std::numeric_limits<double>::infinity()) {}
 
     [[nodiscard]] Eigen::Index size() const noexcept { return 2 * static_cast<Eigen::Index>(n_); }
 
-    static int rate(sunrealtype t, N_Vector y, N_Vector dy, void* self) noexcept;
-    static int stability(N_Vector y, sunrealtype t, sunrealtype* step, void* self) noexcept;
+    static int rate(sunrealtype t, N_Vector y, N_Vector dy, void* self) noexcept {
+        auto& system = *static_cast<ExplicitSystem*>(self);
+        return system.guarded([&] {
+            const auto at = view(y);
+            auto out = view(dy);
+            system.q_ = system.q(at);
+            system.v_ = system.v(at);
+            ++system.evaluations_;
+            if (!system.evaluate(t, system.none_, Request::force)) return recoverable;
+            system.problem_.solve_mass(system.problem_.force(), system.acceleration_);
+            system.q(out) = system.v_;
+            system.v(out) = -system.acceleration_;
+            return good;
+        });
+    }
+
+    static int stability(N_Vector y, sunrealtype t, sunrealtype* step, void* self) noexcept {
+        auto& system = *static_cast<ExplicitSystem*>(self);
+        return system.guarded([&] {
+            if (++system.since_ >= system.every_) {
+                const auto at = view(y);
+                system.q_ = system.q(at);
+                system.v_ = system.v(at);
+                system.estimate(t, system.q_, system.v_);
+            }
+            *step = std::isfinite(system.stable_step_) ? system.stable_step_ : 0.0;  // 0: no limit
+            return good;
+        });
+    }
 
     /// Estimates the longest stable step from the largest eigenvalues of M^-1 K and M^-1 D.
     ///
     /// Every eigenvalue mu of the linearised system has |mu| <= d/2 + sqrt(d^2/4 + w^2), with w^2
     /// and d those of M^-1 K and M^-1 D. Where an element fails the last estimate stays.
-    void estimate(double t, const VectorX& q, const VectorX& v);
+    void estimate(double t, const VectorX& q, const VectorX& v) {
+        since_ = 0;
+        ++estimates_;
+        if (problem_.evaluate(t, q, v, none_, request_)) return;
+        frequency_ = std::sqrt(problem_.largest_eigenvalue(problem_.tangent(), stiffest_));
+        const double damping =
+            request_ == Request::tangent
+                ? 0.0
+                : 0.5 * problem_.largest_eigenvalue(problem_.damping(), most_damped_);
+        const bool damped = damping > 1e-3 * frequency_;
+        const double fastest = damping + std::sqrt(damping * damping + frequency_ * frequency_);
+        stable_step_ = (damped ? reach_.disc : reach_.axis) / fastest;
+    }
 
     [[nodiscard]] double stable_step() const noexcept { return stable_step_; }  ///< s
     [[nodiscard]] double frequency() const noexcept { return frequency_; }      ///< rad/s
@@ -70,79 +112,236 @@ private:
     long evaluations_ = 0, estimates_ = 0;
 };
 
-ANCF_INLINE ExplicitSystem::ExplicitSystem(DynamicProblem& problem, Reach reach, int every)
-    : SceneCalls(problem),
-      reach_(reach),
-      every_(every),
-      stable_step_(std::numeric_limits<double>::infinity()) {}
-
-ANCF_INLINE int ExplicitSystem::rate(sunrealtype t, N_Vector y, N_Vector dy, void* self) noexcept {
-    auto& system = *static_cast<ExplicitSystem*>(self);
-    return system.guarded([&] {
-        const auto at = view(y);
-        auto out = view(dy);
-        system.q_ = system.q(at);
-        system.v_ = system.v(at);
-        ++system.evaluations_;
-        if (!system.evaluate(t, system.none_, Request::force)) return recoverable;
-        system.problem_.solve_mass(system.problem_.force(), system.acceleration_);
-        system.q(out) = system.v_;
-        system.v(out) = -system.acceleration_;
-        return good;
-    });
-}
-
-ANCF_INLINE int ExplicitSystem::stability(N_Vector y, sunrealtype t, sunrealtype* step,
-                                          void* self) noexcept {
-    auto& system = *static_cast<ExplicitSystem*>(self);
-    return system.guarded([&] {
-        if (++system.since_ >= system.every_) {
-            const auto at = view(y);
-            system.q_ = system.q(at);
-            system.v_ = system.v(at);
-            system.estimate(t, system.q_, system.v_);
-        }
-        *step = std::isfinite(system.stable_step_) ? system.stable_step_ : 0.0;  // 0: no limit
-        return good;
-    });
-}
-
-ANCF_INLINE void ExplicitSystem::estimate(double t, const VectorX& q, const VectorX& v) {
-    since_ = 0;
-    ++estimates_;
-    if (problem_.evaluate(t, q, v, none_, request_)) return;
-    frequency_ = std::sqrt(problem_.largest_eigenvalue(problem_.tangent(), stiffest_));
-    const double damping =
-        request_ == Request::tangent
-            ? 0.0
-            : 0.5 * problem_.largest_eigenvalue(problem_.damping(), most_damped_);
-    const bool damped = damping > 1e-3 * frequency_;
-    const double fastest = damping + std::sqrt(damping * damping + frequency_ * frequency_);
-    stable_step_ = (damped ? reach_.disc : reach_.axis) / fastest;
-}
-
 /// One run: ARKODE's objects, the system, and what is reported.
 class ExplicitRun : SteppedRun {
 public:
-    ExplicitRun(DynamicProblem& problem, const Schedule& schedule, const ExplicitOptions& options);
+    ExplicitRun(DynamicProblem& problem, const Schedule& schedule, const ExplicitOptions& options)
+        : SteppedRun("Explicit", &arkode_code_name, problem, schedule, options.follow_energy,
+                     report_),
+          options_(options),
+          system_(problem, reach_of(options.table), options.stable_interval),
+          y_(make_vector(context_, system_.size())),
+          tolerances_(make_vector(context_, system_.size())),
+          dense_(make_vector(context_, system_.size())) {}
 
-    ExplicitReport run();
+    ExplicitReport run() {
+        if (!starts()) return std::move(report_);
+        set_up();
+        a_ = start_.acceleration;
+        recorder_.start(now_);
+        if (is_feasible())
+            while (now_.time < schedule_.end && step()) {
+            }
+        if (is_fixed() && report_.fault) {  // it may be what steps above the stable one lead to
+            system_.estimate(now_.time, now_.q, now_.v);
+            const std::string reason = instability();
+            if (!reason.empty()) report_.message += (report_.message.empty() ? "" : "; ") + reason;
+        }
+        Arkode::error_failures(erk_.get(), &report_.rejected);
+        Arkode::limited_steps(erk_.get(), &report_.limited);
+        report_.rejected += earlier_rejected_;
+        report_.limited += earlier_limited_;
+        report_.evaluations += system_.evaluations();
+        report_.jacobians = system_.estimates();
+        report_.highest_frequency = system_.frequency();
+        report_.stable_step = system_.stable_step();
+        if (ran_) report_.code = arkode_code_name(code_);
+        recorder_.finish(now_);
+        return std::move(report_);
+    }
 
 private:
     [[nodiscard]] bool is_fixed() const noexcept { return options_.step > 0.0; }
-    void set_up();
-    void set_tolerances();
-    void set_steps();
-    [[nodiscard]] bool is_feasible();
-    [[nodiscard]] bool is_stable();
-    [[nodiscard]] bool remains_stable();
-    [[nodiscard]] std::string instability() const;
-    [[nodiscard]] bool step();
-    [[nodiscard]] int evolve(double& reached);
-    void restart(double step);
-    void take_state(double time);
-    [[nodiscard]] MotionPoint between(double time) const;
-    bool fail(int code);
+
+    void set_up() {
+        auto y = view(y_.get());
+        system_.q(y) = start_.q;
+        system_.v(y) = start_.v;
+        erk_ = make_erk(context_, &ExplicitSystem::rate, start_.time, y_.get());
+        revision_ = problem_.model().revision();
+        system_.estimate(start_.time, start_.q, start_.v);
+        void* erk = erk_.get();
+        call(Arkode::set_user_data(erk, &system_));
+        call(ERKStepSetTableNum(erk, table_id(options_.table)));
+        call(Arkode::set_degree(erk,
+                                3));  // of what gives the accelerations; more asks for more forces
+#if SUNDIALS_VERSION_MAJOR < 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR < 1)
+        // Before 7.1 every table whose last stage is at the step's end has it taken for the first
+        // one of the next step, which lowers the order to three; after a step that was processed it
+        // is not.
+        if (!is_first_same_as_last(options_.table))
+            call(Arkode::set_after_step(erk, [](sunrealtype, N_Vector, void*) { return 0; }));
+#endif
+        set_tolerances();
+        set_steps();
+    }
+
+    void set_tolerances() {
+        double length = options_.length_scale;
+        if (length == 0.0) length = problem_.length_scale();
+        double velocity = options_.velocity_scale;
+        if (velocity == 0.0) velocity = velocity_scale(length, slow_frequency());
+        VectorX sizes;
+        problem_.numbering().gather_free(problem_.scales_of(length), sizes);
+        auto absolute = view(tolerances_.get());
+        system_.q(absolute) = options_.tolerance * sizes;
+        system_.v(absolute) = options_.tolerance * velocity / length * sizes;
+        call(Arkode::set_tolerances(erk_.get(), options_.tolerance, tolerances_.get()));
+    }
+
+    void set_steps() {
+        void* erk = erk_.get();
+        const double duration = schedule_.end - start_.time;
+        call(Arkode::set_stop_time(erk, schedule_.end));
+        if (is_fixed()) {
+            fixed_step_ = duration / std::max(1.0, std::ceil(duration / options_.step - 1e-9));
+            if (duration > 0.0) call(Arkode::set_fixed_step(erk, fixed_step_));
+            return;
+        }
+        call(Arkode::set_stability(erk, &ExplicitSystem::stability, &system_));
+        call(Arkode::set_stable_share(erk, options_.stable_share));
+        call(
+            Arkode::set_kept_steps(erk, 1.0, 1.0));  // a step just below the stable one grows to it
+        double first = options_.first_step;
+        if (first == 0.0) first = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
+        first = std::min(first, options_.stable_share * system_.stable_step());
+        if (options_.max_step > 0.0) first = std::min(first, options_.max_step);
+        if (first > 0.0) call(Arkode::set_first_step(erk, first));
+        call(Arkode::set_min_step(erk, least_step()));
+        if (options_.max_step > 0.0) call(Arkode::set_max_step(erk, options_.max_step));
+    }
+
+    // Whether the steps that stability allows reach the end.
+    [[nodiscard]] bool is_feasible() {
+        if (is_fixed()) return is_stable();
+        const double most = options_.stable_share * system_.stable_step();
+        const double needed = (schedule_.end - now_.time) / most;
+        if (options_.max_steps == 0 || needed <= static_cast<double>(options_.max_steps))
+            return true;
+        return end(
+            Status::max_iterations,
+            ancf::detail::joined(
+                {"a stable step is ", most, " s long, as the scene vibrates at up to ",
+                 system_.frequency(), " rad/s: that makes ", needed, " steps, and max_steps is ",
+                 options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"},
+                6));
+    }
+
+    // Whether a fixed step is below the stable one; ends the run where it is not.
+    [[nodiscard]] bool is_stable() {
+        std::string reason = instability();
+        return reason.empty() || end(Status::diverged, std::move(reason));
+    }
+
+    // Estimates the stable step anew where the run goes on in a scene that an observer has changed
+    // and, of fixed steps, from time to time and at the end; ends the run where a fixed step is
+    // above it.
+    [[nodiscard]] bool remains_stable() {
+        const bool ends = now_.time >= schedule_.end;
+        const bool changed = !(problem_.model().revision() == revision_);
+        const bool due = is_fixed() && (ends || report_.steps % options_.stable_interval == 0);
+        const bool wanted = changed ? !ends : due;
+        if (!wanted) return true;
+        revision_ = problem_.model().revision();
+        system_.estimate(now_.time, now_.q, now_.v);
+        return !is_fixed() || is_stable();
+    }
+
+    // Returns that a fixed step is above the stable one; empty where it is not.
+    [[nodiscard]] std::string instability() const {
+        if (fixed_step_ <= system_.stable_step()) return {};
+        return ancf::detail::joined(
+            {"the fixed step of ", fixed_step_, " s is above the stable one of ",
+             system_.stable_step(), " s at ", now_.time, " s"},
+            6);
+    }
+
+    // Takes one step and reports it; false where the run ends.
+    [[nodiscard]] bool step() {
+        if (options_.max_steps > 0 && report_.steps == options_.max_steps)
+            return fail(ARK_TOO_MUCH_WORK);
+        double reached = now_.time;
+        system_.forget_fault();
+        context_.forget_message();
+        ran_ = true;
+        code_ = evolve(reached);
+        if (code_ < 0) return fail(code_);
+        take_state(reached);
+        double length = 0.0;
+        Arkode::last_step(erk_.get(), &length);
+        return record(length, [this](double time) { return between(time); }) && remains_stable();
+    }
+
+    // Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
+    [[nodiscard]] int evolve(double& reached) {
+        constexpr int most = 12;
+        for (int attempt = 0;; ++attempt) {
+            const int code =
+                Arkode::evolve(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
+            system_.rethrow();
+            if (arkode_status(code) != Status::not_finite || is_fixed() || attempt == most)
+                return code;
+            double tried = 0.0;
+            Arkode::current_step(erk_.get(), &tried);
+            ++report_.convergence_failures;
+            restart(0.25 * tried);
+        }
+    }
+
+    // Begins anew at the last state with a step of its own.
+    void restart(double step) {
+        void* erk = erk_.get();
+        long count = 0;
+        Arkode::error_failures(erk, &count);
+        earlier_rejected_ += count;
+        Arkode::limited_steps(erk, &count);
+        earlier_limited_ += count;
+        auto y = view(y_.get());
+        system_.q(y) = now_.q;
+        system_.v(y) = now_.v;
+        call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
+        call(Arkode::set_stop_time(erk, schedule_.end));
+        call(Arkode::set_first_step(erk, step));
+    }
+
+    // Takes the end of a step into now_.
+    void take_state(double time) {
+        if (schedule_.observe) {
+            std::swap(from_, now_);
+            from_a_.swap(a_);
+            call(Arkode::derivative(erk_.get(), time, 1, dense_.get()));
+            a_ = system_.v(view(dense_.get()));
+        }
+        const auto y = view(y_.get());
+        now_.time = time;
+        now_.q = system_.q(y);
+        now_.v = system_.v(y);
+    }
+
+    // Quintic of q, v and a at both ends, and its derivative.
+    [[nodiscard]] MotionPoint between(double time) const {
+        const double h = now_.time - from_.time;
+        const double s = (time - from_.time) / h;
+        const double r = 1.0 - s;
+        const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
+        const double slope = 30.0 * s * s * r * r / h;
+        return {
+            time,
+            (1.0 - later) * from_.q + later * now_.q +
+                h * s * r * (r * r * (1.0 + 3.0 * s) * from_.v - s * s * (1.0 + 3.0 * r) * now_.v) +
+                0.5 * h * h * s * s * r * r * (r * from_a_ + s * a_),
+            slope * (now_.q - from_.q) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_.v +
+                s * s * (1.0 + r * (2.0 - 15.0 * r)) * now_.v +
+                0.5 * h * s * r * (r * (2.0 - 5.0 * s) * from_a_ - s * (2.0 - 5.0 * r) * a_),
+            {}};
+    }
+
+    bool fail(int code) {
+        // a fault in an attempt that ARKODE got over is not to blame
+        if (arkode_status(code) == Status::not_finite || code == ARK_CONV_FAILURE)
+            report_.fault = system_.fault();
+        return SteppedRun::fail(code, arkode_status(code), options_.max_steps);
+    }
 
     const ExplicitOptions& options_;
     ExplicitReport report_;
@@ -159,223 +358,6 @@ private:
     VectorX from_a_;
     long earlier_rejected_ = 0, earlier_limited_ = 0;  // before the last restart
 };
-
-ANCF_INLINE ExplicitRun::ExplicitRun(DynamicProblem& problem, const Schedule& schedule,
-                                     const ExplicitOptions& options)
-    : SteppedRun("Explicit", &arkode_code_name, problem, schedule, options.follow_energy, report_),
-      options_(options),
-      system_(problem, reach_of(options.table), options.stable_interval),
-      y_(make_vector(context_, system_.size())),
-      tolerances_(make_vector(context_, system_.size())),
-      dense_(make_vector(context_, system_.size())) {}
-
-ANCF_INLINE void ExplicitRun::set_up() {
-    auto y = view(y_.get());
-    system_.q(y) = start_.q;
-    system_.v(y) = start_.v;
-    erk_ = make_erk(context_, &ExplicitSystem::rate, start_.time, y_.get());
-    revision_ = problem_.model().revision();
-    system_.estimate(start_.time, start_.q, start_.v);
-    void* erk = erk_.get();
-    call(Arkode::set_user_data(erk, &system_));
-    call(ERKStepSetTableNum(erk, table_id(options_.table)));
-    call(Arkode::set_degree(erk, 3));  // of what gives the accelerations; more asks for more forces
-#if SUNDIALS_VERSION_MAJOR < 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR < 1)
-    // Before 7.1 every table whose last stage is at the step's end has it taken for the first one
-    // of the next step, which lowers the order to three; after a step that was processed it is not.
-    if (!is_first_same_as_last(options_.table))
-        call(Arkode::set_after_step(erk, [](sunrealtype, N_Vector, void*) { return 0; }));
-#endif
-    set_tolerances();
-    set_steps();
-}
-
-ANCF_INLINE void ExplicitRun::set_tolerances() {
-    double length = options_.length_scale;
-    if (length == 0.0) length = problem_.length_scale();
-    double velocity = options_.velocity_scale;
-    if (velocity == 0.0) velocity = velocity_scale(length, slow_frequency());
-    VectorX sizes;
-    problem_.numbering().gather_free(problem_.scales_of(length), sizes);
-    auto absolute = view(tolerances_.get());
-    system_.q(absolute) = options_.tolerance * sizes;
-    system_.v(absolute) = options_.tolerance * velocity / length * sizes;
-    call(Arkode::set_tolerances(erk_.get(), options_.tolerance, tolerances_.get()));
-}
-
-ANCF_INLINE void ExplicitRun::set_steps() {
-    void* erk = erk_.get();
-    const double duration = schedule_.end - start_.time;
-    call(Arkode::set_stop_time(erk, schedule_.end));
-    if (is_fixed()) {
-        fixed_step_ = duration / std::max(1.0, std::ceil(duration / options_.step - 1e-9));
-        if (duration > 0.0) call(Arkode::set_fixed_step(erk, fixed_step_));
-        return;
-    }
-    call(Arkode::set_stability(erk, &ExplicitSystem::stability, &system_));
-    call(Arkode::set_stable_share(erk, options_.stable_share));
-    call(Arkode::set_kept_steps(erk, 1.0, 1.0));  // a step just below the stable one grows to it
-    double first = options_.first_step;
-    if (first == 0.0) first = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
-    first = std::min(first, options_.stable_share * system_.stable_step());
-    if (options_.max_step > 0.0) first = std::min(first, options_.max_step);
-    if (first > 0.0) call(Arkode::set_first_step(erk, first));
-    call(Arkode::set_min_step(erk, least_step()));
-    if (options_.max_step > 0.0) call(Arkode::set_max_step(erk, options_.max_step));
-}
-
-ANCF_INLINE ExplicitReport ExplicitRun::run() {
-    if (!starts()) return std::move(report_);
-    set_up();
-    a_ = start_.acceleration;
-    recorder_.start(now_);
-    if (is_feasible())
-        while (now_.time < schedule_.end && step()) {
-        }
-    if (is_fixed() && report_.fault) {  // it may be what steps above the stable one lead to
-        system_.estimate(now_.time, now_.q, now_.v);
-        const std::string reason = instability();
-        if (!reason.empty()) report_.message += (report_.message.empty() ? "" : "; ") + reason;
-    }
-    Arkode::error_failures(erk_.get(), &report_.rejected);
-    Arkode::limited_steps(erk_.get(), &report_.limited);
-    report_.rejected += earlier_rejected_;
-    report_.limited += earlier_limited_;
-    report_.evaluations += system_.evaluations();
-    report_.jacobians = system_.estimates();
-    report_.highest_frequency = system_.frequency();
-    report_.stable_step = system_.stable_step();
-    if (ran_) report_.code = arkode_code_name(code_);
-    recorder_.finish(now_);
-    return std::move(report_);
-}
-
-// Whether the steps that stability allows reach the end.
-ANCF_INLINE bool ExplicitRun::is_feasible() {
-    if (is_fixed()) return is_stable();
-    const double most = options_.stable_share * system_.stable_step();
-    const double needed = (schedule_.end - now_.time) / most;
-    if (options_.max_steps == 0 || needed <= static_cast<double>(options_.max_steps)) return true;
-    return end(Status::max_iterations,
-               ancf::detail::joined(
-                   {"a stable step is ", most, " s long, as the scene vibrates at up to ",
-                    system_.frequency(), " rad/s: that makes ", needed, " steps, and max_steps is ",
-                    options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"},
-                   6));
-}
-
-// Whether a fixed step is below the stable one; ends the run where it is not.
-ANCF_INLINE bool ExplicitRun::is_stable() {
-    std::string reason = instability();
-    return reason.empty() || end(Status::diverged, std::move(reason));
-}
-
-// Estimates the stable step anew where the run goes on in a scene that an observer has changed and,
-// of fixed steps, from time to time and at the end; ends the run where a fixed step is above it.
-ANCF_INLINE bool ExplicitRun::remains_stable() {
-    const bool ends = now_.time >= schedule_.end;
-    const bool changed = !(problem_.model().revision() == revision_);
-    const bool due = is_fixed() && (ends || report_.steps % options_.stable_interval == 0);
-    const bool wanted = changed ? !ends : due;
-    if (!wanted) return true;
-    revision_ = problem_.model().revision();
-    system_.estimate(now_.time, now_.q, now_.v);
-    return !is_fixed() || is_stable();
-}
-
-// Returns that a fixed step is above the stable one; empty where it is not.
-ANCF_INLINE std::string ExplicitRun::instability() const {
-    if (fixed_step_ <= system_.stable_step()) return {};
-    return ancf::detail::joined(
-        {"the fixed step of ", fixed_step_, " s is above the stable one of ", system_.stable_step(),
-         " s at ", now_.time, " s"},
-        6);
-}
-
-// Takes one step and reports it; false where the run ends.
-ANCF_INLINE bool ExplicitRun::step() {
-    if (options_.max_steps > 0 && report_.steps == options_.max_steps)
-        return fail(ARK_TOO_MUCH_WORK);
-    double reached = now_.time;
-    system_.forget_fault();
-    context_.forget_message();
-    ran_ = true;
-    code_ = evolve(reached);
-    if (code_ < 0) return fail(code_);
-    take_state(reached);
-    double length = 0.0;
-    Arkode::last_step(erk_.get(), &length);
-    return record(length, [this](double time) { return between(time); }) && remains_stable();
-}
-
-// Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
-ANCF_INLINE int ExplicitRun::evolve(double& reached) {
-    constexpr int most = 12;
-    for (int attempt = 0;; ++attempt) {
-        const int code =
-            Arkode::evolve(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
-        system_.rethrow();
-        if (arkode_status(code) != Status::not_finite || is_fixed() || attempt == most) return code;
-        double tried = 0.0;
-        Arkode::current_step(erk_.get(), &tried);
-        ++report_.convergence_failures;
-        restart(0.25 * tried);
-    }
-}
-
-// Begins anew at the last state with a step of its own.
-ANCF_INLINE void ExplicitRun::restart(double step) {
-    void* erk = erk_.get();
-    long count = 0;
-    Arkode::error_failures(erk, &count);
-    earlier_rejected_ += count;
-    Arkode::limited_steps(erk, &count);
-    earlier_limited_ += count;
-    auto y = view(y_.get());
-    system_.q(y) = now_.q;
-    system_.v(y) = now_.v;
-    call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
-    call(Arkode::set_stop_time(erk, schedule_.end));
-    call(Arkode::set_first_step(erk, step));
-}
-
-// Takes the end of a step into now_.
-ANCF_INLINE void ExplicitRun::take_state(double time) {
-    if (schedule_.observe) {
-        std::swap(from_, now_);
-        from_a_.swap(a_);
-        call(Arkode::derivative(erk_.get(), time, 1, dense_.get()));
-        a_ = system_.v(view(dense_.get()));
-    }
-    const auto y = view(y_.get());
-    now_.time = time;
-    now_.q = system_.q(y);
-    now_.v = system_.v(y);
-}
-
-// Quintic of q, v and a at both ends, and its derivative.
-ANCF_INLINE ExplicitRun::MotionPoint ExplicitRun::between(double time) const {
-    const double h = now_.time - from_.time;
-    const double s = (time - from_.time) / h;
-    const double r = 1.0 - s;
-    const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-    const double slope = 30.0 * s * s * r * r / h;
-    return {time,
-            (1.0 - later) * from_.q + later * now_.q +
-                h * s * r * (r * r * (1.0 + 3.0 * s) * from_.v - s * s * (1.0 + 3.0 * r) * now_.v) +
-                0.5 * h * h * s * s * r * r * (r * from_a_ + s * a_),
-            slope * (now_.q - from_.q) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_.v +
-                s * s * (1.0 + r * (2.0 - 15.0 * r)) * now_.v +
-                0.5 * h * s * r * (r * (2.0 - 5.0 * s) * from_a_ - s * (2.0 - 5.0 * r) * a_),
-            {}};
-}
-
-ANCF_INLINE bool ExplicitRun::fail(int code) {
-    // a fault in an attempt that ARKODE got over is not to blame
-    if (arkode_status(code) == Status::not_finite || code == ARK_CONV_FAILURE)
-        report_.fault = system_.fault();
-    return SteppedRun::fail(code, arkode_status(code), options_.max_steps);
-}
 
 }  // namespace detail
 

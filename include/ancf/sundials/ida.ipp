@@ -19,7 +19,6 @@
 #include <cmath>
 #include <limits>
 #include <new>
-#include <string>
 
 namespace ancf::sundials {
 namespace detail {
@@ -44,29 +43,275 @@ namespace detail {
 /// One run: IDA's objects, the system, and what is reported.
 class IdaRun : SteppedRun {
 public:
-    IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options);
+    IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options)
+        : SteppedRun("Ida", &code_name, problem, schedule, options.follow_energy, report_),
+          options_(options),
+          system_(problem, options.form),
+          y_(make_vector(context_, system_.size())),
+          dy_(make_vector(context_, system_.size())),
+          tolerances_(make_vector(context_, system_.size())),
+          dense_(make_vector(context_, system_.size())),
+          matrix_(make_matrix(context_, system_.size(), system_.map().values())),
+          klu_(make_klu(context_, y_.get(), matrix_.get())),
+          ida_(make_ida(context_)) {}
 
-    IdaReport run();
+    IdaReport run() {
+        if (!starts()) return std::move(report_);
+        set_up();
+        if (problem_.multipliers() > 0) recorder_.solve_multipliers();  // its own may be round-off
+        now_ = point(now_.time, y_.get());
+        recorder_.start(now_);
+        while (now_.time < schedule_.end && step()) {
+        }
+        void* ida = ida_.get();
+        IDAGetNumErrTestFails(ida, &report_.rejected);
+        IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
+        IDAGetNumNonlinSolvIters(ida, &report_.iterations);
+        long evaluations = 0;
+        IDAGetNumResEvals(ida, &evaluations);
+        report_.evaluations += evaluations;
+        IDAGetNumJacEvals(ida, &report_.jacobians);
+        IDAGetNumLinSolvSetups(ida, &report_.factorisations);
+        report_.code = code_name(code_);
+        recorder_.finish(now_);
+        return std::move(report_);
+    }
 
 private:
     struct Scales {
         double length, velocity, force;
     };
 
-    [[nodiscard]] Scales scales();
-    [[nodiscard]] int order_limit();
-    void set_up();
-    void set_start();
-    void fill_tolerances(Eigen::Map<VectorX>& absolute);
-    void choose_error_test();
-    void measure_rate();
-    [[nodiscard]] double first_step() const;
-    [[nodiscard]] bool step();
-    [[nodiscard]] bool rests();
-    [[nodiscard]] double stop_time();
-    [[nodiscard]] bool lost_in_round_off() const;
-    [[nodiscard]] MotionPoint point(double time, N_Vector y) const;
-    bool fail(int code);
+    [[nodiscard]] Scales scales() {
+        Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
+        if (s.length == 0.0) s.length = problem_.length_scale();
+        if (s.velocity == 0.0) s.velocity = velocity_scale(s.length, slow_frequency_);
+        if (s.force == 0.0) s.force = problem_.force_scale(start_);
+        if (s.force == 0.0) {
+            const VectorX sizes = problem_.scales() / problem_.length_scale();
+            const double mass =
+                problem_.compact_mass().diagonal().cwiseProduct(sizes.cwiseAbs2()).maxCoeff();
+            s.force = mass * s.velocity * s.velocity / s.length;
+        }
+        return s;
+    }
+
+    [[nodiscard]] int order_limit() {
+        if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
+        // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are
+        // too many.
+        constexpr double steps_in_a_period = 20000.0;
+        constexpr double stable = 0.7;
+        report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
+        // a stiff joint carries no motion of its own, but its frequency would hold order 5's step
+        // down
+        for (const auto& group : problem_.model().groups())
+            if (group->one_node()) return 2;
+        if (slow_frequency_ == 0.0) return 5;
+        const double period = 2.0 * pi / slow_frequency_;
+        return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
+    }
+
+    void set_up() {
+        void* ida = ida_.get();
+        slow_frequency_ = slow_frequency();
+        report_.order = order_limit();
+        set_start();
+        call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
+        call(IDASetUserData(ida, &system_));
+        call(IDASVtolerances(ida, options_.tolerance, tolerances_.get()));
+        choose_error_test();
+        SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
+        call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
+        call(IDASetJacFn(ida, &IdaSystem::jacobian));
+        if (report_.order == 2 && options_.form == Form::index3) measure_rate();
+        call(IDASetMaxOrd(ida, report_.order));
+        call(IDASetDeltaCjLSetup(ida, 0.05));
+        call(IDASetMaxNonlinIters(ida, 6));
+        call(IDASetNonlinConvCoef(ida, 0.1));
+        first_step_ = first_step();
+        call(IDASetInitStep(ida, first_step_));
+        call(IDASetMinStep(ida, least_step()));
+        if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
+    }
+
+    // Fills y and dy, in units of the absolute tolerances. Rates are measured by the highest
+    // frequency where it is known: c is of that size where accuracy asks for no smaller step.
+    void set_start() {
+        auto y = view(y_.get());
+        auto dy = view(dy_.get());
+        system_.q(y) = start_.q;
+        system_.v(y) = start_.v;
+        system_.lambda(y) = start_.multipliers;
+        system_.q(dy) = start_.v;
+        system_.v(dy) = start_.acceleration;
+        auto absolute = view(tolerances_.get());
+        fill_tolerances(absolute);
+        VectorX sizes = absolute;
+        if (report_.highest_frequency > 0.0)
+            system_.v(sizes) = report_.highest_frequency * system_.q(absolute);
+        system_.set_units(sizes);
+        for (auto& column : {&y, &dy, &absolute}) *column = column->cwiseQuotient(system_.units());
+    }
+
+    // The absolute tolerances, in the units of the scene.
+    void fill_tolerances(Eigen::Map<VectorX>& absolute) {
+        const Scales s = scales();
+        VectorX sizes;
+        problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
+        system_.q(absolute) = options_.tolerance * sizes;
+        system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
+        // Newton's method cannot bring multipliers below the round-off of the forces they balance,
+        // of which it sees a part. Where that hides the forces themselves, step() ends the run.
+        const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
+        hides_forces_ = !(round_off < s.force);
+        const double resolved = hides_forces_ ? 0.0 : round_off;
+        // a multiplier has the unit of a force where its equation is a length, else another one
+        const VectorX arms = problem_.assembly().violation_scale(s.length) / s.length;
+        const auto measured = [&](double force, auto&& multipliers) {
+            for (Eigen::Index i = 0; i < multipliers.size(); ++i)
+                multipliers[i] = arms[i] > 0.0 ? force / arms[i] : force;
+        };
+        measured(std::max(options_.tolerance * s.force, resolved), system_.lambda(absolute));
+        measured(options_.tolerance * s.force * s.length / s.velocity, system_.mu(absolute));
+    }
+
+    // The error test sees positions, and rates where the form holds them on the constraints.
+    void choose_error_test() {
+        auto differential = view(dense_.get());
+        differential.setZero();
+        system_.q(differential).setOnes();
+        if (options_.form == Form::gear_gupta_leimkuhler) system_.v(differential).setOnes();
+        call(IDASetId(ida_.get(), dense_.get()));
+        call(IDASetSuppressAlg(ida_.get(), SUNTRUE));
+    }
+
+    // IDA ends a step after one correction where the matrix once converged fast. As a stiff body
+    // turns that matrix grows old: forces stay unbalanced, and the body loses its spin. So every
+    // step measures its own rate. Otherwise it is IDA's test, but a first correction ends a step
+    // below 1e-4 of what is allowed, not below 1e-8.
+    void measure_rate() {
+        newton_.reset(SUNNonlinSol_Newton(y_.get(), context_.get()));
+        if (newton_ == nullptr) throw std::bad_alloc();
+        call(IDASetNonlinearSolver(ida_.get(), newton_.get()));
+        const auto test = [](SUNNonlinearSolver newton, N_Vector, N_Vector correction,
+                             sunrealtype allowed, N_Vector weights, void* run) {
+            constexpr int converged = 0;
+            double& first = static_cast<IdaRun*>(run)->first_correction_;
+            int corrections = 0;  // before this one
+            SUNNonlinSolGetCurIter(newton, &corrections);
+            const double size = N_VWrmsNorm(correction, weights);
+            if (corrections == 0) {
+                first = size;
+                return size <= 1e-4 * allowed ? converged : SUN_NLS_CONTINUE;
+            }
+            const double rate = std::pow(size / first, 1.0 / corrections);
+            if (rate > 0.9) return SUN_NLS_CONV_RECVR;
+            return rate / (1.0 - rate) * size <= allowed ? converged : SUN_NLS_CONTINUE;
+        };
+        call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
+    }
+
+    // From the acceleration: the first step is of order 1, so its error is h^2 a/2.
+    [[nodiscard]] double first_step() const {
+        if (options_.first_step > 0.0) return options_.first_step;
+        const double duration = schedule_.end - start_.time;
+        double step = 1e-3 * duration;
+        const double turn = problem_.largest_ratio(start_.v);
+        if (turn > 0.0) step = std::min(step, 1e-3 / turn);
+        const double acceleration = problem_.largest_ratio(start_.acceleration);
+        if (acceleration > 0.0)
+            step = std::min(step, std::sqrt(0.5 * options_.tolerance / acceleration));
+        return step;
+    }
+
+    // Takes one step and reports it; false where the run ends.
+    [[nodiscard]] bool step() {
+        if (options_.max_steps > 0 && report_.steps == options_.max_steps)
+            return fail(IDA_TOO_MUCH_WORK);
+        call(IDASetStopTime(ida_.get(), stop_time()));
+        double reached = now_.time;
+        system_.forget_fault();
+        system_.begin_step(reached);
+        context_.forget_message();
+        code_ = IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
+        system_.rethrow();
+        if (code_ < 0) return fail(code_);
+        now_.time = reached;
+        if (lost_in_round_off()) {
+            ++report_.steps;
+            report_.time = reached;
+            context_.remember("Newton's method fails in most steps, the forces hide in round-off");
+            return fail(IDA_CONV_FAIL);
+        }
+        double length = 0.0;
+        IDAGetLastStep(ida_.get(), &length);
+        now_ = point(reached, y_.get());
+        // what the sum of many steps leaves is no step: the multipliers of index 3 would be round-
+        // off
+        if (schedule_.end - reached <= 1e-9 * length) now_.time = schedule_.end;
+        return record(length, [this, reached](double time) {
+            call(IDAGetDky(ida_.get(), std::min(time, reached), 0, dense_.get()));
+            return point(time, dense_.get());
+        });
+    }
+
+    // Whether the last step had next to no error.
+    [[nodiscard]] bool rests() {
+        call(IDAGetEstLocalErrors(ida_.get(), dense_.get()));
+        const VectorX allowed = options_.tolerance * system_.q(view(y_.get())).cwiseAbs() +
+                                system_.q(view(tolerances_.get()));
+        const auto errors = system_.q(view(dense_.get())).cwiseQuotient(allowed);
+        return errors.squaredNorm() <
+               ancf::detail::resting * ancf::detail::resting * static_cast<double>(errors.size());
+    }
+
+    // Returns the schedule's end; after a rest no later than where a load or a drive acts that the
+    // next step would pass over.
+    [[nodiscard]] double stop_time() {
+        if (report_.steps == 0 || !(now_.time < acts_at_ || rests())) return schedule_.end;
+        double next = 0.0;
+        IDAGetCurrentStep(ida_.get(), &next);
+        const double end = std::min(now_.time + next, schedule_.end);
+        const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
+        if (at == end) return schedule_.end;
+        acts_at_ = at;
+        return at;
+    }
+
+    // IDA halves its step where Newton's method fails and doubles it after the next, for ever. A
+    // stiff body that turns fails likewise, but goes on.
+    [[nodiscard]] bool lost_in_round_off() const {
+        if (!hides_forces_) return false;
+        long failures = 0;
+        IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
+        return failures > 1000 && 3 * failures > report_.steps + 1;  // this one
+    }
+
+    // The motion in the scene's units.
+    [[nodiscard]] MotionPoint point(double time, N_Vector units) const {
+        const VectorX y = view(units).cwiseProduct(system_.units());
+        return {time, system_.q(y), system_.v(y), system_.lambda(y)};
+    }
+
+    bool fail(int code) {
+        // an element that failed in an attempt that IDA got over is not to blame
+        if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
+            code == IDA_CONV_FAIL)
+            report_.fault = system_.fault();
+        const bool turns = code != IDA_TOO_MUCH_WORK && !system_.turn().empty();
+        SteppedRun::fail(code, turns ? Status::step_too_small : status_of(code),
+                         options_.max_steps);
+        std::string& message = report_.message;
+        if (turns) message += "; " + system_.turn();
+        if (report_.status == Status::diverged && options_.form == Form::index3 &&
+            problem_.multipliers() > 0)
+            message +=
+                "; in very short steps the multipliers of index 3 are round-off: if that is so "
+                "here, a "
+                "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
+        return false;
+    }
 
     const IdaOptions& options_;
     IdaReport report_;
@@ -84,268 +329,6 @@ private:
     bool hides_forces_ = false;      // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
 };
-
-ANCF_INLINE IdaRun::IdaRun(DynamicProblem& problem, const Schedule& schedule,
-                           const IdaOptions& options)
-    : SteppedRun("Ida", &code_name, problem, schedule, options.follow_energy, report_),
-      options_(options),
-      system_(problem, options.form),
-      y_(make_vector(context_, system_.size())),
-      dy_(make_vector(context_, system_.size())),
-      tolerances_(make_vector(context_, system_.size())),
-      dense_(make_vector(context_, system_.size())),
-      matrix_(make_matrix(context_, system_.size(), system_.map().values())),
-      klu_(make_klu(context_, y_.get(), matrix_.get())),
-      ida_(make_ida(context_)) {}
-
-// Fills y and dy, in units of the absolute tolerances. Rates are measured by the highest frequency
-// where it is known: c is of that size where accuracy asks for no smaller step.
-ANCF_INLINE void IdaRun::set_start() {
-    auto y = view(y_.get());
-    auto dy = view(dy_.get());
-    system_.q(y) = start_.q;
-    system_.v(y) = start_.v;
-    system_.lambda(y) = start_.multipliers;
-    system_.q(dy) = start_.v;
-    system_.v(dy) = start_.acceleration;
-    auto absolute = view(tolerances_.get());
-    fill_tolerances(absolute);
-    VectorX sizes = absolute;
-    if (report_.highest_frequency > 0.0)
-        system_.v(sizes) = report_.highest_frequency * system_.q(absolute);
-    system_.set_units(sizes);
-    for (auto& column : {&y, &dy, &absolute}) *column = column->cwiseQuotient(system_.units());
-}
-
-ANCF_INLINE void IdaRun::set_up() {
-    void* ida = ida_.get();
-    slow_frequency_ = slow_frequency();
-    report_.order = order_limit();
-    set_start();
-    call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
-    call(IDASetUserData(ida, &system_));
-    call(IDASVtolerances(ida, options_.tolerance, tolerances_.get()));
-    choose_error_test();
-    SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
-    call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
-    call(IDASetJacFn(ida, &IdaSystem::jacobian));
-    if (report_.order == 2 && options_.form == Form::index3) measure_rate();
-    call(IDASetMaxOrd(ida, report_.order));
-    call(IDASetDeltaCjLSetup(ida, 0.05));
-    call(IDASetMaxNonlinIters(ida, 6));
-    call(IDASetNonlinConvCoef(ida, 0.1));
-    first_step_ = first_step();
-    call(IDASetInitStep(ida, first_step_));
-    call(IDASetMinStep(ida, least_step()));
-    if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
-}
-
-ANCF_INLINE IdaRun::Scales IdaRun::scales() {
-    Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
-    if (s.length == 0.0) s.length = problem_.length_scale();
-    if (s.velocity == 0.0) s.velocity = velocity_scale(s.length, slow_frequency_);
-    if (s.force == 0.0) s.force = problem_.force_scale(start_);
-    if (s.force == 0.0) {
-        const VectorX sizes = problem_.scales() / problem_.length_scale();
-        const double mass =
-            problem_.compact_mass().diagonal().cwiseProduct(sizes.cwiseAbs2()).maxCoeff();
-        s.force = mass * s.velocity * s.velocity / s.length;
-    }
-    return s;
-}
-
-// The absolute tolerances, in the units of the scene.
-ANCF_INLINE void IdaRun::fill_tolerances(Eigen::Map<VectorX>& absolute) {
-    const Scales s = scales();
-    VectorX sizes;
-    problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
-    system_.q(absolute) = options_.tolerance * sizes;
-    system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
-    // Newton's method cannot bring multipliers below the round-off of the forces they balance, of
-    // which it sees a part. Where that hides the forces themselves, step() ends the run.
-    const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
-    hides_forces_ = !(round_off < s.force);
-    const double resolved = hides_forces_ ? 0.0 : round_off;
-    // a multiplier has the unit of a force where its equation is a length, else another one
-    const VectorX arms = problem_.assembly().violation_scale(s.length) / s.length;
-    const auto measured = [&](double force, auto&& multipliers) {
-        for (Eigen::Index i = 0; i < multipliers.size(); ++i)
-            multipliers[i] = arms[i] > 0.0 ? force / arms[i] : force;
-    };
-    measured(std::max(options_.tolerance * s.force, resolved), system_.lambda(absolute));
-    measured(options_.tolerance * s.force * s.length / s.velocity, system_.mu(absolute));
-}
-
-// The error test sees positions, and rates where the form holds them on the constraints.
-ANCF_INLINE void IdaRun::choose_error_test() {
-    auto differential = view(dense_.get());
-    differential.setZero();
-    system_.q(differential).setOnes();
-    if (options_.form == Form::gear_gupta_leimkuhler) system_.v(differential).setOnes();
-    call(IDASetId(ida_.get(), dense_.get()));
-    call(IDASetSuppressAlg(ida_.get(), SUNTRUE));
-}
-
-// IDA ends a step after one correction where the matrix once converged fast. As a stiff body turns
-// that matrix grows old: forces stay unbalanced, and the body loses its spin. So every step
-// measures its own rate. Otherwise it is IDA's test, but a first correction ends a step below 1e-4
-// of what is allowed, not below 1e-8.
-ANCF_INLINE void IdaRun::measure_rate() {
-    newton_.reset(SUNNonlinSol_Newton(y_.get(), context_.get()));
-    if (newton_ == nullptr) throw std::bad_alloc();
-    call(IDASetNonlinearSolver(ida_.get(), newton_.get()));
-    const auto test = [](SUNNonlinearSolver newton, N_Vector, N_Vector correction,
-                         sunrealtype allowed, N_Vector weights, void* run) {
-        constexpr int converged = 0;
-        double& first = static_cast<IdaRun*>(run)->first_correction_;
-        int corrections = 0;  // before this one
-        SUNNonlinSolGetCurIter(newton, &corrections);
-        const double size = N_VWrmsNorm(correction, weights);
-        if (corrections == 0) {
-            first = size;
-            return size <= 1e-4 * allowed ? converged : SUN_NLS_CONTINUE;
-        }
-        const double rate = std::pow(size / first, 1.0 / corrections);
-        if (rate > 0.9) return SUN_NLS_CONV_RECVR;
-        return rate / (1.0 - rate) * size <= allowed ? converged : SUN_NLS_CONTINUE;
-    };
-    call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
-}
-
-ANCF_INLINE int IdaRun::order_limit() {
-    if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
-    // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are too
-    // many.
-    constexpr double steps_in_a_period = 20000.0;
-    constexpr double stable = 0.7;
-    report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
-    // a stiff joint carries no motion of its own, but its frequency would hold order 5's step down
-    for (const auto& group : problem_.model().groups())
-        if (group->one_node()) return 2;
-    if (slow_frequency_ == 0.0) return 5;
-    const double period = 2.0 * pi / slow_frequency_;
-    return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
-}
-
-// From the acceleration: the first step is of order 1, so its error is h^2 a/2.
-ANCF_INLINE double IdaRun::first_step() const {
-    if (options_.first_step > 0.0) return options_.first_step;
-    const double duration = schedule_.end - start_.time;
-    double step = 1e-3 * duration;
-    const double turn = problem_.largest_ratio(start_.v);
-    if (turn > 0.0) step = std::min(step, 1e-3 / turn);
-    const double acceleration = problem_.largest_ratio(start_.acceleration);
-    if (acceleration > 0.0)
-        step = std::min(step, std::sqrt(0.5 * options_.tolerance / acceleration));
-    return step;
-}
-
-ANCF_INLINE IdaReport IdaRun::run() {
-    if (!starts()) return std::move(report_);
-    set_up();
-    if (problem_.multipliers() > 0) recorder_.solve_multipliers();  // its own may be round-off
-    now_ = point(now_.time, y_.get());
-    recorder_.start(now_);
-    while (now_.time < schedule_.end && step()) {
-    }
-    void* ida = ida_.get();
-    IDAGetNumErrTestFails(ida, &report_.rejected);
-    IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
-    IDAGetNumNonlinSolvIters(ida, &report_.iterations);
-    long evaluations = 0;
-    IDAGetNumResEvals(ida, &evaluations);
-    report_.evaluations += evaluations;
-    IDAGetNumJacEvals(ida, &report_.jacobians);
-    IDAGetNumLinSolvSetups(ida, &report_.factorisations);
-    report_.code = code_name(code_);
-    recorder_.finish(now_);
-    return std::move(report_);
-}
-
-// Takes one step and reports it; false where the run ends.
-ANCF_INLINE bool IdaRun::step() {
-    if (options_.max_steps > 0 && report_.steps == options_.max_steps)
-        return fail(IDA_TOO_MUCH_WORK);
-    call(IDASetStopTime(ida_.get(), stop_time()));
-    double reached = now_.time;
-    system_.forget_fault();
-    system_.begin_step(reached);
-    context_.forget_message();
-    code_ = IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
-    system_.rethrow();
-    if (code_ < 0) return fail(code_);
-    now_.time = reached;
-    if (lost_in_round_off()) {
-        ++report_.steps;
-        report_.time = reached;
-        context_.remember("Newton's method fails in most steps, the forces hide in round-off");
-        return fail(IDA_CONV_FAIL);
-    }
-    double length = 0.0;
-    IDAGetLastStep(ida_.get(), &length);
-    now_ = point(reached, y_.get());
-    // what the sum of many steps leaves is no step: the multipliers of index 3 would be round-off
-    if (schedule_.end - reached <= 1e-9 * length) now_.time = schedule_.end;
-    return record(length, [this, reached](double time) {
-        call(IDAGetDky(ida_.get(), std::min(time, reached), 0, dense_.get()));
-        return point(time, dense_.get());
-    });
-}
-
-// Whether the last step had next to no error.
-ANCF_INLINE bool IdaRun::rests() {
-    call(IDAGetEstLocalErrors(ida_.get(), dense_.get()));
-    const VectorX allowed = options_.tolerance * system_.q(view(y_.get())).cwiseAbs() +
-                            system_.q(view(tolerances_.get()));
-    const auto errors = system_.q(view(dense_.get())).cwiseQuotient(allowed);
-    return errors.squaredNorm() <
-           ancf::detail::resting * ancf::detail::resting * static_cast<double>(errors.size());
-}
-
-// Returns the schedule's end; after a rest no later than where a load or a drive acts that the next
-// step would pass over.
-ANCF_INLINE double IdaRun::stop_time() {
-    if (report_.steps == 0 || !(now_.time < acts_at_ || rests())) return schedule_.end;
-    double next = 0.0;
-    IDAGetCurrentStep(ida_.get(), &next);
-    const double end = std::min(now_.time + next, schedule_.end);
-    const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
-    if (at == end) return schedule_.end;
-    acts_at_ = at;
-    return at;
-}
-
-// IDA halves its step where Newton's method fails and doubles it after the next, for ever. A stiff
-// body that turns fails likewise, but goes on.
-ANCF_INLINE bool IdaRun::lost_in_round_off() const {
-    if (!hides_forces_) return false;
-    long failures = 0;
-    IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
-    return failures > 1000 && 3 * failures > report_.steps + 1;  // this one
-}
-
-// The motion in the scene's units.
-ANCF_INLINE IdaRun::MotionPoint IdaRun::point(double time, N_Vector units) const {
-    const VectorX y = view(units).cwiseProduct(system_.units());
-    return {time, system_.q(y), system_.v(y), system_.lambda(y)};
-}
-
-ANCF_INLINE bool IdaRun::fail(int code) {
-    // an element that failed in an attempt that IDA got over is not to blame
-    if (code == IDA_REP_RES_ERR || code == IDA_FIRST_RES_FAIL || code == IDA_RES_FAIL ||
-        code == IDA_CONV_FAIL)
-        report_.fault = system_.fault();
-    const bool turns = code != IDA_TOO_MUCH_WORK && !system_.turn().empty();
-    SteppedRun::fail(code, turns ? Status::step_too_small : status_of(code), options_.max_steps);
-    std::string& message = report_.message;
-    if (turns) message += "; " + system_.turn();
-    if (report_.status == Status::diverged && options_.form == Form::index3 &&
-        problem_.multipliers() > 0)
-        message +=
-            "; in very short steps the multipliers of index 3 are round-off: if that is so here, a "
-            "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
-    return false;
-}
 
 }  // namespace detail
 

@@ -15,8 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace ancf::sundials::detail {
 
@@ -151,9 +149,9 @@ ANCF_INLINE int IdaSystem::write_residual(double t, const View& y, const View& d
     }
     kinematic_.noalias() = mass * gap_;
     problem_.evaluate_constraints(t, q_, v_, false);
-    problem_.add_constraint_force(mu_, 1.0, kinematic_);
+    problem_.constraints().add_transpose_product(mu_, 1.0, kinematic_);
     q(r) = kinematic_;
-    mu(r) = problem_.constraint_rate();
+    mu(r) = problem_.constraints().rate();
     for (const int equation : problem_.left_out()) mu(r)[equation] = mu_[equation];
     return good;
 }

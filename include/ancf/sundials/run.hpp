@@ -6,15 +6,19 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/dynamics/motion_run.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
 #include <ancf/sundials/context.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <initializer_list>
+#include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -93,29 +97,77 @@ protected:
     /// @param who    the integrator, for messages.
     /// @param names  of its return codes.
     SteppedRun(const char* who, std::string (*names)(int), DynamicProblem& problem,
-               const Schedule& schedule, bool follow_energy, DynamicsReport& report);
+               const Schedule& schedule, bool follow_energy, DynamicsReport& report)
+        : problem_(problem),
+          schedule_(schedule),
+          recorder_(problem, schedule, report, follow_energy),
+          who_(who),
+          names_(names),
+          outcome_(report) {}
 
     /// Throws what a failed call to set SUNDIALS up amounts to.
-    void call(int code) const;
+    void call(int code) const {
+        if (code == IDA_SUCCESS) return;
+        if (code == IDA_MEM_FAIL) throw std::bad_alloc();
+        ancf::detail::reject(who_, ": ", names_(code), ": ", context_.message());
+    }
 
     /// Makes a consistent start; false where there is none.
-    [[nodiscard]] bool starts();
+    [[nodiscard]] bool starts() {
+        start_ = ancf::detail::start_run(problem_, outcome_);
+        now_ = {start_.time, start_.q, start_.v, start_.multipliers};
+        return outcome_.status == Status::converged;
+    }
 
     /// Returns the frequency of the motion to be followed, rad/s; 0 where nothing moves.
-    [[nodiscard]] double slow_frequency();
+    [[nodiscard]] double slow_frequency() {
+        const double motion = problem_.motion_frequency(start_);
+        return motion > 0.0 ? motion : problem_.lowest_frequency(start_.time, start_.q);
+    }
+
     /// Returns the velocity that belongs to it, m/s.
-    [[nodiscard]] double velocity_scale(double length, double frequency) const;
+    [[nodiscard]] double velocity_scale(double length, double frequency) const {
+        double velocity = length * frequency;
+        // nothing moves: one length in the run
+        if (velocity == 0.0) velocity = length / (schedule_.end - start_.time);
+        return std::isfinite(velocity) ? velocity : length;  // else there is no run
+    }
 
     /// Returns a least step, s: without one SUNDIALS goes on for ever where time does not advance.
-    [[nodiscard]] double least_step() const;
+    [[nodiscard]] double least_step() const {
+        const double farthest = std::max(std::abs(start_.time), std::abs(schedule_.end));
+        return 100.0 * std::numeric_limits<double>::epsilon() * farthest;
+    }
 
     /// Reports a step of a length, s, to now_; false where it ends the run.
-    [[nodiscard]] bool record(double length, const ancf::detail::Between& between);
+    [[nodiscard]] bool record(double length, const ancf::detail::Between& between) {
+        const bool first = outcome_.steps == 0;
+        const double smallest = first ? length : std::min(outcome_.smallest_step, length);
+        const double largest = std::max(outcome_.largest_step, length);
+        // as one of no length: outputs close to its end are interpolated too
+        const bool goes_on = recorder_.step(now_, now_, between);
+        outcome_.smallest_step = smallest;
+        outcome_.largest_step = largest;
+        return goes_on;
+    }
 
     /// Ends the run. @return false.
-    bool end(Status status, std::string message);
+    bool end(Status status, std::string message) {
+        outcome_.status = status;
+        outcome_.message = std::move(message);
+        return false;
+    }
+
     /// Ends it by a return code, or by the element that the report blames.
-    bool fail(int code, Status status, long max_steps);
+    bool fail(int code, Status status, long max_steps) {
+        code_ = code;
+        std::string message = ancf::detail::joined({names_(code), " at ", now_.time, " s"}, 6);
+        if (code == IDA_TOO_MUCH_WORK)
+            message += ancf::detail::joined({": ", max_steps, " steps were taken"});
+        if (!context_.message().empty()) message += ": " + context_.message();
+        if (outcome_.fault) message += "; " + problem_.assembly().describe(*outcome_.fault);
+        return end(outcome_.fault ? outcome_.fault->status : status, std::move(message));
+    }
 
     DynamicProblem& problem_;
     const Schedule& schedule_;
@@ -133,11 +185,15 @@ private:
 
 /// Throws for options that no integrator of SUNDIALS takes.
 /// @param scales  name and value of those that are positive, or 0 for automatic.
-void check_options(const char* options, double tolerance, long max_steps,
-                   std::initializer_list<std::pair<const char*, double>> scales);
+inline void check_options(const char* options, double tolerance, long max_steps,
+                          std::initializer_list<std::pair<const char*, double>> scales) {
+    ancf::detail::require(tolerance >= 1e-14 && tolerance < 1.0, options,
+                          ": tolerance must be from 1e-14 to 1, got ", tolerance);
+    for (const auto& [name, value] : scales)
+        ancf::detail::require(std::isfinite(value) && value >= 0.0, options, ": ", name,
+                              " must be positive, or 0 for automatic, got ", value);
+    ancf::detail::require(max_steps >= 0, options,
+                          ": max_steps must be positive, or 0 for no limit, got ", max_steps);
+}
 
 }  // namespace ancf::sundials::detail
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/sundials/run.ipp>  // IWYU pragma: export
-#endif

@@ -16,7 +16,6 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/element/hermite.hpp>
 #include <ancf/element/line_element.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/reference_line.hpp>

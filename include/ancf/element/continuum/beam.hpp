@@ -16,7 +16,6 @@
 #include <ancf/element/continuum/tangent.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/element/hermite.hpp>
 #include <ancf/element/line_element.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/pack.hpp>

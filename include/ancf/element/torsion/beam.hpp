@@ -17,7 +17,6 @@
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/line_element.hpp>
 #include <ancf/element/quadrature.hpp>
-#include <ancf/element/reference_line.hpp>
 #include <ancf/element/torsion/kernel.hpp>
 #include <ancf/section/material.hpp>
 #include <ancf/section/section.hpp>

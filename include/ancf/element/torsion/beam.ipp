@@ -6,16 +6,9 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
-#include <ancf/element/evaluation.hpp>
-#include <ancf/element/hermite.hpp>
 #include <ancf/element/mass.hpp>
 #include <ancf/element/torsion/beam.hpp>
-#include <ancf/element/torsion/kernel.hpp>
 #include <ancf/error.hpp>
-#include <ancf/section/material.hpp>
-#include <ancf/section/section.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>

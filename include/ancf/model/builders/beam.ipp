@@ -7,12 +7,9 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
-#include <vector>
 
 namespace ancf {
 

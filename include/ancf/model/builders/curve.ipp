@@ -10,13 +10,9 @@
 #include <ancf/constants.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/curve.hpp>
-#include <ancf/types.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace ancf::detail {
 

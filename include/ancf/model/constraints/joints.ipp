@@ -7,21 +7,14 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
-#include <ancf/element/vec3.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/triad.hpp>
-#include <ancf/types.hpp>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

@@ -11,13 +11,9 @@
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/triad.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace ancf {
 

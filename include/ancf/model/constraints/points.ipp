@@ -8,15 +8,10 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/hermite.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/constraints/points.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

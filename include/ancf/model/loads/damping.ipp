@@ -8,13 +8,8 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/element_group.hpp>
 #include <ancf/model/loads/damping.hpp>
-#include <ancf/types.hpp>
-
-#include <utility>
-#include <vector>
 
 namespace ancf {
 

@@ -11,7 +11,6 @@
 #include <ancf/error.hpp>
 #include <ancf/model/loads/moments.hpp>
 #include <ancf/model/triad.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
@@ -188,21 +187,15 @@ ANCF_INLINE void FollowerForce::evaluate(const LoadState& state, LoadResult& out
 }
 
 #if defined(ANCF_SOURCE)
-template Vector<double, 3> SlopeMoment::force(const Vector<double, 3>&) const;
-template Vector<std::complex<double>, 3> SlopeMoment::force(
-    const Vector<std::complex<double>, 3>&) const;
-template Vector<double, 2> PlanarSlopeMoment::force(const Vector<double, 2>&) const;
-template Vector<std::complex<double>, 2> PlanarSlopeMoment::force(
-    const Vector<std::complex<double>, 2>&) const;
-template Vector<double, 3> TangentMoment::force(const Vector<double, 3>&) const;
-template Vector<std::complex<double>, 3> TangentMoment::force(
-    const Vector<std::complex<double>, 3>&) const;
-template Vector<double, 6> Moment::force(const Vector<double, 6>&) const;
-template Vector<std::complex<double>, 6> Moment::force(
-    const Vector<std::complex<double>, 6>&) const;
-template Vector<double, 3> FollowerForce::force(const Vector<double, 6>&) const;
-template Vector<std::complex<double>, 3> FollowerForce::force(
-    const Vector<std::complex<double>, 6>&) const;
+#define ANCF_MOMENT_FORCES(Load, out, in)                                      \
+    template Vector<double, out> Load::force(const Vector<double, in>&) const; \
+    template Vector<std::complex<double>, out> Load::force(                    \
+        const Vector<std::complex<double>, in>&) const;
+ANCF_MOMENT_FORCES(SlopeMoment, 3, 3)
+ANCF_MOMENT_FORCES(PlanarSlopeMoment, 2, 2)
+ANCF_MOMENT_FORCES(TangentMoment, 3, 3)
+ANCF_MOMENT_FORCES(Moment, 6, 6)
+ANCF_MOMENT_FORCES(FollowerForce, 3, 6)
 #endif
 
 }  // namespace ancf

@@ -8,11 +8,9 @@
 
 #include <ancf/error.hpp>
 #include <ancf/model/loads/springs.hpp>
-#include <ancf/types.hpp>
 
 #include <cmath>
 #include <complex>
-#include <utility>
 
 namespace ancf {
 
