@@ -119,8 +119,10 @@ public:
                 return finish(Status::stopped, here);
             }
         }
-        report_.message = joined(
-            {"the limit of ", options_.max_points, " points came at load factor ", here.factor}, 6);
+        report_.message =
+            joined({"the limit of ", options_.max_points, " points came at load factor ",
+                    here.factor, "; longer steps need a larger first_step or largest_step"},
+                   6);
         return finish(Status::max_iterations, here);
     }
 
