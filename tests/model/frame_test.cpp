@@ -211,7 +211,7 @@ TEST_CASE("frame: a joint has the largest block and the stiffest material of its
     CHECK(checked == 6);
 }
 
-TEST_CASE("net: a flat one needs a strain across its ropes", "[model][frame][net]") {
+TEST_CASE("net: a flat one bears a load across its ropes, strained or not", "[model][frame][net]") {
     constexpr double load = 20.0, side = 0.004, young = 1e10;  // N, m, Pa
     const Profile rope{Material::isotropic(young, 0.3, 1000.0), rectangle(side, side)};
     const auto build = [&](Model& model, double strain) {
@@ -225,17 +225,9 @@ TEST_CASE("net: a flat one needs a strain across its ropes", "[model][frame][net
         return web;
     };
     EigenLdlt solver;
-    SECTION("without any, statics names the motion that nothing resists") {
-        Model model;
-        build(model, 0.0);
-        const StaticsReport report = solve_statics(model, solver);
-        INFO(report.message);
-        CHECK(report.status == Status::singular);
-        CHECK(report.message.find("a motion without stiffness moves") != std::string::npos);
-        CHECK(report.message.find("along z") != std::string::npos);
-    }
-    SECTION("with 1e-4 four straight ropes carry the load") {
-        constexpr double strain = 1e-4;
+    SECTION("four straight ropes carry the load") {
+        const double strain = GENERATE(0.0, 1e-4);  // without any, the first tangent is singular
+        CAPTURE(strain);
         Model model;
         const auto web = build(model, strain);
         // drawn as they are stretched

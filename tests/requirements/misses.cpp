@@ -7,6 +7,7 @@
 
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/requirement.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
 
@@ -21,6 +22,7 @@ using Measure = ancf::GreenAxial;
 constexpr bool conforming = true;
 
 constexpr int of_pin = 3;
+using Options = ancf::CableOptions;
 
 struct Added {
     static ancf::Coupling coupling() { return {}; }
@@ -35,6 +37,7 @@ using Measure = Nothing;  // as GreenMeasure, which beams have
 constexpr bool conforming = false;
 using Added = Nothing;
 constexpr int of_pin = 2;
+using Options = Nothing;
 
 struct WrongSizes : Bar {
     static constexpr int dofs = 7;  // expected: dofs = 2 * dimension * fields.count()
@@ -67,3 +70,8 @@ void use_added(ancf::Model& model) { model.add(Added()); }
 
 // expected: the constraint is of another dimension than the model
 void use_pin(ancf::Model& model) { model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1})); }
+
+// expected: the last argument of a builder is the options of its element
+void use_options(ancf::Model& model, const ancf::Material& material, const ancf::Section& section) {
+    (void)ancf::net<ancf::Cable<3>>(model, {{material, section}}, {}, {}, {}, Options());
+}

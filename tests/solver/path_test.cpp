@@ -4,10 +4,12 @@
 #include <ancf/solver/path.hpp>
 
 #include <ancf/constants.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
@@ -321,6 +323,38 @@ TEST_CASE("path: one step may hold several critical points", "[path]") {
         CHECK(critical.multiplicity == 1);
         CHECK(critical.half_width <= 1e-8);  // 2^-31 of a step
     }
+}
+
+TEST_CASE("path: two bars that buckle at once bifurcate, whatever the step", "[path]") {
+    // the tangent is singular twice, so that the direction of the path is round-off nearby
+    const double height = GENERATE(0.1, 0.12, 0.2);
+    const double first_step = GENERATE(3.0, 10.0, 20.0, 30.0);
+    const auto control = GENERATE(ancf::PathControl::displacement, ancf::PathControl::cylindrical);
+    CAPTURE(height, first_step);
+    ancf::PlanarModel truss;
+    const auto bars = ancf::net<ancf::Cable<2, ancf::EngineeringAxial>>(
+        truss, {{ancf::Material::isotropic(1e9, 0.3, 1000.0), ancf::rectangle(0.02, 0.02)}},
+        {{-1.0, 0.0}, {0.0, height}, {1.0, 0.0}}, {{0, 1, 0, 1}, {1, 2, 0, 1}});
+    truss.pin(bars.joints[0]);
+    truss.pin(bars.joints[2]);
+    truss.add(ancf::Force<2>(bars.joints[1], {0.0, -1.0}));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.control = control;
+    options.at = {bars.joints[1], Field::r};
+    options.component = 1;
+    options.first_step = first_step;
+    options.last_factor = 1000.0;  // below the limit load of the highest truss alone
+    const auto report = ancf::follow_path(truss, solver, options);
+    REQUIRE(report.status == Status::converged);
+    int limits = 0, bifurcations = 0;
+    for (const auto& critical : report.critical) {
+        const bool crest = std::abs(critical.factor) > (height == 0.2 ? 1000.0 : 150.0);
+        CHECK((critical.kind == CriticalKind::limit) == crest);
+        ++(crest ? limits : bifurcations);
+    }
+    CHECK(limits == (height == 0.2 ? 0 : 2));
+    CHECK(bifurcations >= (height == 0.2 ? 2 : 4));  // a double one may be told apart
 }
 
 TEST_CASE("path: it does not leap to another branch near a bifurcation", "[path]") {

@@ -3,14 +3,17 @@
 
 #include <ancf/solver/statics.hpp>
 
+#include <ancf/constants.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/springs.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/solver_named.hpp>
 
@@ -421,6 +424,69 @@ TEST_CASE("statics: a cable of which a slope alone is free is at rest in every d
         ++checked;
     }
     CHECK(checked == 126);
+}
+
+TEST_CASE("statics: what a load alone can hold is found where the load holds it", "[statics]") {
+    using Rod = ancf::CrossSectionBeam<2>;
+    const auto steel = ancf::Material::isotropic(2e11, 0.3, 7800.0);
+    const auto section = ancf::rectangle(0.02, 0.02);
+    ancf::EigenLu solver;
+    SECTION("a pendulum hangs, from wherever it starts but upright") {
+        const double angle = GENERATE(0.0, 0.1, 1.5, 3.0, ancf::pi);  // from the vertical
+        CAPTURE(angle);
+        ancf::PlanarModel model;
+        const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0},
+                                                  {std::sin(angle), -std::cos(angle)}, 4);
+        model.pin(rod.first());
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        if (angle == ancf::pi) {
+            CHECK(report.status == Status::singular);
+            CHECK_THAT(report.message, ContainsSubstring("without stiffness moves r of node 4"));
+            return;
+        }
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.steps.back().damped);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(std::abs(model.position(rod.last())[0]) < 1e-8);
+        CHECK(model.position(rod.last())[1] == Approx(-1.0).epsilon(1e-6));
+        CHECK(report.reactions[1] == Approx(7800.0 * 4e-4 * 9.81));
+    }
+    SECTION("a double pendulum hangs") {
+        ancf::PlanarModel model;
+        const auto upper = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);
+        const auto lower = ancf::straight_beam<Rod>(model, steel, section, {1, 0}, {1.3, 0.4}, 2);
+        model.pin(upper.first());
+        model.add(ancf::Pin<2>(lower.first(), upper.last()));
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(model.position(lower.last())[1] == Approx(-1.5).epsilon(1e-6));
+    }
+    SECTION("springs that a load draws hold aside") {
+        ancf::PlanarModel model;
+        const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);
+        for (const int end : {0, 4})
+            model.add(ancf::Spring<2>(rod.nodes[end], {end / 4.0, 0.5}, 2e4, 0.5));
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(model.position(rod.first())[1] == Approx(-7800.0 * 4e-4 * 9.81 / 4e4));
+    }
+    SECTION("what no load holds stays singular") {
+        ancf::PlanarModel model;
+        const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);
+        for (const int end : {0, 4}) model.fix(rod.nodes[end], Field::r, 1);
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        CHECK(report.status == Status::singular);
+        CHECK_THAT(report.message, ContainsSubstring("along x"));
+    }
 }
 
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {

@@ -111,8 +111,10 @@ public:
                 return finish(Status::stopped, here);
             }
         }
-        report_.message = joined(
-            {"the limit of ", options_.max_points, " points came at load factor ", here.factor}, 6);
+        report_.message =
+            joined({"the limit of ", options_.max_points, " points came at load factor ",
+                    here.factor, "; longer steps need a larger first_step or largest_step"},
+                   6);
         return finish(Status::max_iterations, here);
     }
 
@@ -450,7 +452,8 @@ private:
     [[nodiscard]] bool find_critical(const Point& from, const Point& to) {
         const auto known = static_cast<std::ptrdiff_t>(report_.critical.size());
         int budget = 200;  // of halvings: where the count flickers, both halves always have changes
-        const bool follows = search(from, {0.0, from}, {length(from, to), to}, 30, budget);
+        const bool follows =
+            search(from, {0.0, from}, {length(from, to), to}, turns(from, to), 30, budget);
         const auto found = report_.critical.begin() + known;
         const auto beyond = [&](const CriticalPoint& point) {
             return options_.last_factor && passes(from.factor, point.factor);
@@ -464,17 +467,27 @@ private:
     // the tangent is too close to singular: then those that are left count as one. Returns false
     // where the step leaps.
     [[nodiscard]] bool search(const Point& origin, const Sample& low, const Sample& high,
-                              int halvings, int& budget) {
-        if (changed_pivots(low.point, high.point) == 0 && !turns(low.point, high.point))
-            return true;
+                              bool turned, int halvings, int& budget) {
+        const int change = changed_pivots(low.point, high.point);
+        if (change == 0 && !turned) return true;
         const bool halves = halvings > 0 && budget-- > 0;
         const auto middle = halves ? between(origin, low, high) : std::nullopt;
-        if (middle)
-            return search(origin, low, *middle, halvings - 1, budget) &&
-                   search(origin, *middle, high, halvings - 1, budget);
-        if (leaps(low.point, high.point)) return false;
-        record_critical(low, high);
-        return true;
+        if (!middle) {
+            if (leaps(low.point, high.point)) return false;
+            record_critical(low, high, turned);
+            return true;
+        }
+        // Close to a singular tangent the direction is round-off, its sign too: there the part with
+        // the pivots' change has the turn of the whole, known from further off.
+        const bool apart = changed_pivots(low.point, middle->point) != 0 &&
+                           changed_pivots(middle->point, high.point) != 0;
+        const bool close = halvings < 20 && change != 0 && !(apart && turned);
+        const auto part = [&](const Sample& a, const Sample& b) {
+            const bool turn =
+                close ? turned && changed_pivots(a.point, b.point) != 0 : turns(a.point, b.point);
+            return search(origin, a, b, turn, halvings - 1, budget);
+        };
+        return part(low, *middle) && part(*middle, high);
     }
 
     // Tells whether two neighbouring points lie on different branches: then the way from one to the
@@ -512,15 +525,15 @@ private:
                           at_low * low.tangent_f + at_high * high.tangent_f;
     }
 
-    void record_critical(const Sample& low, const Sample& high) {
+    void record_critical(const Sample& low, const Sample& high, bool turned) {
         const int change = changed_pivots(low.point, high.point);
         // a direction that turns over while the tangent stays regular: a sharp bend of the path
         if (change == 0 && high.point.negative_pivots >= 0) return;
-        report_.critical.push_back(
-            {turns(low.point, high.point) ? CriticalKind::limit : CriticalKind::bifurcation,
-             0.5 * (low.point.factor + high.point.factor),
-             report_.points.empty() ? 0 : report_.points.size() - 1, high.point.state,
-             null_vector(high.point), std::max(change, 1), 0.5 * std::abs(high.along - low.along)});
+        report_.critical.push_back({turned ? CriticalKind::limit : CriticalKind::bifurcation,
+                                    0.5 * (low.point.factor + high.point.factor),
+                                    report_.points.empty() ? 0 : report_.points.size() - 1,
+                                    high.point.state, null_vector(high.point), std::max(change, 1),
+                                    0.5 * std::abs(high.along - low.along)});
     }
 
     // Inverse iteration with the nearly singular tangent at a critical point.

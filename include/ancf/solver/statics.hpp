@@ -70,7 +70,7 @@ struct StaticsOptions {
 struct LoadStep {
     double factor = 0.0;                    ///< load factor at its end
     NewtonKind newton = NewtonKind::plain;  ///< which iteration it took
-    bool damped = false;                    ///< with damped corrections: the path seemed to end
+    bool damped = false;                    ///< with damped corrections: no path seemed to go on
     int iterations = 0;                     ///< linear solves
     int indefinite = 0;                     ///< of them, those with negative pivots that no
                                             ///< multiplier accounts for, where a solver counts

@@ -150,8 +150,10 @@ private:
             return true;
         }
         part_size_ = share_after(failed) * size;
-        if (!jumped_ && report_.factor != options_.first_factor &&
-            newton_ == NewtonKind::automatic && wanders(failed)) {
+        const bool stuck = failed.status == Status::singular && failed.iterations == 0;
+        if (!jumped_ && newton_ == NewtonKind::automatic &&
+            (stuck || (report_.factor != options_.first_factor && wanders(failed)))) {
+            unheld_ = stuck;
             jumped_ = true;
             way_ = Way::damped;
             return true;
@@ -484,9 +486,14 @@ private:
 
     /// Whether a step ended where the load leads from the state before: in a stable state, or by
     /// corrections so small that no other branch was near. A beam that moments alone roll up turns
-    /// unstable on its way.
+    /// unstable on its way. Where nothing but loads can hold the scene, the end must be held.
     [[nodiscard]] bool followed(const LoadStep& step) {
         constexpr double small_correction = 0.1;
+        if (step.damped && unheld_) {
+            report_.factorisation = solver_.factorize(assembly_.tangent());
+            return report_.factorisation.status == Status::converged &&
+                   stability(assembly_, report_.factorisation) == Stability::stable;
+        }
         if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
             moments_alone_)
             return true;
@@ -606,6 +613,7 @@ private:
     int steps_done_ = 0;           // of those that the options ask for
     Way way_ = Way::usual;         // of the next attempt
     bool jumped_ = false;          // whether a damped attempt was made in this step
+    bool unheld_ = false;          // and that since its first tangent was singular
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;

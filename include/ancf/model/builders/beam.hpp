@@ -17,6 +17,7 @@
 #include <ancf/types.hpp>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,17 @@ struct NamedElement<void, Dimension> {
 };
 template <class Element, int Dimension>
 using named_element_t = typename NamedElement<Element, Dimension>::type;
+
+/// Returns the element that a builder makes.
+template <class Element, class... Arguments>
+[[nodiscard]] Element made_element(const Arguments&... arguments) {
+    constexpr bool takes = std::is_constructible_v<Element, const Arguments&...>;
+    static_assert(takes,
+                  "the last argument of a builder is the options of its element, of the type "
+                  "Element::Options: CrossSectionOptions::best(), QuinticOptions(), "
+                  "TorsionBeamOptions::best(), CableOptions()");
+    if constexpr (takes) return Element(arguments...);
+}
 
 /// Returns to - from.
 template <int Dimension>
@@ -154,7 +166,7 @@ auto straight_beam_with_slopes(BasicModel<Dimension>& model, const Material& mat
     const double length = detail::distance_apart<Dimension>(from, to);
     Beam<Chosen> beam;
     beam.prototypes.push_back(model.add_prototype(
-        Chosen(material, section, length / elements, std::forward<Options>(options)...)));
+        detail::made_element<Chosen>(material, section, length / elements, options...)));
     beam.nodes = detail::add_nodes_between<Dimension>(model, from, to, slopes, elements);
     for (int k = 0; k < elements; ++k) detail::connect_next(model, beam);
     return beam;

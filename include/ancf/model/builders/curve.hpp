@@ -94,8 +94,8 @@ auto beam_through(BasicModel<Dimension>& model, const Material& material, const 
         if (k < lengths.size()) {
             typename Chosen::Coordinates e;
             detail::reference_coordinates(Chosen::fields, points[k], points[k + 1], e.data());
-            beam.prototypes.push_back(
-                model.add_prototype(Chosen(material, section, e, lengths[k], options...)));
+            beam.prototypes.push_back(model.add_prototype(
+                detail::made_element<Chosen>(material, section, e, lengths[k], options...)));
         }
         detail::connect_next(model, beam);
     }

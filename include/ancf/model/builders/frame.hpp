@@ -143,7 +143,8 @@ Frame<Element> add_members(const char* name, BasicModel<Dimension>& model,
         if (prototype < 0) {
             const Profile& profile = profiles[member.profile];
             prototype = static_cast<int>(prototypes.size());
-            prototypes.push_back(Element(profile.material, profile.section, length, options...));
+            prototypes.push_back(
+                made_element<Element>(profile.material, profile.section, length, options...));
             made[{member.profile, length}] = prototype;
         }
         prototype_of.push_back(prototype);
