@@ -425,6 +425,10 @@ ANCF_INLINE void Scene::add_mass(NodeId node, double mass) {
     detail::require_positive("Model::add_mass: mass", mass);
     masses_.push_back({node, mass});
     ++revision_.properties;
+    if (initial_[node.index].fields.contains(Field::r)) return;
+    widen(node, Field::r);
+    layout_stale_ = state_stale_ = true;
+    ++revision_.scene;
 }
 
 ANCF_INLINE void Scene::gather_element(const ElementGroup& group, int index, const VectorX& q,
