@@ -210,6 +210,57 @@ TEST_CASE("Spring: a beam on a spring bends as both bend", "[model][springs]") {
     }
 }
 
+TEST_CASE("Scene::add_mass: a mass on a spring hangs and swings without an element",
+          "[model][springs]") {
+    constexpr double mass = 2.0, stiffness = 100.0;  // kg, N/m
+    PlanarModel model;
+    const NodeId weight = model.add_node({0.0, -1.0});
+    model.add_mass(weight, mass);
+    model.fix(weight, Field::r, 0);
+    model.add(Spring<2>(weight, {0.0, 0.0}, stiffness, 1.0));
+    model.set_gravity({0.0, -9.81});
+    EigenLdlt solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    CHECK(model.position(weight)[1] == Approx(-1.0 - mass * 9.81 / stiffness).epsilon(1e-12));
+    ModalOptions options;
+    options.count = 1;
+    const ModalReport modes = natural_modes(model, solver, options);
+    REQUIRE(modes.status == Status::converged);
+    CHECK(modes.modes[0].value == Approx(stiffness / mass).epsilon(1e-12));
+}
+
+TEST_CASE("Scene::add_mass: an attached mass beside a beam turns with it", "[model][springs]") {
+    const auto kinetic = [](double mass) {
+        constexpr double w = 3.0;  // rad/s, about the first node
+        PlanarModel model;
+        const auto rod =
+            straight_beam<CrossSectionBeam<2>>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                               rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+        model.pin(rod.first());
+        if (mass > 0.0) {
+            const NodeId beside = model.add_node({0.5, 0.2});
+            model.add_mass(beside, mass);
+            model.attach(beside, rod.node(1));
+        }
+        for (const NodeId node : rod.nodes) {
+            const auto r = model.position(node);
+            model.set_rate(node, Field::r, {-w * r[1], w * r[0]});
+            model.set_rate(node, Field::r_x, {0.0, w});
+            model.set_rate(node, Field::r_y, {-w, 0.0});
+        }
+        DynamicProblem problem(model);
+        EigenLu solver;
+        double energy = 0.0;
+        auto schedule = equal_intervals(0.0, 0.01, 0.01);
+        schedule.observe = [&](const Snapshot& seen) {
+            if (seen.state.time == 0.0) energy = seen.energies.kinetic;
+        };
+        const auto report = GeneralizedAlpha().integrate(problem, solver, schedule);
+        return report.status == Status::converged ? energy : -1.0;
+    };
+    CHECK(kinetic(0.7) - kinetic(0.0) == Approx(0.5 * 0.7 * 9.0 * (0.25 + 0.04)).epsilon(1e-12));
+}
+
 TEST_CASE("Spring: a column held by a spring at mid-height buckles", "[model][springs]") {
     // Half a wave each side of u = sqrt(P/(E I)) L/2: k = 4 P/(L (1 - tan(u)/u)); Euler's 2 u = pi
     const Material steel = Material::isotropic(2e11, 0.0, 7800.0);

@@ -281,7 +281,8 @@ public:
             "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
     }
 
-    /// Adds a mass at a node, kg; gravity acts on it.
+    /// Adds a mass at a node, kg; gravity acts on it. A node without elements then has a position:
+    /// it is free, on springs or joints, or attached as an eccentric mass.
     /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
     void add_mass(NodeId node, double mass);
 

@@ -235,7 +235,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint) {
     check(end);
     const Fields carried = initial_[end.index].fields;
     detail::require(carried.contains(Field::r), "Model::attach: node ", end.index,
-                    " carries no vectors yet; connect its elements first");
+                    " carries no vectors yet; connect its elements or add its mass first");
     Fields vectors = Field::r;
     for (const Field slope : {Field::r_y, Field::r_z})
         if (carried.contains(slope)) vectors = vectors | slope;
@@ -283,7 +283,7 @@ ANCF_INLINE void Scene::check_attachment(NodeId end, NodeId joint, Field field) 
     const char* const name = to_string(field);
     detail::require(length_power(field) >= 0, "Model::attach: expected r or slopes, got ", name);
     detail::require(initial_[end.index].fields.contains(field), "Model::attach: node ", end.index,
-                    " carries no ", name, "; connect its elements first");
+                    " carries no ", name, "; connect its elements or add its mass first");
     check_unattached("attach", end, field);
     const auto followed_by = [&](NodeId node) {
         const int last = initial_[node.index].last_attachment;
@@ -374,6 +374,10 @@ ANCF_INLINE void Scene::add_mass(NodeId node, double mass) {
     detail::require_positive("Model::add_mass: mass", mass);
     masses_.push_back({node, mass});
     ++revision_.properties;
+    if (initial_[node.index].fields.contains(Field::r)) return;
+    widen(node, Field::r);
+    layout_stale_ = state_stale_ = true;
+    ++revision_.scene;
 }
 
 ANCF_INLINE void Scene::gather_element(const ElementGroup& group, int index, const VectorX& q,
