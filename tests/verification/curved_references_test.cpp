@@ -4,9 +4,10 @@
 /// @file
 /// Beams that are twisted or curved in their stress-free state against the flexibility of
 /// Timoshenko's beam: the twisted cantilever of MacNeal and Harder, and a deep quarter circle.
-/// docs/theory-references.md, "Twist" and "Curvature".
+/// docs/theory-references.md, "Twist" and "Curvature". Thin rings of continuum beams, which lock.
 
 #include <ancf/constants.hpp>
+#include <ancf/element/continuum/beam.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/loads.hpp>
@@ -147,6 +148,32 @@ TEST_CASE("curved reference: an axis beside the centroids errs by its distance o
     CAPTURE(aside);
     CHECK(turn_too_far<Engineering>(aside) == Approx(aside).epsilon(0.02));
     CHECK(turn_too_far<Green>(aside) == Approx(3.0 * aside).epsilon(0.03));
+}
+
+/// Returns the deflection of a quarter of a ring of continuum beams, radius 1, under a small force
+/// along the ring at its end, relative to that of a thin beam.
+double of_thin_ring(double depth, int elements) {
+    const Section square = rectangle(depth, depth);
+    PlanarModel model;
+    const auto beam = arc<ContinuumBeam<2>>(model, Material::isotropic(2e11, 0.3, 1.0), square,
+                                            {0, 0}, {1, 0}, 1.0, 0.5 * pi, elements);
+    model.clamp(beam.first());
+    const double deflection = 1e-6;  // m
+    const double force = deflection * 2e11 * square.moments().yy / (0.75 * pi - 2.0);
+    model.add(Force<2>(beam.last(), {0.0, force}));
+    const double start = model.position(beam.last())[1];
+    BlockTridiagonal solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    return (model.position(beam.last())[1] - start) / deflection;
+}
+
+TEST_CASE("curved reference: thin rings of continuum beams lock by a known part",
+          "[verification]") {
+    // docs/theory-continuum.md, "Accuracy", to the digits that stand there
+    CHECK(of_thin_ring(1.0 / 30.0, 8) == Approx(0.87).epsilon(0.005));
+    CHECK(of_thin_ring(1.0 / 100.0, 4) == Approx(0.032).epsilon(0.015));
+    CHECK(of_thin_ring(1.0 / 100.0, 16) == Approx(0.922).epsilon(0.0005));
+    CHECK(of_thin_ring(1.0 / 300.0, 16) == Approx(0.589).epsilon(0.001));
 }
 
 }  // namespace curved_references_test
