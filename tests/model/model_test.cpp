@@ -305,9 +305,30 @@ TEST_CASE("Model: rigid rates move what is attached with what it follows", "[mod
     for (int first = 0; first < model.layout().size(); first += 2) {
         const double still = model.layout().field_of(first) == Field::r ? 1.0 : 0.0;
         CHECK(state.v[first] == Approx(still - 3.0 * state.q[first + 1]).margin(1e-14));
-        CHECK(state.v[first + 1] ==
-              Approx(2.0 * still + 3.0 * state.q[first]).margin(1e-14));
+        CHECK(state.v[first + 1] == Approx(2.0 * still + 3.0 * state.q[first]).margin(1e-14));
     }
+}
+
+TEST_CASE("Model: no element widens a node that was clamped or attached", "[model][bad-input]") {
+    using Element = ancf::CrossSectionBeam<2>;
+    const auto build = [](auto&& hold, bool release) {
+        ancf::PlanarModel model;
+        const auto beam = model.add_prototype(Element(material, section, 1.0));
+        const auto first = model.add_node({0, 0}), second = model.add_node({1, 0});
+        const auto wall = ancf::straight_beam<Element>(model, material, section, {0, 0}, {0, 1}, 1);
+        model.add_mass(first, 1.0);
+        hold(model, first, wall.first());
+        if (release) model.release(first, Field::r);
+        model.connect<Element>(beam, first, second);
+    };
+    const auto clamps = [](auto& model, auto node, auto) { model.clamp(node); };
+    const auto attaches = [](auto& model, auto node, auto joint) { model.attach(node, joint); };
+    const auto pins = [](auto& model, auto node, auto) { model.pin(node); };
+    constexpr const char* message = "node 0 would carry more vectors than when it was clamped";
+    CHECK_THROWS_WITH(build(clamps, false), ContainsSubstring(message));
+    CHECK_THROWS_WITH(build(attaches, false), ContainsSubstring(message));
+    CHECK_NOTHROW(build(clamps, true));
+    CHECK_NOTHROW(build(pins, false));
 }
 
 TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]") {
@@ -339,7 +360,9 @@ TEST_CASE("Model: calls that cannot be meant are refused", "[model][bad-input]")
     CHECK_THROWS_AS(scene.add_mass(absent, 1.0), InvalidArgument);
     CHECK_THROWS_AS(scene.set_gravity({0, 0, not_a_number}), InvalidArgument);
     CHECK_THROWS_AS(scene.position(absent), InvalidArgument);
-    CHECK_THROWS_AS(scene.set_rigid_rates({absent}, {0, 0, 0}, {0, 0, 1}), InvalidArgument);
+    CHECK_THROWS_AS(scene.set_rigid_rates({beam.last(), absent}, {1, 0, 0}, {0, 0, 1}),
+                    InvalidArgument);
+    CHECK(scene.state().v.isZero(0.0));
     CHECK_THROWS_WITH(scene.set_rigid_rates({0, 0, 0}, {0, 0, not_a_number}),
                       ContainsSubstring("must be finite"));
     CHECK_THROWS_AS(scene.prototype<Bar>(1), InvalidArgument);

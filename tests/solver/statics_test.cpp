@@ -449,6 +449,7 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         REQUIRE(report.status == Status::converged);
         CHECK(report.steps.back().damped);
         CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
         CHECK(std::abs(model.position(rod.last())[0]) < 1e-8);
         CHECK(model.position(rod.last())[1] == Approx(-1.0).epsilon(1e-6));
         CHECK(report.reactions[1] == Approx(7800.0 * 4e-4 * 9.81));

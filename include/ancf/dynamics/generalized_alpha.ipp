@@ -42,7 +42,8 @@ private:
         double told = 0.0;         // 0: none
     };
 
-    static constexpr double farthest = 1.0;  // of corrections that grow: a slope's length
+    static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
+    static constexpr double round_off = 1e-15;  // of corrections: no new matrix makes it smaller
 
     void begin(const Memory& memory);
     void begin_anew();
@@ -216,7 +217,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
         const double ratio = k > 1 ? change / before : 1.0;
         if (++since > 2) {
-            matrix_.contraction = since > 3 ? std::max(matrix_.contraction, ratio) : ratio;
+            matrix_.contraction = std::max(ratio, since > 3 ? matrix_.contraction : 1e-4);
             matrix_.told = matrix_.steps;
         }
         // one correction tells nothing of what is left
@@ -228,7 +229,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
         // so slow that a new matrix is cheaper
         const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
-        renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
+        renew = k > 1 && change > round_off && (ratio > 0.9 || (slow && !(small && fresh)));
         before = change;
     }
     return Status::max_iterations;

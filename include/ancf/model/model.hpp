@@ -197,8 +197,8 @@ void BasicModel<Dimension>::set_rigid_rates(const std::vector<NodeId>& nodes,
                     "Model::set_rigid_rates: velocity, spin and about must be finite");
     VectorX& rates = state().v;
     check_state(rates, layout());
+    for (const NodeId node : nodes) check(node);
     for (const NodeId node : nodes) {
-        check(node);
         const Fields fields = layout().fields(node.index);
         for (int k = 0; k < fields.count(); ++k) {
             const int first = layout().first(node.index) + k * Dimension;

@@ -85,6 +85,7 @@ protected:
         Fields fields;
         std::array<double, 3 * field_count> vectors;
         int last_support = -1, last_attachment = -1;  // places in supports_ and attachments_
+        bool held = false;  // clamped or attached, each vector that it had
     };
 
     Records<InitialNode> initial_;
@@ -426,6 +427,7 @@ private:
     void add_torsion() const;
     [[nodiscard]] bool state_fits(const Layout& layout) const noexcept;
     void fit_state(const Layout& before) const;
+    void check_widening(const char* call, NodeId node, Fields fields) const;
     void widen(NodeId node, Fields fields);
 
     // Returns the place of a support in supports_, -1 where there is none.

@@ -131,6 +131,7 @@ ANCF_INLINE int Scene::connect_in(ElementGroup* group, int prototype, NodeId fir
     const int prototypes = group == nullptr ? 0 : group->prototype_count();
     detail::require(prototype >= 0 && prototype < prototypes, "Model::connect: there are ",
                     prototypes, " prototypes, got index ", prototype);
+    for (const NodeId node : {first, second}) check_widening("connect", node, group->fields());
     group->connections.push_back({prototype, first, second});
     for (const NodeId node : {first, second}) {
         widen(node, group->fields());
@@ -217,6 +218,7 @@ ANCF_INLINE void Scene::clamp(NodeId node, Clamp clamp) {
         const bool held = clamp == Clamp::full || field != Field::r_x;
         if (held && carried.contains(field)) fix(node, field);
     }
+    initial_[node.index].held = true;
 }
 
 ANCF_INLINE void Scene::release(NodeId node, Field field) {
@@ -228,6 +230,7 @@ ANCF_INLINE void Scene::release(NodeId node, Field field) {
     for (const Support& support : before) initial_[support.node.index].last_support = -1;
     for (Support& support : before)
         if (support.node != node || support.field != field) append(std::move(support));
+    initial_[node.index].held = false;
     ++revision_.scene;
 }
 
@@ -242,6 +245,7 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint) {
     if (dimension_ == 3 && carried.contains(Field::r_y) && !carried.contains(Field::r_z))
         vectors = vectors | Field::r_x;
     attach(end, joint, vectors);
+    initial_[end.index].held = true;
 }
 
 ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
@@ -254,6 +258,8 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
     const auto& to = initial_[joint.index].vectors;
     // sums of a user's coordinates: what round-off leaves of an offset is none
     constexpr double round_off = 1e-12;
+    std::vector<AttachedVector> attachments;
+    Fields followed;
     for (int k = 0; k < vectors.count(); ++k) {
         const Field field = vectors.at(k);
         double vector[3] = {};
@@ -270,11 +276,14 @@ ANCF_INLINE void Scene::attach(NodeId end, NodeId joint, Fields vectors) {
         for (std::size_t i = 0; i < 3; ++i) {
             const double factor = std::abs(slopes[i]) <= round_off * size ? 0.0 : slopes[i];
             attachment.factors[1 + i] = factor;
-            if (factor != 0.0) widen(joint, static_cast<Field>(1 + i));
+            if (factor != 0.0) followed = followed | static_cast<Field>(1 + i);
         }
-        if (field == Field::r) widen(joint, Field::r);
-        append(attachment);
+        if (field == Field::r) followed = followed | Field::r;
+        attachments.push_back(attachment);
     }
+    check_widening("attach", joint, followed);
+    widen(joint, followed);
+    for (const AttachedVector& attachment : attachments) append(attachment);
     layout_stale_ = state_stale_ = true;
     ++revision_.scene;
 }
@@ -408,6 +417,13 @@ ANCF_INLINE const double* Scene::vector_now(NodeId node, Field field) const {
                    : initial_[node.index].vectors.data() + 3 * static_cast<int>(field);
     check_state(state().q, layout_);
     return state_.q.data() + first;
+}
+
+ANCF_INLINE void Scene::check_widening(const char* call, NodeId node, Fields fields) const {
+    const InitialNode& at = initial_[node.index];
+    detail::require(!at.held || (at.fields | fields) == at.fields, "Model::", call, ": node ",
+                    node.index, " would carry more vectors than when it was clamped or attached; ",
+                    "connect its elements first");
 }
 
 ANCF_INLINE void Scene::widen(NodeId node, Fields fields) {

@@ -59,12 +59,15 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
         length = sums[0];
         count = sums[1];
     }
-    if (count == 0.0) return;
-    element_size_ = length / count;
     const VectorX& q = model.state().q;
     detail::require(q.size() == layout.size(), "the state has ", q.size(),
                     " coordinates, the model has ", layout.size());
-    size_ = std::max(detail::diagonal_of(layout, model.dimension(), q, exchange_), element_size_);
+    const double diagonal = detail::diagonal_of(layout, model.dimension(), q, exchange_);
+    if (count > 0.0)
+        element_size_ = length / count;
+    else if (diagonal > 0.0)
+        element_size_ = diagonal;
+    size_ = std::max(diagonal, element_size_);
 }
 
 template <class Entry>

@@ -101,6 +101,9 @@ struct StaticsReport {
     /// factorisation L D L^T after the last step where the solver counts no pivots, or the tangent
     /// of the last correction is not near that of the state.
     Stability stability = Stability::unknown;
+    /// Whether loads alone hold the scene: without them it moves without stiffness, as a pendulum
+    /// does. Where that is not meant a support or a joint is missing.
+    bool held_by_loads = false;
     FactorReport factorisation;  ///< of the last tangent solved with
     VectorX reactions;           ///< generalised forces of the supports, zero elsewhere; N and N m
     Resultant imbalance;         ///< loads plus reactions: zero at equilibrium

@@ -491,8 +491,11 @@ private:
         constexpr double small_correction = 0.1;
         if (step.damped && unheld_) {
             report_.factorisation = solver_.factorize(assembly_.tangent());
-            return report_.factorisation.status == Status::converged &&
-                   stability(assembly_, report_.factorisation) == Stability::stable;
+            if (report_.factorisation.status != Status::converged ||
+                stability(assembly_, report_.factorisation) != Stability::stable)
+                return false;
+            doubted_ = false;
+            return stable_ = report_.held_by_loads = true;
         }
         if (step.newton != NewtonKind::automatic || step.corrections.empty() || !stable_ ||
             moments_alone_)
