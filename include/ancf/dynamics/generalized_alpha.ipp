@@ -241,7 +241,7 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
 /// stiff body that turns this contraction grows with the square of the angle since the matrix was
 /// made.
 ANCF_INLINE double GeneralizedAlphaRun::expected_contraction() const {
-    constexpr double unknown = 0.9;
+    constexpr double unknown = 0.8;
     if (matrix_.told == 0.0) return unknown;
     const double grown = matrix_.steps / matrix_.told;
     return std::min(matrix_.contraction * grown * grown, unknown);
