@@ -43,7 +43,7 @@ private:
     };
 
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
-    static constexpr double round_off = 1e-15;  // of corrections: no new matrix makes it smaller
+    static constexpr double round_off = 4e-16;  // of corrections, at least
 
     void begin(const Memory& memory);
     void begin_anew();
@@ -225,11 +225,12 @@ ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
         const double left = since > 1 ? shrinks / std::max(1.0 - shrinks, 0.1) * change : change;
         // at the round-off of the residual the corrections no longer shrink
         const bool small = change <= 1e3 * options_.newton_tolerance;
-        if (left <= wanted || (k > 1 && ratio >= 1.0 && small)) return Status::converged;
+        if (left <= wanted || (k > 1 && (change <= round_off || (ratio >= 1.0 && small))))
+            return Status::converged;
         if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
         // so slow that a new matrix is cheaper
         const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
-        renew = k > 1 && change > round_off && (ratio > 0.9 || (slow && !(small && fresh)));
+        renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
         before = change;
     }
     return Status::max_iterations;
