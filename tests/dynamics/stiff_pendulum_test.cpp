@@ -118,6 +118,16 @@ struct SpunBar {
     }
 };
 
+/// Moves a scene from its start to a time, s.
+template <class Integrator>
+DynamicsReport move_until(double end, PlanarModel& model, const Integrator& integrator) {
+    DynamicProblem problem(model);
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = end;
+    return integrator.integrate(problem, solver, schedule);
+}
+
 TEST_CASE("generalized-alpha turns a slow steel link by second order in short steps too",
           "[dynamics]") {
     // 5 rad at 1 rad/s: a link of 0.1 m hardly bends in it, and kept matrices shrink corrections
@@ -126,14 +136,9 @@ TEST_CASE("generalized-alpha turns a slow steel link by second order in short st
     double behind[3];  // rad, over the square of the step
     for (const int k : {0, 1, 2}) {
         SpunBar bar(Material::isotropic(2e11, 0.3, 7800.0), 0.1, 0.01, 1.0, pinned);
-        DynamicProblem problem(bar.model);
-        EigenLu solver;
-        Schedule schedule;
-        schedule.end = 5.0;
         GeneralizedAlphaOptions options;
         options.step = std::vector{1e-2, 1e-3, 3e-4}[k];
-        REQUIRE(GeneralizedAlpha(options).integrate(problem, solver, schedule).status ==
-                Status::converged);
+        REQUIRE(move_until(5.0, bar.model, GeneralizedAlpha(options)).status == Status::converged);
         behind[k] = std::remainder(5.0 - bar.angle(), 2.0 * pi) / (options.step * options.step);
     }
     CAPTURE(pinned, behind[0], behind[1], behind[2]);
@@ -152,10 +157,7 @@ TEST_CASE("generalized-alpha needs one matrix for a beam that stays at rest", "[
     EigenLu solver;
     REQUIRE(solve_statics(model, solver).status == Status::converged);
     model.state().time = 0.0;
-    DynamicProblem problem(model);
-    Schedule schedule;
-    schedule.end = 1.0;
-    const auto report = GeneralizedAlpha().integrate(problem, solver, schedule);
+    const auto report = move_until(1.0, model, GeneralizedAlpha());
     REQUIRE(report.status == Status::converged);
     CHECK(report.steps == 1000);
     CHECK(report.jacobians <= 3);
@@ -168,14 +170,10 @@ TEST_CASE("adaptive Radau IIA keeps the energy of a bar that is hardly strained 
     // A hundred times as stiff as steel, 40 rad: Newton's method bounds the steps, not the
     // tolerance.
     SpunBar bar(Material::from_moduli(2.1e13, 8.1e12, 7850.0), 1.0, 0.02, 10.0, true);
-    DynamicProblem problem(bar.model);
-    EigenLu solver;
-    Schedule schedule;
-    schedule.end = 4.0;
     RadauOptions options;
     options.stages = GENERATE(3, 5);
     options.tolerance = GENERATE(1e-2, 1e-3, 1e-4);
-    const auto report = RadauIIA(options).integrate(problem, solver, schedule);
+    const auto report = move_until(4.0, bar.model, RadauIIA(options));
     CAPTURE(options.stages, options.tolerance, report.steps);
     REQUIRE(report.status == Status::converged);
     // 2.3e-4 and 3.3e-6 measured. Where Newton's method may leave its share of the tolerance in
@@ -190,13 +188,9 @@ TEST_CASE("adaptive Radau IIA keeps the energy of a slow steel link", "[dynamics
     // as they are below their share of the tolerance, 0.01 and 0.076.
     const bool pinned = GENERATE(false, true);
     SpunBar bar(Material::isotropic(2e11, 0.3, 7800.0), 0.1, 0.01, 1.0, pinned);
-    DynamicProblem problem(bar.model);
-    EigenLu solver;
-    Schedule schedule;
-    schedule.end = 20.0;
     RadauOptions options;
     options.stages = 5;
-    const auto report = RadauIIA(options).integrate(problem, solver, schedule);
+    const auto report = move_until(20.0, bar.model, RadauIIA(options));
     CAPTURE(pinned, report.steps);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift <= 6e-3 * report.kinetic_largest);
