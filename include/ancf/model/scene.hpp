@@ -149,7 +149,8 @@ public:
 
     /// Adds an element between two nodes.
     /// @return its index in its group.
-    /// @throws InvalidArgument for a node or a prototype that does not exist, or equal nodes.
+    /// @throws InvalidArgument for a node or a prototype that does not exist, equal nodes, or a
+    ///         node that was clamped or attached with fewer vectors than the element needs.
     template <class Element>
     int connect(int prototype, NodeId first, NodeId second) {
         return connect_in(find_group<Element>(), prototype, first, second);
