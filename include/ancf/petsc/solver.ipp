@@ -256,8 +256,8 @@ struct SolverRun {
         if (scene == nullptr || rows.block <= scene->dimension()) return;
         VectorX free;
         std::vector<Handle<Vec>> modes;
-        for (int k = 0; k < (scene->dimension() == 3 ? 6 : 3); ++k) {
-            numbering.gather_free(rigid_motion(*scene, scene->state().q, k), free);
+        for (int motion = 0; motion < (scene->dimension() == 3 ? 6 : 3); ++motion) {
+            numbering.gather_free(rigid_motion(*scene, scene->state().q, motion), free);
             check(VecDuplicate(x, modes.emplace_back().fresh()));
             const Vec mode = modes.back();
             write(free, mode);
