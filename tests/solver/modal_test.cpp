@@ -369,6 +369,25 @@ TEST_CASE("modes: a weld whose forces are large beside the energies loses none",
     CHECK(checked == 100);
 }
 
+TEST_CASE("modes: a state that violates a constraint is told of", "[modal]") {
+    Scene scene;
+    const auto beam =
+        ancf::straight_beam<Element>(scene, steel(), ancf::rectangle(0.05, 0.05), {0.0, 0.0, 0.0},
+                                     {2.0, 0.0, 0.0}, 2, ancf::CrossSectionOptions::best());
+    const ancf::Motion turn{[](double factor) { return 0.2 * factor; }, [](double) { return 0.2; },
+                            [](double) { return 0.0; }};
+    scene.add(ancf::DrivenRevolute(scene, beam.first(), {0.0, 0.0, 1.0}, turn));
+    ancf::EigenLu solver;
+    ancf::ModalOptions options;
+    options.factor = 0.0;
+    const auto rests = ancf::natural_modes(scene, solver, options);
+    CHECK(rests.status == Status::converged);
+    CHECK(rests.message.empty());
+    options.factor = 1.0;
+    CHECK_THAT(ancf::natural_modes(scene, solver, options).message,
+               ContainsSubstring("violates its constraints by"));
+}
+
 TEST_CASE("modes: none is lost beside one that is far slower", "[modal]") {
     // a heavy mass holds the place of the tip: the beam is clamped and hinged then, of either plane
     const double hinged =

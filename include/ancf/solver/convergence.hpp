@@ -32,9 +32,12 @@ public:
     /// Measures the scene as it stands.
     ConvergenceMonitor(const Scene& model, const Numbering& numbering);
 
-    /// Returns the residual of the last evaluation relative to loads, reactions and constraint
-    /// forces; the violation of constraints counts relative to what changes by the scene's size, of
-    /// slopes by one, make of it.
+    /// Returns the violation of constraints of the last evaluation relative to what changes by the
+    /// scene's size, of slopes by one, make of it.
+    [[nodiscard]] double violation(const Assembly& assembly) const;
+
+    /// Returns the larger of violation() and the residual of the last evaluation relative to loads,
+    /// reactions and constraint forces.
     [[nodiscard]] double residual(const Assembly& assembly) const;
 
     /// Returns whether the residual is within the round-off of its own evaluation: below
@@ -60,7 +63,6 @@ private:
     [[nodiscard]] Norms norms(const Entry& entry) const;
     // Of the forces that no support takes.
     [[nodiscard]] Norms unbalanced(const Assembly& assembly) const;
-    [[nodiscard]] double violation(const Assembly& assembly) const;
 
     const Numbering& numbering_;
     const detail::Exchange* exchange_;  // of a part of a scene

@@ -217,6 +217,11 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     };
     ModalReport report = detail::with_cause(
         detail::modes_of(assembly, A, mass, solver, options, value), model, assembly, A, solver);
+    const double violated = ConvergenceMonitor(model, assembly.numbering()).violation(assembly);
+    if (report.message.empty() && !(violated <= 1e-6))
+        report.message =
+            detail::joined({"the state violates its constraints by ", violated,
+                            " of the scene's size at a load factor of ", options.factor});
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     const int wanted = std::min(options.count, std::max(left, 1));
     const auto found = static_cast<int>(report.modes.size());
