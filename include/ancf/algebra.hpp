@@ -35,36 +35,38 @@ void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);
 /// Returns A x.
 [[nodiscard]] VectorX multiply(const MatrixX& A, const VectorX& x);
 
-/// L L^T of a small matrix that is symmetric and positive definite.
+/// L D L^T of a small matrix that is symmetric and positive definite, without square roots.
 template <int Size>
 class SmallCholesky {
 public:
     SmallCholesky() = default;
 
-    explicit SmallCholesky(const Matrix<double, Size>& matrix) : lower_(matrix) {
-        for (int k = 0; k < Size; ++k)
-            for (int i = k; i < Size; ++i) {
-                for (int j = 0; j < k; ++j) lower_(i, k) -= lower_(i, j) * lower_(k, j);
-                lower_(i, k) = i == k ? std::sqrt(lower_(k, k)) : lower_(i, k) / lower_(k, k);
+    explicit SmallCholesky(const Matrix<double, Size>& matrix) : factors_(matrix) {
+        for (int k = 0; k < Size; ++k) {
+            const double over = 1.0 / factors_(k, k);
+            for (int i = k + 1; i < Size; ++i) {
+                const double share = factors_(i, k) * over;
+                for (int j = k + 1; j <= i; ++j) factors_(i, j) -= share * factors_(j, k);
             }
+            for (int i = k + 1; i < Size; ++i) factors_(i, k) *= over;
+            factors_(k, k) = over;
+        }
     }
 
     /// Returns the solution of matrix x = b.
     [[nodiscard]] Vector<double, Size> solve(const Vector<double, Size>& b) const {
         Vector<double, Size> x = b;
-        for (int i = 0; i < Size; ++i) {
-            for (int j = 0; j < i; ++j) x[i] -= lower_(i, j) * x[j];
-            x[i] /= lower_(i, i);
-        }
+        for (int i = 1; i < Size; ++i)
+            for (int j = 0; j < i; ++j) x[i] -= factors_(i, j) * x[j];
         for (int i = Size - 1; i >= 0; --i) {
-            for (int j = i + 1; j < Size; ++j) x[i] -= lower_(j, i) * x[j];
-            x[i] /= lower_(i, i);
+            x[i] *= factors_(i, i);
+            for (int j = i + 1; j < Size; ++j) x[i] -= factors_(j, i) * x[j];
         }
         return x;
     }
 
 private:
-    Matrix<double, Size> lower_;
+    Matrix<double, Size> factors_;  // L below the diagonal, the inverse of D on it
 };
 
 /// Returns how many entries a compressed matrix stores.

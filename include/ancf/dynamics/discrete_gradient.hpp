@@ -229,11 +229,12 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
         for (int i = 0; i < dofs * dofs; ++i) out.tangent[i] *= 0.5;
     out.modes.without(change, rest);
     double square = 0.0, work = 0.0, round_off = 0.0;
-    for (int i = 0; i < dofs; ++i) {
-        square += rest[i] * out.modes.weight(i) * rest[i];
-        work += out.force[i] * change[i];
-        round_off += std::abs(out.force[i]) * std::max(std::abs(e0[i]), std::abs(e1[i]));
-    }
+    for (int k = 0; k < step.vectors(); ++k)
+        for (int i = dimension * k; i < dimension * (k + 1); ++i) {
+            square += rest[i] * out.modes.weight_of(k) * rest[i];
+            work += out.force[i] * change[i];
+            round_off += std::abs(out.force[i]) * std::max(std::abs(e0[i]), std::abs(e1[i]));
+        }
     round_off *= std::numeric_limits<double>::epsilon();  // of U
     const double missed = out.energy - before - work;
     if (!(square > smallest_change * smallest_change * length * length)) return;
@@ -244,7 +245,8 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
         group.force(prototype, e1, end);
         add_correction_tangent(dofs, end, change, rest, square, s, out);
     }
-    for (int i = 0; i < dofs; ++i) out.force[i] += s * out.modes.weight(i) * rest[i];
+    for (int k = 0; k < step.vectors(); ++k)
+        step.add(out.force, k, s * out.modes.weight_of(k) * step.vector(rest, k));
 }
 
 /// Corrects the middle's gradient G_m of one function of a few nodal vectors to the discrete
