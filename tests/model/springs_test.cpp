@@ -133,7 +133,8 @@ TEST_CASE("Spring, Damper: a bar swings and decays as the closed form", "[model]
     CHECK((model.position(end) - root - (length + x) * direction).norm() < 2e-5 * out);
 }
 
-TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring", "[model][springs]") {
+TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring",
+          "[model][springs][long]") {
     Model model;
     const auto bar = add_bar(model, {1.0, 0.0, 0.0}, {0.8, 0.0, 0.6});
     model.add(Spring<3>(bar.first(), Point::Zero(), 80.0, 0.9));
@@ -145,7 +146,7 @@ TEST_CASE("Spring: EnergyMomentum keeps the energy of a bar on a spring", "[mode
     CHECK(report.energy_drift < 1e-9);  // of some 50 J
 }
 
-TEST_CASE("Spring: between two bars it keeps energy and momenta", "[model][springs]") {
+TEST_CASE("Spring: between two bars it keeps energy and momenta", "[model][springs][long]") {
     Model model;
     const auto first = add_bar(model, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     const auto second = add_bar(model, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8});
