@@ -159,6 +159,7 @@ TEST_CASE("Spring: between two bars it keeps energy and momenta", "[model][sprin
     const auto report = keep_energy(problem, 5e-3, 0.5);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift < 1e-9);  // of 20 J
+    CHECK(report.steps < 2000);         // 100, most of them divided
     const Momentum end = momentum(problem, model.state());
     CHECK((end.linear - start.linear).norm() < 1e-11 * start.linear.norm());
     CHECK((end.angular - start.angular).norm() < 1e-11 * start.angular.norm());
