@@ -15,10 +15,12 @@
 #include <ancf/solver/scaled.hpp>
 #include <ancf/solver/statics.hpp>
 
+#include <support/bar.hpp>
 #include <support/catch.hpp>
 #include <support/scales.hpp>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -163,6 +165,13 @@ TEST_CASE("own parts: a load that changes the size of its force is refused", "[b
         CHECK_THROWS_WITH(analysis.run(model, solver, [&] { *size = other; }),
                           ContainsSubstring("a load on 2 coordinates changed the size"));
     }
+}
+
+TEST_CASE("own parts: an element without a length is refused", "[bad-input]") {
+    const double length = GENERATE(0.0, -1.0, std::numeric_limits<double>::quiet_NaN());
+    PlanarModel model;
+    CHECK_THROWS_WITH(model.add_prototype(test::Bar<2>(1.0, 1.0, length)),
+                      ContainsSubstring("the length of an element must be positive and finite"));
 }
 
 TEST_CASE("own parts: a scene that changes in a call of its run is refused", "[bad-input]") {

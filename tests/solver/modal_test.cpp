@@ -752,7 +752,8 @@ TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[r
         CHECK(constant.estimate == 7.0);
         CHECK(constant.error == 0.0);
     }
-    CHECK_THROWS_AS(ancf::richardson(power, 0), ancf::InvalidArgument);
+    for (const int elements : {0, std::numeric_limits<int>::max() / 2})
+        CHECK_THROWS_AS(ancf::richardson(power, elements), ancf::InvalidArgument);
 }
 
 }  // namespace modal_test

@@ -143,7 +143,7 @@ public:
 
     /// Adds an element type's constant data for several equal elements to share.
     /// @return its index for `connect`.
-    /// @throws InvalidArgument for an element of another dimension.
+    /// @throws InvalidArgument for an element of another dimension or without a length.
     template <class Element>
     int add_prototype(Element element);
 
@@ -442,6 +442,7 @@ private:
 template <class Element>
 int Scene::add_prototype(Element element) {
     check_dimension("an element", Element::dimension);
+    detail::require_positive("Scene::add_prototype: the length of an element", element.length());
     if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
     return detail::append_prototype<Element>(found_group<Element>(), std::move(element));
 }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace ancf {
 
@@ -35,10 +36,12 @@ struct Convergence {
 ///     // tip.values[2] +- tip.error, order tip.order
 ///
 /// @param value  from a number of elements to the value of interest
-/// @throws InvalidArgument unless elements >= 1.
+/// @throws InvalidArgument unless elements >= 1, or where the finest mesh is past counting.
 template <class Value>
 [[nodiscard]] Convergence richardson(Value&& value, int elements) {
-    detail::require(elements >= 1, "richardson: elements must be at least 1, got ", elements);
+    constexpr int most = std::numeric_limits<int>::max() / 4;
+    detail::require(elements >= 1 && elements <= most, "richardson: elements must be from 1 to ",
+                    most, ", got ", elements);
     Convergence result{{elements, 2 * elements, 4 * elements}, {}};
     for (std::size_t k = 0; k < 3; ++k) result.values[k] = value(result.elements[k]);
     const double coarse = result.values[1] - result.values[0];
