@@ -190,9 +190,12 @@ void detail::require_output() {
 
 int detail::exit_code() noexcept {
     try {
-        throw;
-    } catch (const Exit& exit) {
-        return exit.code;
+        try {
+            throw;
+        } catch (const Exit& exit) {
+            require_output();
+            return exit.code;
+        }
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
     } catch (...) {

@@ -186,12 +186,13 @@ def lost_output(folder):
     """What standard output does not take must not end as a success."""
     if not pathlib.Path("/dev/full").exists():
         return
-    for program, text in [("cantilever", ""), ("table_1", ""), ("probe", " ".join(REFERENCE))]:
+    commands = [(["cantilever"], ""), (["cantilever", "--help"], ""), (["table_1"], ""), (["probe"], " ".join(REFERENCE))]
+    for (program, *options), text in commands:
         with open("/dev/full", "w", encoding="utf-8") as full:
-            done = subprocess.run([pathlib.Path(folder) / program], input=text, text=True, stdout=full,
+            done = subprocess.run([pathlib.Path(folder) / program, *options], input=text, text=True, stdout=full,
                                   stderr=subprocess.PIPE, check=False)
         if done.returncode != 2 or "standard output" not in done.stderr:
-            yield f"{program} > /dev/full: status {done.returncode}, {done.stderr.strip()!r}"
+            yield f"{program} {options} > /dev/full: status {done.returncode}, {done.stderr.strip()!r}"
 
 
 def main(folder):
