@@ -24,7 +24,7 @@ TEST_CASE("Radau IIA: the tables fulfil the conditions of order", "[dynamics][ra
     const int s = GENERATE(1, 3, 5, 7);
     CAPTURE(s);
     const detail::RadauTableau table = detail::radau_tableau(s);
-    REQUIRE(table.stages() == s);
+    REQUIRE(static_cast<int>(table.nodes.size()) == s);
     const MatrixX A = test::inverted(table.inverse);
     const auto c = [&](int i, int power) {
         return std::pow(table.nodes[static_cast<std::size_t>(i)], power);

@@ -25,9 +25,41 @@ namespace detail {
 class GeneralizedAlphaRun : MotionRun {
 public:
     GeneralizedAlphaRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-                        const GeneralizedAlphaOptions& options);
+                        const GeneralizedAlphaOptions& options)
+        : MotionRun(problem, solver, schedule,
+                    {options.step, options.tolerance, options.min_step, options.max_step},
+                    options.follow_energy, true),
+          options_(options),
+          am_((2.0 * options.rho - 1.0) / (options.rho + 1.0)),
+          af_(options.rho / (options.rho + 1.0)),
+          gamma_(0.5 + af_ - am_),
+          offset_(am_ - af_),
+          system_(problem.mass()),
+          stiff_(static_cast<std::size_t>(detail::entries(system_))) {
+        beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
+        beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
+        gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
+        error_constant_ = std::abs(beta_ + 0.5 * offset_ - 1.0 / 6.0);
+        const int n = problem.size();
+        for (int j = 0; j < system_.outerSize(); ++j)
+            for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
+                stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
+        solver_.analyze(system_);
+    }
 
-    DynamicsReport run(const Memory& memory);
+    DynamicsReport run(const Memory& memory) {
+        if (!has_started()) return std::move(report_);
+        memory.empty() ? begin_anew() : recall_run(memory);
+        next_ = now_;
+        recorder_.start(now_);
+        while (goes_on(now_) && advance()) {
+            std::swap(now_, next_);
+            if (!record(next_, now_)) break;
+        }
+        recorder_.finish(now_);
+        remember_run();
+        return std::move(report_);
+    }
 
 private:
     // The end of a step: accelerations v' and algorithmic accelerations a.
@@ -45,19 +77,216 @@ private:
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
     static constexpr double round_off = 4e-16;  // of corrections, at least
 
-    void begin(const Memory& memory);
-    void begin_anew();
-    [[nodiscard]] bool read(const Memory& memory);
-    void recall_run(const Memory& memory);
-    void remember_run();
-    [[nodiscard]] bool advance();
-    void shift_algorithmic(double width);
-    [[nodiscard]] Status newton(double h);
-    [[nodiscard]] Status iterate(double h, bool renew);
-    [[nodiscard]] Status factorise(double h);
-    [[nodiscard]] double expected_contraction() const;
-    void predict(double h);
-    void correct(double h);
+    /// Begins at the model's state, with accelerations that belong to it.
+    void begin_anew() {
+        static_cast<MotionPoint&>(now_) = start_point();
+        now_.acceleration = now_.algorithmic = start_.acceleration;
+        width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
+        if (offset_ == 0.0) return;
+        // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
+        VectorX jerk;
+        if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
+            now_.algorithmic += offset_ * width_ * jerk;
+        report_.evaluations += 4;
+    }
+
+    /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
+    /// Returns whether it ended by a step that was cut.
+    [[nodiscard]] bool read(const Memory& memory) {
+        const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 7);
+        require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
+                ", the options have ", options_.rho);
+        problem_.set_length_scale(values[11]);
+        static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
+        now_.acceleration = memory.get("acceleration", problem_.size());
+        now_.algorithmic = memory.get("algorithmic", problem_.size());
+        width_ = values[4];
+        linearised_width_ = values[6];
+        if (linearised_width_ > 0.0)
+            static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
+        return was_cut(values, width_);
+    }
+
+    void recall_run(const Memory& memory) {
+        bool begins_anew = false;
+        together(problem_.model().exchange(), [&] { begins_anew = read(memory); });
+        require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
+        if (linearised_width_ > 0.0 &&
+            (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
+             factorise(linearised_width_) != Status::converged))
+            linearised_width_ = 0.0;  // the first step builds a matrix of its own
+        const VectorX& values = memory.get("scalars", 12);
+        matrix_ = {values[8], values[9], values[10]};
+        if (begins_anew) begin_anew();
+    }
+
+    void remember_run() {
+        remember("generalized_alpha", now_,
+                 {width_, linearised_.time, linearised_width_, options_.rho, matrix_.steps,
+                  matrix_.contraction, matrix_.told});
+        report_.memory.put("acceleration", now_.acceleration);
+        report_.memory.put("algorithmic", now_.algorithmic);
+        if (linearised_width_ > 0.0) remember("linearised_", linearised_);
+    }
+
+    /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts
+    /// where it is not.
+    [[nodiscard]] bool advance() {
+        for (;;) {
+            const Step step = next_step(now_);
+            shift_algorithmic(step.width);
+            if (divides(step)) continue;
+            next_.time = step.end;
+            const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
+            double error = 0.0;
+            if (status == Status::converged && control_.is_adaptive())
+                error = error_constant_ * step.width * step.width * change_of_acceleration() /
+                        options_.tolerance;
+            const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
+            if (status == Status::converged && error <= 1.0) {
+                grid_.take(step);
+                rests_ = error < resting;
+                // a step keeps its width, and the matrix, unless a change is worth it
+                if (control_.is_adaptive() && step.width == grid_.width &&
+                    (factor < 0.95 || factor > 1.4))
+                    grid_ = {step.end, std::min(step.width * std::min(factor, 2.0), control_.most)};
+                return true;
+            }
+            if (!shortens(step, status, status == Status::converged ? std::max(0.2, factor) : 0.25))
+                return false;
+        }
+    }
+
+    /// Moves the algorithmic acceleration to the time that belongs to another step.
+    ///
+    /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
+    void shift_algorithmic(double width) {
+        if (width == width_) return;
+        now_.algorithmic =
+            now_.acceleration + width / width_ * (now_.algorithmic - now_.acceleration);
+        width_ = width;
+    }
+
+    /// Solves one step by Newton's method.
+    ///
+    /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
+    /// the step then starts again, with a matrix of its own.
+    [[nodiscard]] Status newton(double h) {
+        if (linearised_width_ == h && iterate(h, false) == Status::converged)
+            return Status::converged;
+        return iterate(h, true);
+    }
+
+    /// Iterates from the prediction, with a new matrix or the one at hand.
+    ///
+    /// A matrix, of an earlier step or iterate, stays while it converges fast enough.
+    [[nodiscard]] Status iterate(double h, bool renew) {
+        const int n = problem_.size();
+        const int m = problem_.multipliers();
+        predict(h);
+        rhs_.resize(n + m);
+        bool fresh = false;  // whether the matrix is of this step
+        int since = 0;       // corrections by the matrix at hand
+        matrix_.steps += 1.0;
+        double before = 0.0;
+        for (int k = 1; k <= options_.max_iterations; ++k) {
+            if (const Status status =
+                    evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
+                status != Status::converged)
+                return status;
+            if (renew) {
+                if (const Status status = factorise(h); status != Status::converged) return status;
+                fresh = true;
+                since = 0;
+            }
+            product_ = -problem_.force();
+            problem_.add_mass_product(-1.0, next_.acceleration, product_);
+            rhs_.head(n) = product_;
+            rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
+            solve_with(solver_, rhs_, solution_);
+            ++report_.iterations;
+            correct(h);
+            const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
+            if (!std::isfinite(change)) return Status::not_finite;
+            // far below the local error of the step, however short it is
+            const double local = h * h * beta_hat_ * change_of_acceleration();
+            const double wanted =
+                std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
+            const double ratio = k > 1 ? change / before : 1.0;
+            if (++since > 2) {
+                matrix_.contraction = std::max(ratio, since > 3 ? matrix_.contraction : 1e-4);
+                matrix_.told = matrix_.steps;
+            }
+            // one correction tells nothing of what is left
+            const double shrinks = std::max(ratio, expected_contraction());
+            const double left =
+                since > 1 ? shrinks / std::max(1.0 - shrinks, 0.1) * change : change;
+            // at the round-off of the residual the corrections no longer shrink
+            const bool small = change <= 1e3 * options_.newton_tolerance;
+            if (left <= wanted || (k > 1 && (change <= round_off || (ratio >= 1.0 && small))))
+                return Status::converged;
+            if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
+            // so slow that a new matrix is cheaper
+            const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
+            renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
+            before = change;
+        }
+        return Status::max_iterations;
+    }
+
+    /// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and
+    /// factorises it.
+    [[nodiscard]] Status factorise(double h) {
+        const double* mass = problem_.mass().valuePtr();
+        const double* tangent = problem_.tangent().valuePtr();
+        const double* damping = problem_.damping().valuePtr();
+        double* system = system_.valuePtr();
+        const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
+        const char* stiff = stiff_.data();
+        for (Eigen::Index k = 0; k < detail::entries(system_); ++k)
+            system[k] =
+                mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
+        ++report_.jacobians;
+        ++report_.factorisations;
+        const Status status = solver_.factorize(system_).status;
+        linearised_ = next_;
+        linearised_width_ = status == Status::converged ? h : 0.0;
+        matrix_ = {1.0};
+        return status;
+    }
+
+    /// Returns what a correction by the matrix at hand leaves of the last one, from earlier steps.
+    ///
+    /// The first ratio of a step flatters: the first correction is mostly the prediction's error.
+    /// In a stiff body that turns this contraction grows with the square of the angle since the
+    /// matrix was made.
+    [[nodiscard]] double expected_contraction() const {
+        constexpr double unknown = 0.8;
+        if (matrix_.told == 0.0) return unknown;
+        const double grown = matrix_.steps / matrix_.told;
+        return std::min(matrix_.contraction * grown * grown, unknown);
+    }
+
+    /// Starts from the accelerations of the step's start.
+    void predict(double h) {
+        next_.lambda = now_.lambda;
+        next_.acceleration = now_.acceleration;
+        next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
+        next_.q = now_.q + h * now_.v + h * h * (0.5 - beta_) * now_.algorithmic +
+                  h * h * beta_ * next_.algorithmic;
+        next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
+    }
+
+    /// Adds the solution (dv', dlambda).
+    void correct(double h) {
+        const VectorX change = solution_.head(problem_.size());
+        next_.acceleration += change;
+        next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
+        next_.q += h * h * beta_hat_ * change;
+        next_.v += h * gamma_hat_ * change;
+        next_.lambda += solution_.tail(problem_.multipliers());
+    }
+
     [[nodiscard]] double change_of_acceleration() const {
         return problem_.largest_distance(next_.acceleration, now_.acceleration);
     }
@@ -79,254 +308,6 @@ private:
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
     VectorX product_, rhs_, solution_;
 };
-
-ANCF_INLINE GeneralizedAlphaRun::GeneralizedAlphaRun(DynamicProblem& problem, LinearSolver& solver,
-                                                     const Schedule& schedule,
-                                                     const GeneralizedAlphaOptions& options)
-    : MotionRun(problem, solver, schedule,
-                {options.step, options.tolerance, options.min_step, options.max_step},
-                options.follow_energy, true),
-      options_(options),
-      am_((2.0 * options.rho - 1.0) / (options.rho + 1.0)),
-      af_(options.rho / (options.rho + 1.0)),
-      gamma_(0.5 + af_ - am_),
-      offset_(am_ - af_),
-      system_(problem.mass()),
-      stiff_(static_cast<std::size_t>(detail::entries(system_))) {
-    beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
-    beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
-    gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
-    error_constant_ = std::abs(beta_ + 0.5 * offset_ - 1.0 / 6.0);
-    const int n = problem.size();
-    for (int j = 0; j < system_.outerSize(); ++j)
-        for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
-            stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
-    solver_.analyze(system_);
-}
-
-ANCF_INLINE DynamicsReport GeneralizedAlphaRun::run(const Memory& memory) {
-    if (!has_started()) return std::move(report_);
-    begin(memory);
-    recorder_.start(now_);
-    while (goes_on(now_) && advance()) {
-        std::swap(now_, next_);
-        if (!record(next_, now_)) break;
-    }
-    recorder_.finish(now_);
-    remember_run();
-    return std::move(report_);
-}
-
-ANCF_INLINE void GeneralizedAlphaRun::begin(const Memory& memory) {
-    memory.empty() ? begin_anew() : recall_run(memory);
-    next_ = now_;
-}
-
-/// Begins at the model's state, with accelerations that belong to it.
-ANCF_INLINE void GeneralizedAlphaRun::begin_anew() {
-    static_cast<MotionPoint&>(now_) = start_point();
-    now_.acceleration = now_.algorithmic = start_.acceleration;
-    width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
-    if (offset_ == 0.0) return;
-    // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
-    VectorX jerk;
-    if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
-        now_.algorithmic += offset_ * width_ * jerk;
-    report_.evaluations += 4;
-}
-
-/// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
-/// it is not.
-ANCF_INLINE bool GeneralizedAlphaRun::advance() {
-    for (;;) {
-        const Step step = next_step(now_);
-        shift_algorithmic(step.width);
-        if (divides(step)) continue;
-        next_.time = step.end;
-        const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
-        double error = 0.0;
-        if (status == Status::converged && control_.is_adaptive())
-            error = error_constant_ * step.width * step.width * change_of_acceleration() /
-                    options_.tolerance;
-        const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
-        if (status == Status::converged && error <= 1.0) {
-            grid_.take(step);
-            rests_ = error < resting;
-            // a step keeps its width, and the matrix, unless a change is worth it
-            if (control_.is_adaptive() && step.width == grid_.width &&
-                (factor < 0.95 || factor > 1.4))
-                grid_ = {step.end, std::min(step.width * std::min(factor, 2.0), control_.most)};
-            return true;
-        }
-        if (!shortens(step, status, status == Status::converged ? std::max(0.2, factor) : 0.25))
-            return false;
-    }
-}
-
-/// Moves the algorithmic acceleration to the time that belongs to another step.
-///
-/// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
-ANCF_INLINE void GeneralizedAlphaRun::shift_algorithmic(double width) {
-    if (width == width_) return;
-    now_.algorithmic = now_.acceleration + width / width_ * (now_.algorithmic - now_.acceleration);
-    width_ = width;
-}
-
-/// Solves one step by Newton's method.
-///
-/// A stiff body that has turned since the matrix at hand was made can be thrown far off by it: the
-/// step then starts again, with a matrix of its own.
-ANCF_INLINE Status GeneralizedAlphaRun::newton(double h) {
-    if (linearised_width_ == h && iterate(h, false) == Status::converged) return Status::converged;
-    return iterate(h, true);
-}
-
-/// Iterates from the prediction, with a new matrix or the one at hand.
-///
-/// A matrix, of an earlier step or iterate, stays while it converges fast enough.
-ANCF_INLINE Status GeneralizedAlphaRun::iterate(double h, bool renew) {
-    const int n = problem_.size();
-    const int m = problem_.multipliers();
-    predict(h);
-    rhs_.resize(n + m);
-    bool fresh = false;  // whether the matrix is of this step
-    int since = 0;       // corrections by the matrix at hand
-    matrix_.steps += 1.0;
-    double before = 0.0;
-    for (int k = 1; k <= options_.max_iterations; ++k) {
-        if (const Status status =
-                evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
-            status != Status::converged)
-            return status;
-        if (renew) {
-            if (const Status status = factorise(h); status != Status::converged) return status;
-            fresh = true;
-            since = 0;
-        }
-        product_ = -problem_.force();
-        problem_.add_mass_product(-1.0, next_.acceleration, product_);
-        rhs_.head(n) = product_;
-        rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
-        solve_with(solver_, rhs_, solution_);
-        ++report_.iterations;
-        correct(h);
-        const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
-        if (!std::isfinite(change)) return Status::not_finite;
-        // far below the local error of the step, however short it is
-        const double local = h * h * beta_hat_ * change_of_acceleration();
-        const double wanted = std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
-        const double ratio = k > 1 ? change / before : 1.0;
-        if (++since > 2) {
-            matrix_.contraction = std::max(ratio, since > 3 ? matrix_.contraction : 1e-4);
-            matrix_.told = matrix_.steps;
-        }
-        // one correction tells nothing of what is left
-        const double shrinks = std::max(ratio, expected_contraction());
-        const double left = since > 1 ? shrinks / std::max(1.0 - shrinks, 0.1) * change : change;
-        // at the round-off of the residual the corrections no longer shrink
-        const bool small = change <= 1e3 * options_.newton_tolerance;
-        if (left <= wanted || (k > 1 && (change <= round_off || (ratio >= 1.0 && small))))
-            return Status::converged;
-        if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
-        // so slow that a new matrix is cheaper
-        const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
-        renew = k > 1 && (ratio > 0.9 || (slow && !(small && fresh)));
-        before = change;
-    }
-    return Status::max_iterations;
-}
-
-/// Returns what a correction by the matrix at hand leaves of the last one, from earlier steps.
-///
-/// The first ratio of a step flatters: the first correction is mostly the prediction's error. In a
-/// stiff body that turns this contraction grows with the square of the angle since the matrix was
-/// made.
-ANCF_INLINE double GeneralizedAlphaRun::expected_contraction() const {
-    constexpr double unknown = 0.8;
-    if (matrix_.told == 0.0) return unknown;
-    const double grown = matrix_.steps / matrix_.told;
-    return std::min(matrix_.contraction * grown * grown, unknown);
-}
-
-/// Builds [M + h gamma_hat D + h^2 beta_hat K, G^T; G, 0] from the last evaluation and factorises
-/// it.
-ANCF_INLINE Status GeneralizedAlphaRun::factorise(double h) {
-    const double* mass = problem_.mass().valuePtr();
-    const double* tangent = problem_.tangent().valuePtr();
-    const double* damping = problem_.damping().valuePtr();
-    double* system = system_.valuePtr();
-    const double share = h * h * beta_hat_;  // of the stiffness, to every digit at any step
-    const char* stiff = stiff_.data();
-    for (Eigen::Index k = 0; k < detail::entries(system_); ++k)
-        system[k] =
-            mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
-    ++report_.jacobians;
-    ++report_.factorisations;
-    const Status status = solver_.factorize(system_).status;
-    linearised_ = next_;
-    linearised_width_ = status == Status::converged ? h : 0.0;
-    matrix_ = {1.0};
-    return status;
-}
-
-/// Starts from the accelerations of the step's start.
-ANCF_INLINE void GeneralizedAlphaRun::predict(double h) {
-    next_.lambda = now_.lambda;
-    next_.acceleration = now_.acceleration;
-    next_.algorithmic = (now_.acceleration - am_ * now_.algorithmic) / (1.0 - am_);
-    next_.q = now_.q + h * now_.v + h * h * (0.5 - beta_) * now_.algorithmic +
-              h * h * beta_ * next_.algorithmic;
-    next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
-}
-
-/// Adds the solution (dv', dlambda).
-ANCF_INLINE void GeneralizedAlphaRun::correct(double h) {
-    const VectorX change = solution_.head(problem_.size());
-    next_.acceleration += change;
-    next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
-    next_.q += h * h * beta_hat_ * change;
-    next_.v += h * gamma_hat_ * change;
-    next_.lambda += solution_.tail(problem_.multipliers());
-}
-
-ANCF_INLINE void GeneralizedAlphaRun::remember_run() {
-    remember("generalized_alpha", now_,
-             {width_, linearised_.time, linearised_width_, options_.rho, matrix_.steps,
-              matrix_.contraction, matrix_.told});
-    report_.memory.put("acceleration", now_.acceleration);
-    report_.memory.put("algorithmic", now_.algorithmic);
-    if (linearised_width_ > 0.0) remember("linearised_", linearised_);
-}
-
-/// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
-/// Returns whether it ended by a step that was cut.
-ANCF_INLINE bool GeneralizedAlphaRun::read(const Memory& memory) {
-    const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 7);
-    require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
-            ", the options have ", options_.rho);
-    problem_.set_length_scale(values[11]);
-    static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
-    now_.acceleration = memory.get("acceleration", problem_.size());
-    now_.algorithmic = memory.get("algorithmic", problem_.size());
-    width_ = values[4];
-    linearised_width_ = values[6];
-    if (linearised_width_ > 0.0)
-        static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
-    return was_cut(values, width_);
-}
-
-ANCF_INLINE void GeneralizedAlphaRun::recall_run(const Memory& memory) {
-    bool begins_anew = false;
-    together(problem_.model().exchange(), [&] { begins_anew = read(memory); });
-    require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
-    if (linearised_width_ > 0.0 &&
-        (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
-         factorise(linearised_width_) != Status::converged))
-        linearised_width_ = 0.0;  // the first step builds a matrix of its own
-    const VectorX& values = memory.get("scalars", 12);
-    matrix_ = {values[8], values[9], values[10]};
-    if (begins_anew) begin_anew();
-}
 
 }  // namespace detail
 

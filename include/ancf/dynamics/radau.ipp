@@ -16,20 +16,72 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace ancf {
 namespace detail {
 
+/// Returns the vectors of the stages in one.
+[[nodiscard]] ANCF_INLINE VectorX joined_stages(const Stages& stages) {
+    VectorX all(static_cast<Eigen::Index>(stages.size()) * stages.front().size());
+    double* out = all.data();
+    for (const VectorX& stage : stages) out = std::copy_n(stage.data(), stage.size(), out);
+    return all;
+}
+
+/// Takes the vectors of the stages apart.
+ANCF_INLINE void part_stages(const VectorX& all, Stages& stages) {
+    const double* from = all.data();
+    for (VectorX& stage : stages) {
+        std::copy_n(from, stage.size(), stage.data());
+        from += stage.size();
+    }
+}
+
 /// One run.
 class RadauRun : MotionRun {
 public:
     ANCF_LAZY RadauRun(DynamicProblem& problem, LinearSolver& solver, const Schedule& schedule,
-                       const RadauOptions& options);
+                       const RadauOptions& options)
+        : MotionRun(problem, solver, schedule,
+                    {options.step, options.tolerance, options.min_step, options.max_step},
+                    options.follow_energy),
+          options_(options),
+          tableau_(radau_tableau(options.stages)),
+          stages_(static_cast<std::size_t>(options.stages)),
+          system_(problem, solver, tableau_),
+          newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
+                            : options.tolerance > 0.0
+                                ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
+                                : 1e-13),
+          of_accelerations_(options.stages > 3 ? 3e-5 : 3e-4),
+          at_start_(lagrange_weights(tableau_.nodes, 0.0)),
+          Y_(stages_, VectorX::Zero(problem.size())),
+          rate_change_(Y_),
+          acceleration_(Y_),
+          lambda_(stages_, VectorX::Zero(problem.multipliers())),
+          force_(Y_),
+          lengths_(lambda_),
+          change_(Y_),
+          lambda_change_(lambda_),
+          stage_(stages_),
+          acceleration_before_(Y_),
+          lambda_before_(lambda_) {}
 
-    DynamicsReport run(const Memory& memory);
+    DynamicsReport run(const Memory& memory) {
+        if (!has_started()) return std::move(report_);
+        static_cast<MotionPoint&>(now_) = start_point();
+        now_.acceleration = start_.acceleration;
+        if (!memory.empty()) recall_run(memory);
+        next_ = now_;
+        recorder_.start(now_);
+        while (goes_on(now_) && advance())
+            if (!record(earlier_, now_, [this](double time) { return between(time); })) break;
+        recorder_.finish(now_);
+        remember_run();
+        return std::move(report_);
+    }
 
 private:
     // The end of a step and its accelerations, of the last stage.
@@ -49,27 +101,370 @@ private:
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
-    void recall_run(const Memory& memory);
-    void remember_run();
-    [[nodiscard]] bool advance();
-    void accept(const Step& step, double error);
-    [[nodiscard]] double shortening(const Step& step, Status status, double error);
-    [[nodiscard]] double growth(double error) const;
-    [[nodiscard]] Status newton(double h);
-    [[nodiscard]] Status iterate(double h, bool renew);
-    [[nodiscard]] bool is_told(int since, double change) const;
-    [[nodiscard]] double correct(double h);
-    [[nodiscard]] Status evaluate_stages(const Span& step, bool renew);
+    void recall_run(const Memory& memory) {
+        const int n = problem_.size();
+        const auto stages = static_cast<Eigen::Index>(stages_);
+        const VectorX& values = recall("RadauIIA", "radau", memory, 10);
+        require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ",
+                values[13], " stages, the options have ", options_.stages);
+        problem_.set_length_scale(values[14]);
+        static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
+        require_continuation("RadauIIA", memory, problem_, start_point(), now_);
+        now_.acceleration = memory.get("acceleration", n);
+        part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
+        part_stages(memory.get("stage_multipliers", problem_.multipliers() * stages),
+                    lambda_before_);
+        width_before_ = values[4];
+        contraction_ = values[7];
+        fresh_ = values[8];
+        eta_ = values[9];
+        most_growth_ = values[10];
+        rejected_ = values[11] != 0.0;
+        failed_ = values[12] != 0.0;
+        if (was_cut(values, width_before_)) {
+            static_cast<MotionPoint&>(now_) = start_point();
+            now_.acceleration = start_.acceleration;
+            width_before_ = 0.0;
+        }
+        if (values[6] == 0.0) return;
+        linearised_ = recall(memory, "linearised_", values[5]);
+        if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
+            system_.factorise(values[6], report_.factorisations) == Status::converged)
+            renew_ = false;  // where that fails the first step takes a tangent of its own
+    }
+
+    void remember_run() {
+        const double factorised = renew_ ? 0.0 : system_.width();
+        remember(
+            "radau", now_,
+            {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_, most_growth_,
+             rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_)});
+        report_.memory.put("acceleration", now_.acceleration);
+        report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
+        report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
+        if (factorised > 0.0) remember("linearised_", linearised_);
+    }
+
+    /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts
+    /// where it is not.
+    [[nodiscard]] bool advance() {
+        for (;;) {
+            const Step step = next_step(now_);
+            if (divides(step)) continue;
+            next_.time = step.end;
+            const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
+            const bool tests = status == Status::converged && control_.is_adaptive();
+            const double error = tests ? this->error(step.width) : 0.0;
+            if (status == Status::converged && error <= 1.0) {
+                accept(step, error);
+                end_step(step.width);
+                return true;
+            }
+            if (!shortens(step, status, shortening(step, status, error))) return false;
+        }
+    }
+
+    /// Settles the next step's width.
+    void accept(const Step& step, double error) {
+        const bool attempted = rejected_ || failed_;
+        rejected_ = failed_ = false;
+        grid_.take(step);
+        rests_ = error < resting;
+        if (!control_.is_adaptive() || step.width != grid_.width) return;
+        double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
+        // what a fresh tangent hardly solves a longer step would not
+        if (fresh_ > fair_contraction)
+            factor = std::min(factor, std::max(0.9, std::sqrt(fair_contraction / fresh_)));
+        most_growth_ = std::min(largest_growth, most_growth_ * 1.02);
+        // a step keeps its width, and the matrices, unless a change is worth it
+        if (factor < 0.95 || factor > (most_growth_ < 1.6 ? 1.25 : 1.6))
+            grid_ = {step.end, std::min(step.width * factor, control_.most)};
+    }
+
+    /// Returns by what an adaptive step that failed is taken again.
+    [[nodiscard]] double shortening(const Step& step, Status status, double error) {
+        if (!control_.is_adaptive()) return 0.0;
+        if (status == Status::converged) {
+            rejected_ = true;
+            return growth(error);
+        }
+        most_growth_ = 1.1;
+        return std::exchange(failed_, true) || !step.turn.fits() ? 0.5 : 0.7;
+    }
+
+    /// Returns by what the next step is longer, after an error relative to the tolerance.
+    [[nodiscard]] double growth(double error) const {
+        const double most = options_.max_iterations;
+        const double safety = 0.9 * (2.0 * most + 1.0) / (2.0 * most + iterations_);
+        const double power = 1.0 / static_cast<double>(stages_ + 1);
+        return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
+    }
+
+    /// Solves one step by Newton's method, again with a new tangent where the old one fails.
+    [[nodiscard]] Status newton(double h) {
+        if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
+            return Status::converged;
+        return iterate(h, true);
+    }
+
+    /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at
+    /// hand.
+    [[nodiscard]] Status iterate(double h, bool renew) {
+        constexpr double epsilon = std::numeric_limits<double>::epsilon();
+        constexpr double nothing = epsilon * epsilon;  // of a correction, relative to the scene
+        const bool constrained = problem_.multipliers() > 0;
+        const Span step{now_, h, next_.time};
+        predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
+        int tangents = 0;  // of this step
+        int since = 0;     // corrections by the matrices at hand
+        double before = 0.0, ratio_before = 0.0;
+        const double expected = std::min(contraction_, 0.5);
+        eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
+        for (iterations_ = 1;; ++iterations_) {
+            if (iterations_ > options_.max_iterations) return Status::max_iterations;
+            if (const Status status = evaluate_stages(step, renew); status != Status::converged)
+                return status;
+            if (renew) {
+                ++tangents;
+                since = 0;
+                renew = false;
+            }
+            const double change = correct(h);
+            if (!std::isfinite(change)) return Status::not_finite;
+            // in a step far shorter than its error allows, what is left is to be small beside the
+            // accelerations: x is an error x/h^2 of these, and the next step has its stresses
+            const double wanted = std::min(
+                newton_tolerance_, std::max(of_accelerations_ * h * h * scaled(Y_.back()), 1e-13));
+            const double ratio = iterations_ > 1 ? change / before : 0.0;
+            const double enough = std::max(wanted, round_off);
+            // at the round-off of the residual the corrections no longer shrink; in a scene at rest
+            // they are round-off of nothing, and tell nothing of the matrices
+            if (change <= nothing) contraction_ = 0.0;
+            if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
+            if (++since > 1) {
+                // a first ratio may flatter: it stands beside that of the step before
+                const double contraction =
+                    since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
+                if (contraction >= 0.99 && change <= enough) break;
+                contraction_ = contraction;
+                if (contraction_ >= 0.99) return Status::diverged;
+                eta_ = contraction_ / (1.0 - contraction_);
+                const double left = eta_ * change;
+                const int rest = options_.max_iterations - iterations_;
+                renew = left > wanted && left * std::pow(contraction_, rest) > wanted;
+                if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
+            }
+            // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
+            if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
+                eta_ * change <= wanted)
+                break;
+            before = change;
+            ratio_before = ratio;
+        }
+        renew_ = contraction_ > good_contraction;
+        if (tangents > 0) fresh_ = contraction_;
+        place_stages(step);
+        next_.q = stage_.back().q;
+        next_.v = stage_.back().v;
+        next_.lambda = lambda_.back();
+        next_.acceleration = acceleration_.back();
+        return Status::converged;
+    }
+
+    /// Tells whether so many corrections by the matrices at hand tell what is left: where fixed
+    /// steps ask for round-off the first ratio flatters by powers of ten.
+    [[nodiscard]] bool is_told(int since, double change) const {
+        return control_.is_adaptive() || since > 2 || change <= round_off ||
+               iterations_ == options_.max_iterations;
+    }
+
+    /// Solves for one correction and adds it; returns its size.
+    [[nodiscard]] double correct(double h) {
+        system_.solve(h, force_, lengths_, change_, lambda_change_);
+        ++report_.iterations;
+        double largest = 0.0;
+        for (std::size_t i = 0; i < stages_; ++i) {
+            Y_[i] += change_[i];
+            lambda_[i] += lambda_change_[i];
+            const double size = h * h * scaled(change_[i]);
+            if (!(size <= largest)) largest = size;
+        }
+        return largest;
+    }
+
+    /// Evaluates the residuals of all stages, of the middle one with the tangent where it is
+    /// renewed.
+    [[nodiscard]] Status evaluate_stages(const Span& step, bool renew) {
+        place_stages(step);
+        const std::size_t middle = stages_ / 2;
+        for (std::size_t k = 0; k < stages_; ++k) {
+            const std::size_t i = (middle + k) % stages_;
+            const bool tangent = renew && i == middle;
+            if (const Status status =
+                    evaluate(stage_[i], tangent ? Request::tangent_and_damping : Request::force);
+                status != Status::converged)
+                return status;
+            force_[i] = problem_.force();
+            lengths_[i] = problem_.constraint_residual();
+            if (!tangent) continue;
+            ++report_.jacobians;
+            linearised_ = stage_[i];
+            if (const Status status = system_.factorise(step.width, report_.factorisations);
+                status != Status::converged)
+                return status;
+        }
+        stages_ == 3 ? add_inertia<3>() : add_inertia<5>();
+        return Status::converged;
+    }
+
+    /// Adds M times the accelerations to the residuals, of all stages in one walk over M.
     template <int Count>
-    void add_inertia();
-    void predict(double offset, double ratio);
-    void place_stages(const Span& step);
-    [[nodiscard]] double error(double h);
-    void end_step(double width);
-    [[nodiscard]] MotionPoint between(double time);
-    void make_knots();
-    void add_knot(const MotionPoint& at, const VectorX& acceleration);
-    [[nodiscard]] bool solve_half(const Span& half);
+    void add_inertia() {
+        const SparseMatrix& mass = problem_.compact_mass();
+        const double* in[Count];
+        double* out[Count];
+        for (std::size_t i = 0; i < Count; ++i) {
+            in[i] = acceleration_[i].data();
+            out[i] = force_[i].data();
+        }
+        for (int row = 0; row < mass.cols(); ++row) {
+            double sums[Count] = {};
+            for (int k = mass.outerIndexPtr()[row]; k < mass.outerIndexPtr()[row + 1]; ++k) {
+                const double value = mass.valuePtr()[k];
+                const int column = mass.innerIndexPtr()[k];
+                for (int i = 0; i < Count; ++i) sums[i] += value * in[i][column];
+            }
+            for (int i = 0; i < Count; ++i) out[i][row] += sums[i];
+        }
+    }
+
+    /// Takes the first Y and multipliers from the polynomials of the step before, of its places
+    /// offset + ratio c_i. Far beyond a short step they would tell of its round-off, as its
+    /// multipliers do, of g/h^2: from there the step starts as a run does.
+    void predict(double offset, double ratio) {
+        const bool far = ratio > farthest_start;
+        if (far || width_before_ == 0.0) {
+            VectorX acceleration = now_.acceleration, lambda = now_.lambda;
+            if (far) {
+                ++report_.evaluations;
+                // where that fails both stay
+                (void)problem_.accelerations(now_.time, now_.q, now_.v, acceleration, lambda);
+            }
+            std::fill(acceleration_.begin(), acceleration_.end(), acceleration);
+            std::fill(lambda_.begin(), lambda_.end(), lambda);
+        } else {
+            MatrixX weights(options_.stages, options_.stages);
+            for (int i = 0; i < options_.stages; ++i) {
+                const auto row =
+                    lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
+                for (int j = 0; j < options_.stages; ++j) weights(i, j) = row[j];
+            }
+            sum_stages(weights, 1.0, acceleration_before_, acceleration_);
+            sum_stages(weights, 1.0, lambda_before_, lambda_);
+        }
+        sum_stages(tableau_.double_integral, 1.0, acceleration_, Y_);
+    }
+
+    /// Writes positions, rates and accelerations of the stages from Y.
+    void place_stages(const Span& step) {
+        const double h = step.width;
+        const VectorX &q = step.from.q, &v = step.from.v;
+        for (std::size_t i = 0; i < stages_; ++i) {
+            MotionPoint& at = stage_[i];
+            const double c = tableau_.nodes[i];
+            at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
+            at.q = q + (h * c * v + h * h * Y_[i]);
+            at.lambda = lambda_[i];
+        }
+        sum_stages(tableau_.inverse, h, Y_, rate_change_);
+        sum_stages(tableau_.square, 1.0, Y_, acceleration_);
+        for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = v + rate_change_[i];
+    }
+
+    /// Returns the local error of the step relative to the tolerance.
+    [[nodiscard]] double error(double h) {
+        const double tau = h / tableau_.eigenvalues.front().real();
+        VectorX rates = now_.v, accelerations = now_.acceleration;
+        for (std::size_t i = 0; i < stages_; ++i) {
+            rates -= at_start_[i] * stage_[i].v;
+            accelerations -= at_start_[i] * acceleration_[i];
+        }
+        rates *= tau;
+        accelerations *= tau * tau;
+        const double size = scaled(system_.filter(rates, accelerations)) / options_.tolerance;
+        return std::isfinite(size) ? size : 1e10;
+    }
+
+    /// Makes the step that was taken the last one.
+    void end_step(double width) {
+        std::swap(earlier_, now_);
+        std::swap(now_, next_);
+        std::swap(acceleration_before_, acceleration_);
+        std::swap(lambda_before_, lambda_);
+        width_before_ = width;
+        // the last one begins the next step
+        knots_.erase(knots_.begin(), knots_.end() - (knots_.size() > 1 ? 1 : 0));
+    }
+
+    /// Interpolates in the last step.
+    [[nodiscard]] MotionPoint between(double time) {
+        if (knots_.size() < 2) make_knots();
+        MotionPoint at;
+        at.time = time;
+        interpolate(knots_, time, at.q, at.v);
+        const double share = (time - earlier_.time) / (now_.time - earlier_.time);
+        at.lambda = (1.0 - share) * earlier_.lambda + share * now_.lambda;
+        if (has_short_step_) return at;
+        const std::vector<double> weights = lagrange_weights(tableau_.nodes, share);
+        at.lambda.setZero();
+        for (std::size_t i = 0; i < stages_; ++i)
+            for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
+                at.lambda[k] += weights[i] * lambda_before_[i][k];
+        return at;
+    }
+
+    /// Makes the knots of output in the last step: its ends, of five stages half a step between
+    /// them.
+    void make_knots() {
+        if (knots_.empty()) add_knot(earlier_, earlier_.acceleration);
+        const double h = 0.5 * width_before_;
+        if (stages_ > 3 && solve_half({earlier_, h, earlier_.time + h}))
+            add_knot(stage_.back(), acceleration_.back());
+        add_knot(now_, now_.acceleration);
+    }
+
+    /// Adds a knot of output, its rates and accelerations on the constraints; output itself brings
+    /// q there.
+    void add_knot(const MotionPoint& at, const VectorX& acceleration) {
+        Knot knot{at.time, at.q, at.v, acceleration};
+        if (problem_.multipliers() > 0 && problem_.project_rates(knot.time, knot.q, knot.v, 1))
+            (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
+        knots_.push_back(std::move(knot));
+    }
+
+    /// Solves the first half of the last step by the whole one's matrices, from its polynomials.
+    [[nodiscard]] bool solve_half(const Span& half) {
+        predict(0.0, 0.5);
+        double before = 0.0;
+        for (int iteration = 1; iteration <= options_.max_iterations; ++iteration) {
+            if (evaluate_stages(half, false) != Status::converged) {
+                report_.fault.reset();
+                return false;
+            }
+            const double change = correct(half.width);
+            if (!std::isfinite(change)) return false;
+            const double ratio = iteration > 1 ? change / before : 0.5;
+            if (iteration > 1 && ratio >= 1.0) {
+                if (change > std::max(newton_tolerance_, round_off)) return false;
+                break;
+            }
+            if (ratio / (1.0 - ratio) * change <= newton_tolerance_) break;
+            before = change;
+        }
+        place_stages(half);
+        return true;
+    }
+
     [[nodiscard]] double scaled(const VectorX& q) const {
         return largest_ratio(q, problem_.scales());
     }
@@ -105,427 +500,6 @@ private:
 
     std::vector<Knot> knots_;  // of output in the last step; less than two: to be made
 };
-
-ANCF_LAZY RadauRun::RadauRun(DynamicProblem& problem, LinearSolver& solver,
-                             const Schedule& schedule, const RadauOptions& options)
-    : MotionRun(problem, solver, schedule,
-                {options.step, options.tolerance, options.min_step, options.max_step},
-                options.follow_energy),
-      options_(options),
-      tableau_(radau_tableau(options.stages)),
-      stages_(static_cast<std::size_t>(options.stages)),
-      system_(problem, solver, tableau_),
-      newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
-                        : options.tolerance > 0.0
-                            ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
-                            : 1e-13),
-      of_accelerations_(options.stages > 3 ? 3e-5 : 3e-4),
-      at_start_(lagrange_weights(tableau_.nodes, 0.0)),
-      Y_(stages_, VectorX::Zero(problem.size())),
-      rate_change_(Y_),
-      acceleration_(Y_),
-      lambda_(stages_, VectorX::Zero(problem.multipliers())),
-      force_(Y_),
-      lengths_(lambda_),
-      change_(Y_),
-      lambda_change_(lambda_),
-      stage_(stages_),
-      acceleration_before_(Y_),
-      lambda_before_(lambda_) {}
-
-ANCF_INLINE DynamicsReport RadauRun::run(const Memory& memory) {
-    if (!has_started()) return std::move(report_);
-    static_cast<MotionPoint&>(now_) = start_point();
-    now_.acceleration = start_.acceleration;
-    if (!memory.empty()) recall_run(memory);
-    next_ = now_;
-    recorder_.start(now_);
-    while (goes_on(now_) && advance())
-        if (!record(earlier_, now_, [this](double time) { return between(time); })) break;
-    recorder_.finish(now_);
-    remember_run();
-    return std::move(report_);
-}
-
-/// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts where
-/// it is not.
-ANCF_INLINE bool RadauRun::advance() {
-    for (;;) {
-        const Step step = next_step(now_);
-        if (divides(step)) continue;
-        next_.time = step.end;
-        const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
-        const bool tests = status == Status::converged && control_.is_adaptive();
-        const double error = tests ? this->error(step.width) : 0.0;
-        if (status == Status::converged && error <= 1.0) {
-            accept(step, error);
-            end_step(step.width);
-            return true;
-        }
-        if (!shortens(step, status, shortening(step, status, error))) return false;
-    }
-}
-
-/// Returns by what an adaptive step that failed is taken again.
-ANCF_INLINE double RadauRun::shortening(const Step& step, Status status, double error) {
-    if (!control_.is_adaptive()) return 0.0;
-    if (status == Status::converged) {
-        rejected_ = true;
-        return growth(error);
-    }
-    most_growth_ = 1.1;
-    return std::exchange(failed_, true) || !step.turn.fits() ? 0.5 : 0.7;
-}
-
-/// Returns by what the next step is longer, after an error relative to the tolerance.
-ANCF_INLINE double RadauRun::growth(double error) const {
-    const double most = options_.max_iterations;
-    const double safety = 0.9 * (2.0 * most + 1.0) / (2.0 * most + iterations_);
-    const double power = 1.0 / static_cast<double>(stages_ + 1);
-    return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
-}
-
-/// Settles the next step's width.
-ANCF_INLINE void RadauRun::accept(const Step& step, double error) {
-    const bool attempted = rejected_ || failed_;
-    rejected_ = failed_ = false;
-    grid_.take(step);
-    rests_ = error < resting;
-    if (!control_.is_adaptive() || step.width != grid_.width) return;
-    double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
-    // what a fresh tangent hardly solves a longer step would not
-    if (fresh_ > fair_contraction)
-        factor = std::min(factor, std::max(0.9, std::sqrt(fair_contraction / fresh_)));
-    most_growth_ = std::min(largest_growth, most_growth_ * 1.02);
-    // a step keeps its width, and the matrices, unless a change is worth it
-    if (factor < 0.95 || factor > (most_growth_ < 1.6 ? 1.25 : 1.6))
-        grid_ = {step.end, std::min(step.width * factor, control_.most)};
-}
-
-/// Makes the step that was taken the last one.
-ANCF_INLINE void RadauRun::end_step(double width) {
-    std::swap(earlier_, now_);
-    std::swap(now_, next_);
-    std::swap(acceleration_before_, acceleration_);
-    std::swap(lambda_before_, lambda_);
-    width_before_ = width;
-    // the last one begins the next step
-    knots_.erase(knots_.begin(), knots_.end() - (knots_.size() > 1 ? 1 : 0));
-}
-
-/// Solves one step by Newton's method, again with a new tangent where the old one fails.
-ANCF_INLINE Status RadauRun::newton(double h) {
-    if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
-        return Status::converged;
-    return iterate(h, true);
-}
-
-/// Evaluates the residuals of all stages, of the middle one with the tangent where it is renewed.
-ANCF_INLINE Status RadauRun::evaluate_stages(const Span& step, bool renew) {
-    place_stages(step);
-    const std::size_t middle = stages_ / 2;
-    for (std::size_t k = 0; k < stages_; ++k) {
-        const std::size_t i = (middle + k) % stages_;
-        const bool tangent = renew && i == middle;
-        if (const Status status =
-                evaluate(stage_[i], tangent ? Request::tangent_and_damping : Request::force);
-            status != Status::converged)
-            return status;
-        force_[i] = problem_.force();
-        lengths_[i] = problem_.constraint_residual();
-        if (!tangent) continue;
-        ++report_.jacobians;
-        linearised_ = stage_[i];
-        if (const Status status = system_.factorise(step.width, report_.factorisations);
-            status != Status::converged)
-            return status;
-    }
-    stages_ == 3 ? add_inertia<3>() : add_inertia<5>();
-    return Status::converged;
-}
-
-/// Adds M times the accelerations to the residuals, of all stages in one walk over M.
-template <int Count>
-ANCF_INLINE void RadauRun::add_inertia() {
-    const SparseMatrix& mass = problem_.compact_mass();
-    const double* in[Count];
-    double* out[Count];
-    for (std::size_t i = 0; i < Count; ++i) {
-        in[i] = acceleration_[i].data();
-        out[i] = force_[i].data();
-    }
-    for (int row = 0; row < mass.cols(); ++row) {
-        double sums[Count] = {};
-        for (int k = mass.outerIndexPtr()[row]; k < mass.outerIndexPtr()[row + 1]; ++k) {
-            const double value = mass.valuePtr()[k];
-            const int column = mass.innerIndexPtr()[k];
-            for (int i = 0; i < Count; ++i) sums[i] += value * in[i][column];
-        }
-        for (int i = 0; i < Count; ++i) out[i][row] += sums[i];
-    }
-}
-
-/// Writes positions, rates and accelerations of the stages from Y.
-ANCF_INLINE void RadauRun::place_stages(const Span& step) {
-    const double h = step.width;
-    const VectorX &q = step.from.q, &v = step.from.v;
-    for (std::size_t i = 0; i < stages_; ++i) {
-        MotionPoint& at = stage_[i];
-        const double c = tableau_.nodes[i];
-        at.time = i + 1 == stages_ ? step.end : step.from.time + c * h;
-        at.q = q + (h * c * v + h * h * Y_[i]);
-        at.lambda = lambda_[i];
-    }
-    sum_stages(tableau_.inverse, h, Y_, rate_change_);
-    sum_stages(tableau_.square, 1.0, Y_, acceleration_);
-    for (std::size_t i = 0; i < stages_; ++i) stage_[i].v = v + rate_change_[i];
-}
-
-/// Takes the first Y and multipliers from the polynomials of the step before, of its places
-/// offset + ratio c_i. Far beyond a short step they would tell of its round-off, as its multipliers
-/// do, of g/h^2: from there the step starts as a run does.
-ANCF_INLINE void RadauRun::predict(double offset, double ratio) {
-    const bool far = ratio > farthest_start;
-    VectorX acceleration = now_.acceleration, lambda = now_.lambda;
-    if (far) {
-        ++report_.evaluations;
-        if (problem_.accelerations(now_.time, now_.q, now_.v, acceleration, lambda) !=
-            Status::converged)
-            std::tie(acceleration, lambda) = std::tie(now_.acceleration, now_.lambda);
-    }
-    const bool begins = width_before_ == 0.0 || far;
-    MatrixX weights(options_.stages, options_.stages);
-    for (std::size_t i = 0; i < stages_; ++i) {
-        if (begins) {
-            acceleration_[i] = acceleration;
-            lambda_[i] = lambda;
-            continue;
-        }
-        const auto row = lagrange_weights(tableau_.nodes, offset + ratio * tableau_.nodes[i]);
-        for (std::size_t j = 0; j < stages_; ++j)
-            weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = row[j];
-    }
-    if (!begins) {
-        sum_stages(weights, 1.0, acceleration_before_, acceleration_);
-        sum_stages(weights, 1.0, lambda_before_, lambda_);
-    }
-    sum_stages(tableau_.double_integral, 1.0, acceleration_, Y_);
-}
-
-/// Iterates from the prediction, with a new tangent of the middle stage or the matrices at hand.
-ANCF_INLINE Status RadauRun::iterate(double h, bool renew) {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    constexpr double nothing = epsilon * epsilon;  // of a correction, relative to the scene
-    const bool constrained = problem_.multipliers() > 0;
-    const Span step{now_, h, next_.time};
-    predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
-    int tangents = 0;  // of this step
-    int since = 0;     // corrections by the matrices at hand
-    double before = 0.0, ratio_before = 0.0;
-    const double expected = std::min(contraction_, 0.5);
-    eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
-    for (iterations_ = 1;; ++iterations_) {
-        if (iterations_ > options_.max_iterations) return Status::max_iterations;
-        if (const Status status = evaluate_stages(step, renew); status != Status::converged)
-            return status;
-        if (renew) {
-            ++tangents;
-            since = 0;
-            renew = false;
-        }
-        const double change = correct(h);
-        if (!std::isfinite(change)) return Status::not_finite;
-        // in a step far shorter than its error allows, what is left is to be small beside the
-        // accelerations: x is an error x/h^2 of these, and the next step has its stresses
-        const double wanted = std::min(
-            newton_tolerance_, std::max(of_accelerations_ * h * h * scaled(Y_.back()), 1e-13));
-        const double ratio = iterations_ > 1 ? change / before : 0.0;
-        const double enough = std::max(wanted, round_off);
-        // at the round-off of the residual the corrections no longer shrink; in a scene at rest
-        // they are round-off of nothing, and tell nothing of the matrices
-        if (change <= nothing) contraction_ = 0.0;
-        if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
-        if (++since > 1) {
-            // a first ratio may flatter: it stands beside that of the step before
-            const double contraction =
-                since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
-            if (contraction >= 0.99 && change <= enough) break;
-            contraction_ = contraction;
-            if (contraction_ >= 0.99) return Status::diverged;
-            eta_ = contraction_ / (1.0 - contraction_);
-            const double left = eta_ * change;
-            const int rest = options_.max_iterations - iterations_;
-            renew = left > wanted && left * std::pow(contraction_, rest) > wanted;
-            if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
-        }
-        // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
-        if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
-            eta_ * change <= wanted)
-            break;
-        before = change;
-        ratio_before = ratio;
-    }
-    renew_ = contraction_ > good_contraction;
-    if (tangents > 0) fresh_ = contraction_;
-    place_stages(step);
-    next_.q = stage_.back().q;
-    next_.v = stage_.back().v;
-    next_.lambda = lambda_.back();
-    next_.acceleration = acceleration_.back();
-    return Status::converged;
-}
-
-/// Tells whether so many corrections by the matrices at hand tell what is left: where fixed steps
-/// ask for round-off the first ratio flatters by powers of ten.
-ANCF_INLINE bool RadauRun::is_told(int since, double change) const {
-    return control_.is_adaptive() || since > 2 || change <= round_off ||
-           iterations_ == options_.max_iterations;
-}
-
-/// Solves for one correction and adds it; returns its size.
-ANCF_INLINE double RadauRun::correct(double h) {
-    system_.solve(h, force_, lengths_, change_, lambda_change_);
-    ++report_.iterations;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < stages_; ++i) {
-        Y_[i] += change_[i];
-        lambda_[i] += lambda_change_[i];
-        const double size = h * h * scaled(change_[i]);
-        if (!(size <= largest)) largest = size;
-    }
-    return largest;
-}
-
-/// Returns the local error of the step relative to the tolerance.
-ANCF_INLINE double RadauRun::error(double h) {
-    const double tau = h / tableau_.eigenvalues.front().real();
-    VectorX rates = now_.v, accelerations = now_.acceleration;
-    for (std::size_t i = 0; i < stages_; ++i) {
-        rates -= at_start_[i] * stage_[i].v;
-        accelerations -= at_start_[i] * acceleration_[i];
-    }
-    rates *= tau;
-    accelerations *= tau * tau;
-    const double size = scaled(system_.filter(rates, accelerations)) / options_.tolerance;
-    return std::isfinite(size) ? size : 1e10;
-}
-
-/// Adds a knot of output, its rates and accelerations on the constraints; output itself brings q
-/// there.
-ANCF_INLINE void RadauRun::add_knot(const MotionPoint& at, const VectorX& acceleration) {
-    Knot knot{at.time, at.q, at.v, acceleration};
-    if (problem_.multipliers() > 0 && problem_.project_rates(knot.time, knot.q, knot.v, 1))
-        (void)problem_.project_accelerations(knot.time, knot.q, knot.v, knot.acceleration);
-    knots_.push_back(std::move(knot));
-}
-
-/// Makes the knots of output in the last step: its ends, of five stages half a step between them.
-ANCF_INLINE void RadauRun::make_knots() {
-    if (knots_.empty()) add_knot(earlier_, earlier_.acceleration);
-    const double h = 0.5 * width_before_;
-    if (stages_ > 3 && solve_half({earlier_, h, earlier_.time + h}))
-        add_knot(stage_.back(), acceleration_.back());
-    add_knot(now_, now_.acceleration);
-}
-
-/// Solves the first half of the last step by the whole one's matrices, from its polynomials.
-ANCF_INLINE bool RadauRun::solve_half(const Span& half) {
-    predict(0.0, 0.5);
-    double before = 0.0;
-    for (int iteration = 1; iteration <= options_.max_iterations; ++iteration) {
-        if (evaluate_stages(half, false) != Status::converged) {
-            report_.fault.reset();
-            return false;
-        }
-        const double change = correct(half.width);
-        if (!std::isfinite(change)) return false;
-        const double ratio = iteration > 1 ? change / before : 0.5;
-        if (iteration > 1 && ratio >= 1.0) {
-            if (change > std::max(newton_tolerance_, round_off)) return false;
-            break;
-        }
-        if (ratio / (1.0 - ratio) * change <= newton_tolerance_) break;
-        before = change;
-    }
-    place_stages(half);
-    return true;
-}
-
-/// Interpolates in the last step.
-ANCF_INLINE MotionPoint RadauRun::between(double time) {
-    if (knots_.size() < 2) make_knots();
-    MotionPoint at;
-    at.time = time;
-    interpolate(knots_, time, at.q, at.v);
-    const double share = (time - earlier_.time) / (now_.time - earlier_.time);
-    at.lambda = (1.0 - share) * earlier_.lambda + share * now_.lambda;
-    if (has_short_step_) return at;
-    const std::vector<double> weights = lagrange_weights(tableau_.nodes, share);
-    at.lambda.setZero();
-    for (std::size_t i = 0; i < stages_; ++i)
-        for (Eigen::Index k = 0; k < at.lambda.size(); ++k)
-            at.lambda[k] += weights[i] * lambda_before_[i][k];
-    return at;
-}
-
-/// Returns the vectors of the stages in one.
-[[nodiscard]] ANCF_INLINE VectorX joined_stages(const Stages& stages) {
-    VectorX all(static_cast<Eigen::Index>(stages.size()) * stages.front().size());
-    double* out = all.data();
-    for (const VectorX& stage : stages) out = std::copy_n(stage.data(), stage.size(), out);
-    return all;
-}
-
-/// Takes the vectors of the stages apart.
-ANCF_INLINE void part_stages(const VectorX& all, Stages& stages) {
-    const double* from = all.data();
-    for (VectorX& stage : stages) {
-        std::copy_n(from, stage.size(), stage.data());
-        from += stage.size();
-    }
-}
-
-ANCF_INLINE void RadauRun::remember_run() {
-    const double factorised = renew_ ? 0.0 : system_.width();
-    remember("radau", now_,
-             {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_, most_growth_,
-              rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_)});
-    report_.memory.put("acceleration", now_.acceleration);
-    report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
-    report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
-    if (factorised > 0.0) remember("linearised_", linearised_);
-}
-
-ANCF_INLINE void RadauRun::recall_run(const Memory& memory) {
-    const int n = problem_.size();
-    const auto stages = static_cast<Eigen::Index>(stages_);
-    const VectorX& values = recall("RadauIIA", "radau", memory, 10);
-    require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ", values[13],
-            " stages, the options have ", options_.stages);
-    problem_.set_length_scale(values[14]);
-    static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
-    require_continuation("RadauIIA", memory, problem_, start_point(), now_);
-    now_.acceleration = memory.get("acceleration", n);
-    part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
-    part_stages(memory.get("stage_multipliers", problem_.multipliers() * stages), lambda_before_);
-    width_before_ = values[4];
-    contraction_ = values[7];
-    fresh_ = values[8];
-    eta_ = values[9];
-    most_growth_ = values[10];
-    rejected_ = values[11] != 0.0;
-    failed_ = values[12] != 0.0;
-    if (was_cut(values, width_before_)) {
-        static_cast<MotionPoint&>(now_) = start_point();
-        now_.acceleration = start_.acceleration;
-        width_before_ = 0.0;
-    }
-    if (values[6] == 0.0) return;
-    linearised_ = recall(memory, "linearised_", values[5]);
-    if (evaluate(linearised_, Request::tangent_and_damping) == Status::converged &&
-        system_.factorise(values[6], report_.factorisations) == Status::converged)
-        renew_ = false;  // where that fails the first step takes a tangent of its own
-}
 
 }  // namespace detail
 

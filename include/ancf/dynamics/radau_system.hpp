@@ -7,15 +7,21 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/solver/complex_solver.hpp>
+#include <ancf/solver/complex_solver_for.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -32,21 +38,245 @@ struct RadauTableau {
     /// the imaginary part of one row.
     MatrixX to_modes;
     MatrixX from_modes;  ///< the inverse of to_modes
-
-    [[nodiscard]] int stages() const noexcept { return static_cast<int>(nodes.size()); }
 };
-
-/// Returns the method of an odd number of stages from 1 to 9.
-[[nodiscard]] RadauTableau radau_tableau(int stages);
-
-/// Returns the values at x of the Lagrange polynomials on the nodes, one of each; the nodes differ.
-[[nodiscard]] std::vector<double> lagrange_weights(const std::vector<double>& nodes, double x);
 
 /// A vector of each stage.
 using Stages = std::vector<VectorX>;
 
+/// Returns P_s(x) - P_(s-1)(x) and its derivative, Legendre polynomials.
+[[nodiscard]] inline std::pair<double, double> radau_polynomial(int stages, double x) {
+    double before = 1.0, value = x;  // P_0, P_1
+    double slope_before = 0.0, slope = 1.0;
+    for (int k = 1; k < stages; ++k) {
+        const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
+        const double slope_next = slope_before + (2 * k + 1) * value;
+        before = std::exchange(value, next);
+        slope_before = std::exchange(slope, slope_next);
+    }
+    return {value - before, slope - slope_before};
+}
+
+/// Returns the points of the right Radau rule on [0, 1], ascending.
+[[nodiscard]] inline std::vector<double> radau_nodes(int stages) {
+    std::vector<double> nodes;
+    for (int k = 0; k + 1 < stages; ++k) {
+        double x = -std::cos(pi * (2 * k + 1) / (2 * stages - 1));
+        for (int iteration = 0; iteration < 50; ++iteration) {
+            const auto [value, slope] = radau_polynomial(stages, x);
+            double deflated = slope;  // the zeros that are known, and 1, are taken out
+            deflated -= value / (x - 1.0);
+            for (const double node : nodes) deflated -= value / (x - (2.0 * node - 1.0));
+            const double step = value / deflated;
+            x -= step;
+            if (std::abs(step) < 1e-15) break;
+        }
+        nodes.push_back(0.5 * (1.0 + x));
+    }
+    nodes.push_back(1.0);
+    return nodes;
+}
+
+/// Returns the zeros of (4) with an imaginary part of at least 0, the real one first.
+[[nodiscard]] inline std::vector<std::complex<double>> radau_eigenvalues(int stages) {
+    using Complex = std::complex<double>;
+    // of (4), each coefficient over that of the highest power
+    std::vector<double> coefficients(static_cast<std::size_t>(stages) + 1, 1.0);
+    for (int j = stages - 1; j >= 0; --j)  // ratio of the coefficients of j and j + 1
+        coefficients[j] = -coefficients[static_cast<std::size_t>(j) + 1] * (j + 1) *
+                          (2 * stages - 1 - j) / (stages - j);
+    std::vector<Complex> zeros;
+    for (int k = 0; k < stages; ++k) zeros.push_back(2.0 * stages * std::pow(Complex(0.4, 0.9), k));
+    for (int iteration = 0; iteration < 500; ++iteration) {  // of Durand and Kerner
+        double moved = 0.0;
+        for (Complex& zero : zeros) {
+            Complex value = 0.0, distances = 1.0;
+            for (std::size_t j = coefficients.size(); j-- > 0;)
+                value = value * zero + coefficients[j];
+            for (const Complex& other : zeros)
+                if (&other != &zero) distances *= zero - other;
+            const Complex step = value / distances;
+            zero -= step;
+            moved = std::fmax(moved, std::abs(step) / std::abs(zero));
+        }
+        if (moved < 1e-15) break;
+    }
+    std::vector<Complex> kept(1);
+    for (const Complex& zero : zeros)
+        if (std::abs(zero.imag()) < 1e-6 * std::abs(zero))
+            kept[0] = zero.real();
+        else if (zero.imag() > 0.0)
+            kept.push_back(zero);
+    return kept;
+}
+
+/// Returns the inverse of a small square matrix by elimination with column pivots.
+template <class Scalar>
+[[nodiscard]] std::vector<std::vector<Scalar>> small_inverse(
+    std::vector<std::vector<Scalar>> matrix) {
+    const std::size_t size = matrix.size();
+    for (std::size_t i = 0; i < size; ++i) {
+        matrix[i].resize(2 * size, Scalar(0.0));
+        matrix[i][size + i] = 1.0;
+    }
+    for (std::size_t k = 0; k < size; ++k) {
+        std::size_t pivot = k;
+        for (std::size_t i = k + 1; i < size; ++i)
+            if (std::abs(matrix[i][k]) > std::abs(matrix[pivot][k])) pivot = i;
+        std::swap(matrix[k], matrix[pivot]);
+        const Scalar inverse = 1.0 / matrix[k][k];
+        for (Scalar& entry : matrix[k]) entry *= inverse;
+        for (std::size_t i = 0; i < size; ++i) {
+            if (i == k) continue;
+            const Scalar factor = matrix[i][k];
+            for (std::size_t j = k; j < 2 * size; ++j) matrix[i][j] -= factor * matrix[k][j];
+        }
+    }
+    for (auto& row : matrix)
+        row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size));
+    return matrix;
+}
+
+/// Returns W: differentiation on the points 0 and c_i, by their barycentric weights.
+[[nodiscard]] inline std::vector<std::vector<double>> differentiation(
+    const std::vector<double>& nodes) {
+    const std::size_t stages = nodes.size();
+    std::vector<double> points = {0.0};
+    points.insert(points.end(), nodes.begin(), nodes.end());
+    std::vector<double> weights(stages + 1, 1.0);
+    for (std::size_t i = 0; i <= stages; ++i)
+        for (std::size_t j = 0; j <= stages; ++j)
+            if (i != j) weights[i] /= points[i] - points[j];
+    std::vector<std::vector<double>> W(stages, std::vector<double>(stages, 0.0));
+    for (std::size_t i = 0; i < stages; ++i)
+        for (std::size_t j = 0; j <= stages; ++j) {
+            if (j == i + 1) continue;
+            const double entry = weights[j] / weights[i + 1] / (points[i + 1] - points[j]);
+            if (j > 0) W[i][j - 1] = entry;
+            W[i][i] -= entry;
+        }
+    return W;
+}
+
+/// Returns the columns of T for the eigenvalues, their conjugates included.
+[[nodiscard]] inline std::vector<std::complex<double>> radau_column(
+    const std::vector<double>& nodes, const std::complex<double>& eigenvalue) {
+    const std::size_t stages = nodes.size();
+    std::vector<std::complex<double>> column;
+    for (const double x : nodes) {
+        // Taylor coefficients of N at x, the product of all (x - c) + d in powers of d
+        std::vector<double> taylor = {1.0};
+        for (const double node : nodes) {
+            taylor.push_back(0.0);
+            for (std::size_t k = taylor.size() - 1; k > 0; --k)
+                taylor[k] = taylor[k] * (x - node) + taylor[k - 1];
+            taylor[0] *= x - node;
+        }
+        std::complex<double> sum = 0.0, power = 1.0;
+        for (std::size_t k = 1; k <= stages; ++k) {
+            power *= static_cast<double>(k) / eigenvalue;
+            sum += taylor[k] * power;
+        }
+        column.push_back(sum);
+    }
+    return column;
+}
+
+/// Returns the method of an odd number of stages from 1 to 9.
+[[nodiscard]] inline RadauTableau radau_tableau(int stages) {
+    using Complex = std::complex<double>;
+    RadauTableau tableau;
+    tableau.nodes = radau_nodes(stages);
+    const auto size = static_cast<std::size_t>(stages);
+    const auto W = differentiation(tableau.nodes);
+    const auto A = small_inverse(W);
+    const auto squared = [&](const std::vector<std::vector<double>>& a) {
+        MatrixX result = MatrixX::Zero(stages, stages);
+        for (int i = 0; i < stages; ++i)
+            for (int j = 0; j < stages; ++j)
+                for (int k = 0; k < stages; ++k) result(i, j) += a[i][k] * a[k][j];
+        return result;
+    };
+    tableau.square = squared(W);
+    tableau.double_integral = squared(A);
+    tableau.inverse.resize(stages, stages);
+    for (int i = 0; i < stages; ++i)
+        for (int j = 0; j < stages; ++j) tableau.inverse(i, j) = W[i][j];
+
+    tableau.eigenvalues = radau_eigenvalues(stages);
+    tableau.to_modes.resize(stages, stages);
+    tableau.from_modes.resize(stages, stages);
+    std::vector<std::vector<Complex>> T(size);  // the kept columns, each before its conjugate
+    int at = 0;
+    for (const Complex& eigenvalue : tableau.eigenvalues) {
+        const bool real = eigenvalue.imag() == 0.0;
+        const std::vector<Complex> column = radau_column(tableau.nodes, eigenvalue);
+        for (int i = 0; i < stages; ++i) {
+            // of a pair the sum of both is twice the real part
+            tableau.from_modes(i, at) = (real ? 1.0 : 2.0) * column[i].real();
+            T[i].push_back(column[i]);
+            if (real) continue;
+            tableau.from_modes(i, at + 1) = -2.0 * column[i].imag();
+            T[i].push_back(std::conj(column[i]));
+        }
+        at += real ? 1 : 2;
+    }
+    const auto inverse = small_inverse(T);
+    for (int j = 0; j < stages; ++j) {
+        tableau.to_modes(0, j) = inverse[0][j].real();
+        for (int row = 1; row < stages; row += 2) {
+            tableau.to_modes(row, j) = inverse[row][j].real();
+            tableau.to_modes(row + 1, j) = inverse[row][j].imag();
+        }
+    }
+    return tableau;
+}
+
+/// Sums Width entries from k over the stages.
+template <int Count, int Width>
+inline void sum_part(const double (&weights)[Count][Count], const double* const (&in)[Count],
+                     double* const (&out)[Count], Eigen::Index k) {
+    using Part = Vector<double, Width>;
+    Part sums[Count];
+    for (int i = 0; i < Count; ++i) sums[i].setZero();
+    for (int j = 0; j < Count; ++j) {
+        const Part part = Eigen::Map<const Part>(in[j] + k);
+        for (int i = 0; i < Count; ++i) sums[i] += weights[i][j] * part;
+    }
+    for (int i = 0; i < Count; ++i) Eigen::Map<Part>(out[i] + k) = sums[i];
+}
+
+/// Sums over so many stages.
+template <int Count>
+void sum_all(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+    constexpr int width = 8;
+    double scaled[Count][Count];
+    const double* from[Count];
+    double* to[Count];
+    for (int i = 0; i < Count; ++i) {
+        for (int j = 0; j < Count; ++j) scaled[i][j] = scale * weights(i, j);
+        from[i] = in[i].data();
+        to[i] = out[i].data();
+    }
+    const Eigen::Index size = in[0].size();
+    Eigen::Index k = 0;
+    for (; k + width <= size; k += width) sum_part<Count, width>(scaled, from, to, k);
+    for (; k < size; ++k) sum_part<Count, 1>(scaled, from, to, k);
+}
+
 /// Sums over the stages, three or five: out_i = scale sum_j weights(i, j) in_j, all of one size.
-void sum_stages(const MatrixX& weights, double scale, const Stages& in, Stages& out);
+inline void sum_stages(const MatrixX& weights, double scale, const Stages& in, Stages& out) {
+    in.size() == 3 ? sum_all<3>(weights, scale, in, out) : sum_all<5>(weights, scale, in, out);
+}
+
+/// Returns the values at x of the Lagrange polynomials on the nodes, one of each; the nodes differ.
+[[nodiscard]] inline std::vector<double> lagrange_weights(const std::vector<double>& nodes,
+                                                          double x) {
+    std::vector<double> weights(nodes.size(), 1.0);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+            if (i != j) weights[i] *= (x - nodes[j]) / (nodes[i] - nodes[j]);
+    return weights;
+}
 
 /// The matrices [M + (h/mu) D + (h/mu)^2 K, G^T; G, 0] for all mu, and their factors; of n free
 /// coordinates and m multipliers.
@@ -54,11 +284,63 @@ class RadauSystem {
 public:
     /// Analyses the pattern for all solvers.
     ANCF_LAZY RadauSystem(const DynamicProblem& problem, LinearSolver& solver,
-                          const RadauTableau& tableau);
+                          const RadauTableau& tableau)
+        : problem_(problem),
+          solver_(solver),
+          tableau_(tableau),
+          damping_(problem.mass()),
+          system_(problem.mass()),
+          stiff_(static_cast<std::size_t>(entries(system_))),
+          values_(stiff_.size()) {
+        const int n = problem.size();
+        for (int j = 0; j < system_.outerSize(); ++j)
+            for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
+                stiff_[k] = j < n && system_.innerIndexPtr()[k] < n;
+        solver_.analyze(system_);
+        for (std::size_t k = 1; k < tableau.eigenvalues.size(); ++k)
+            complex_solvers_.push_back(complex_solver_for(solver, system_));
+        rhs_.resize(problem.size() + problem.multipliers());
+        modal_.resize(tableau.nodes.size());
+        modal_lengths_.resize(tableau.nodes.size());
+        complex_.resize(rhs_.size());
+    }
 
     /// Factorises all matrices for a step, with K, G and D of the problem's last evaluation, of
     /// tangent and damping; adds to a count how many.
-    [[nodiscard]] Status factorise(double h, long& count);
+    [[nodiscard]] Status factorise(double h, long& count) {
+        width_ = 0.0;
+        const double* mass = problem_.mass().valuePtr();
+        const double* tangent = problem_.tangent().valuePtr();
+        const double* damping = problem_.damping().valuePtr();
+        std::copy_n(damping, entries(damping_), damping_.valuePtr());
+        damped_ = std::any_of(damping, damping + entries(damping_),
+                              [](double value) { return value != 0.0; });
+        double* system = system_.valuePtr();
+        const double tau = h / tableau_.eigenvalues.front().real();
+        for (std::size_t k = 0; k < stiff_.size(); ++k)
+            system[k] =
+                mass[k] + (stiff_[k] != 0 ? tau * tau : 1.0) * tangent[k] + tau * damping[k];
+        ++count;
+        if (const Status status = solver_.factorize(system_).status; status != Status::converged)
+            return status;
+        for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode) {
+            const std::complex<double> t = h / tableau_.eigenvalues[mode];
+            const double first[2] = {t.real(), t.imag()};
+            const double second[2] = {(t * t).real(), (t * t).imag()};
+            for (std::size_t k = 0; k < stiff_.size(); ++k) {
+                const double real = stiff_[k] != 0 ? second[0] : 1.0;
+                const double imaginary = stiff_[k] != 0 ? second[1] : 0.0;
+                values_[k] = {mass[k] + real * tangent[k] + first[0] * damping[k],
+                              imaginary * tangent[k] + first[1] * damping[k]};
+            }
+            ++count;
+            if (const Status status = complex_solvers_[mode - 1]->factorize(values_);
+                status != Status::converged)
+                return status;
+        }
+        width_ = h;
+        return Status::converged;
+    }
 
     /// The step that is factorised, s; 0 where there is none.
     [[nodiscard]] double width() const noexcept { return width_; }
@@ -71,17 +353,69 @@ public:
     /// @param lengths of each stage g, m entries, of the units of the constraints.
     /// @param Y       of each stage (2), n entries, of the units of accelerations.
     /// @param lambda  of each stage the multipliers, m entries.
-    void solve(double h, const Stages& force, const Stages& lengths, Stages& Y, Stages& lambda);
+    void solve(double h, const Stages& force, const Stages& lengths, Stages& Y, Stages& lambda) {
+        const Eigen::Index n = problem_.size(), m = problem_.multipliers();
+        for (std::size_t i = 0; i < force.size(); ++i) {
+            modal_[i].resize(n);
+            modal_lengths_[i].resize(m);
+            Y[i].resize(n);
+            lambda[i].resize(m);
+        }
+        sum_stages(tableau_.to_modes, -1.0, force, modal_);
+        sum_stages(tableau_.to_modes, -1.0, lengths, modal_lengths_);
+        const double mu = tableau_.eigenvalues.front().real(), scale = mu * mu / (h * h);
+        for (Eigen::Index k = 0; k < n; ++k) rhs_[k] = modal_[0][k];
+        for (Eigen::Index k = 0; k < m; ++k) rhs_[n + k] = scale * modal_lengths_[0][k];
+        solve_with(solver_, rhs_, solution_);
+        for (Eigen::Index k = 0; k < n; ++k) modal_[0][k] = solution_[k] / (mu * mu);
+        for (Eigen::Index k = 0; k < m; ++k) modal_lengths_[0][k] = solution_[n + k];
+        for (std::size_t mode = 1; mode < tableau_.eigenvalues.size(); ++mode)
+            solve_pair(mode, h, modal_[2 * mode - 1], modal_[2 * mode],
+                       modal_lengths_[2 * mode - 1], modal_lengths_[2 * mode]);
+        sum_stages(tableau_.from_modes, 1.0, modal_, Y);
+        sum_stages(tableau_.from_modes, 1.0, modal_lengths_, lambda);
+    }
 
     /// Solves [M + tau D + tau^2 K, G^T; G, 0] (e, nu) = ((M + tau D) a + M b, 0), tau = h/mu_0, h
     /// that of width().
     /// @param a, b  n entries each, of the units of coordinates.
     /// @return e, until the next call.
-    [[nodiscard]] const VectorX& filter(const VectorX& a, const VectorX& b);
+    [[nodiscard]] const VectorX& filter(const VectorX& a, const VectorX& b) {
+        const double tau = width_ / tableau_.eigenvalues.front().real();
+        error_.setZero(a.size());
+        add_product(problem_.compact_mass(), Storage::full, 1.0, a + b, error_);
+        if (damped_) add_product(damping_, solver_.storage(), tau, a, error_);
+        rhs_.setZero();
+        std::copy_n(error_.data(), error_.size(), rhs_.data());
+        solve_with(solver_, rhs_, solution_);
+        std::copy_n(solution_.data(), error_.size(), error_.data());
+        return error_;
+    }
 
 private:
+    /// Solves for one pair, real and imaginary parts apart.
     void solve_pair(std::size_t mode, double h, VectorX& real, VectorX& imaginary,
-                    VectorX& real_lengths, VectorX& imaginary_lengths);
+                    VectorX& real_lengths, VectorX& imaginary_lengths) {
+        const Eigen::Index n = real.size(), m = real_lengths.size();
+        const std::complex<double> square = tableau_.eigenvalues[mode] * tableau_.eigenvalues[mode];
+        const std::complex<double> inverse = 1.0 / square, scale = square / (h * h);
+        for (Eigen::Index k = 0; k < n; ++k) complex_[k] = {real[k], imaginary[k]};
+        for (Eigen::Index k = 0; k < m; ++k)
+            complex_[n + k] = scale * std::complex<double>(real_lengths[k], imaginary_lengths[k]);
+        complex_solvers_[mode - 1]->solve(complex_);
+        require(complex_.size() == n + m, solver_.name(), ": the complex solver gave ",
+                complex_.size(), " entries for ", n + m);
+        // by parts: the product of complex numbers looks for infinities
+        const auto* pairs = reinterpret_cast<const double*>(complex_.data());
+        for (Eigen::Index k = 0; k < n; ++k) {
+            real[k] = inverse.real() * pairs[2 * k] - inverse.imag() * pairs[2 * k + 1];
+            imaginary[k] = inverse.real() * pairs[2 * k + 1] + inverse.imag() * pairs[2 * k];
+        }
+        for (Eigen::Index k = 0; k < m; ++k) {
+            real_lengths[k] = complex_[n + k].real();
+            imaginary_lengths[k] = complex_[n + k].imag();
+        }
+    }
 
     const DynamicProblem& problem_;
     LinearSolver& solver_;
@@ -98,7 +432,3 @@ private:
 };
 
 }  // namespace ancf::detail
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/dynamics/radau_system.ipp>  // IWYU pragma: export
-#endif

@@ -46,7 +46,7 @@ public:
     IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options)
         : SteppedRun("Ida", &code_name, problem, schedule, options.follow_energy, report_),
           options_(options),
-          system_(problem, options.form),
+          system_(problem, options.form == Form::gear_gupta_leimkuhler),
           y_(make_vector(context_, system_.size())),
           dy_(make_vector(context_, system_.size())),
           tolerances_(make_vector(context_, system_.size())),
