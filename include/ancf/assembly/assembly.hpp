@@ -23,6 +23,7 @@
 #include <ancf/types.hpp>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -211,6 +212,16 @@ public:
     void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const;
 
     // Single loads and constraints, likewise ------------------------------------------------------
+
+    /// Returns the coordinates of a load.
+    [[nodiscard]] const detail::LocalCoordinates& load_coordinates(std::size_t load) const {
+        return load_coordinates_[load];
+    }
+    /// Returns the coordinates of a constraint.
+    [[nodiscard]] const detail::LocalCoordinates& constraint_coordinates(
+        std::size_t constraint) const {
+        return constraint_coordinates_[constraint];
+    }
 
     /// Adds scale times a matrix on some coordinates to a matrix of this pattern.
     void add_matrix(const std::vector<int>& coordinates, double scale, const MatrixX& local,

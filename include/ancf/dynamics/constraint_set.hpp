@@ -11,10 +11,8 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/assembly/assembly.hpp>
-#include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/model/constraint.hpp>
-#include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
 #include <string>
@@ -25,9 +23,8 @@ namespace ancf::detail {
 /// The constraints of one model; sizes are of all coordinates unless said to be free ones.
 class ConstraintSet {
 public:
-    /// @pre every constraint acts on vectors that its nodes carry (an Assembly of the model
-    ///      exists).
-    ConstraintSet(const Scene& model, const Numbering& numbering);
+    /// Those of the assembly's scene; it outlives the set.
+    explicit ConstraintSet(const Assembly& assembly);
 
     /// Leaves equations out of everything but violations and their largest values.
     void leave_out(const std::vector<int>& equations);
@@ -68,15 +65,14 @@ public:
 
     /// Writes G and G^T into a matrix of the system's pattern (full storage); equations left out
     /// get a 1 on the diagonal.
-    void write_jacobian(const Assembly& assembly, SparseMatrix& matrix) const;
+    void write_jacobian(SparseMatrix& matrix) const;
 
     /// Writes G into a dense matrix: each free coordinate has a column, or -1.
     void write_rows(const std::vector<int>& columns, MatrixX& rows) const;
 
     /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's
     /// pattern.
-    void add_velocity_level(const Assembly& assembly, const VectorX& mu,
-                            SparseMatrix& matrix) const;
+    void add_velocity_level(const VectorX& mu, SparseMatrix& matrix) const;
 
     /// Returns G^T of the free coordinates, all equations included, as n x m.
     [[nodiscard]] SparseMatrix transposed_jacobian() const;
@@ -92,10 +88,9 @@ private:
     template <class Visitor>
     void for_each_entry(const Visitor& visit) const;
 
-    const Scene& model_;
-    const Numbering& numbering_;
-    std::vector<detail::LocalCoordinates> coordinates_;  // per constraint
-    std::vector<int> first_;                             // first equation of each constraint
+    const Assembly& assembly_;
+    const std::vector<AnyConstraint>& constraints_;
+    std::vector<int> first_;  // first equation of each constraint
     std::vector<ConstraintResult> results_;
     std::vector<char> left_out_;
     ConstraintState local_;

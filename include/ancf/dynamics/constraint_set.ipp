@@ -18,14 +18,15 @@ namespace ancf::detail {
 template <class Visitor>
 void ConstraintSet::for_each(const Visitor& visit) const {
     for (std::size_t k = 0; k < results_.size(); ++k)
-        visit(static_cast<int>(k), results_[k], coordinates_[k].acted(), first_[k]);
+        visit(static_cast<int>(k), results_[k], assembly_.constraint_coordinates(k).acted(),
+              first_[k]);
 }
 
 template <class Visitor>
 void ConstraintSet::for_each_entry(const Visitor& visit) const {
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
         for (std::size_t j = 0; j < at.size(); ++j) {
-            const int equation = numbering_.equation(at[j]);
+            const int equation = assembly_.numbering().equation(at[j]);
             if (equation < 0) continue;
             for (int i = 0; i < result.jacobian.rows(); ++i)
                 if (!left_out(first + i))
@@ -34,16 +35,14 @@ void ConstraintSet::for_each_entry(const Visitor& visit) const {
     });
 }
 
-ANCF_INLINE ConstraintSet::ConstraintSet(const Scene& model, const Numbering& numbering)
-    : model_(model), numbering_(numbering) {
+ANCF_INLINE ConstraintSet::ConstraintSet(const Assembly& assembly)
+    : assembly_(assembly), constraints_(assembly.model().constraints()) {
     int first = 0;
-    for (const AnyConstraint& constraint : model.constraints()) {
-        coordinates_.emplace_back(model.layout(), model.dependence(), constraint.coupling(),
-                                  "constraint");
+    for (const AnyConstraint& constraint : constraints_) {
         first_.push_back(first);
         first += constraint.equations();
     }
-    results_.resize(coordinates_.size());
+    results_.resize(constraints_.size());
     left_out_.assign(static_cast<std::size_t>(first), 0);
     violation_.setZero(first);
     rate_.setZero(first);
@@ -65,11 +64,12 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
     }
     local_.time = time;
     for (std::size_t k = 0; k < results_.size(); ++k) {
-        const AnyConstraint& constraint = model_.constraints()[k];
+        const AnyConstraint& constraint = constraints_[k];
+        const LocalCoordinates& coordinates = assembly_.constraint_coordinates(k);
         ConstraintResult& result = results_[k];
         const int equations = constraint.equations(), first = first_[k];
-        gather(q, coordinates_[k].read(), local_.q);
-        gather(v, coordinates_[k].read(), local_.v);
+        gather(q, coordinates.read(), local_.q);
+        gather(v, coordinates.read(), local_.v);
         local_.multipliers.setZero(equations);
         if (convection) {
             result.reset(equations, local_.q.size());
@@ -87,7 +87,7 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
             if (convection)
                 convection_[first + i] = left_out(first + i) ? 0.0 : result.convection[i];
         }
-        coordinates_[k].carry_columns(result.jacobian);
+        coordinates.carry_columns(result.jacobian);
     }
 }
 
@@ -120,22 +120,21 @@ ANCF_INLINE void ConstraintSet::add_transpose_product(const VectorX& mu, double 
         [&](int row, int free_one, double entry) { free[free_one] += scale * entry * mu[row]; });
 }
 
-ANCF_INLINE void ConstraintSet::write_jacobian(const Assembly& assembly,
-                                               SparseMatrix& matrix) const {
-    const BlockPattern& pattern = assembly.pattern();
+ANCF_INLINE void ConstraintSet::write_jacobian(SparseMatrix& matrix) const {
+    const BlockPattern& pattern = assembly_.pattern();
     double* const values = matrix.valuePtr();
     for_each(
         [&](int constraint, const ConstraintResult& result, const std::vector<int>& at, int first) {
-            assembly.visit_border(constraint, at, [&](int, int, int place, int mirrored) {
+            assembly_.visit_border(constraint, at, [&](int, int, int place, int mirrored) {
                 values[place] = values[mirrored] = 0.0;
             });
             // added: a coupling may list a vector twice
-            assembly.visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
+            assembly_.visit_border(constraint, at, [&](int i, int j, int place, int mirrored) {
                 if (left_out(first + i)) return;
                 values[place] += result.jacobian(i, j);
                 values[mirrored] += result.jacobian(i, j);
             });
-            const int own = numbering_.constraint_block(constraint);
+            const int own = assembly_.numbering().constraint_block(constraint);
             for (int i = 0; i < result.jacobian.rows(); ++i)
                 values[pattern.base(own, own) + pattern.column_offset(own, i) + i] =
                     left_out(first + i) ? 1.0 : 0.0;
@@ -148,15 +147,15 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
         [&](int row, int free_one, double entry) { rows(row, columns[free_one]) += entry; });
 }
 
-ANCF_INLINE void ConstraintSet::add_velocity_level(const Assembly& assembly, const VectorX& mu,
-                                                   SparseMatrix& matrix) const {
+ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatrix& matrix) const {
     double* values = matrix.valuePtr();
     ConstraintState local;
     ConstraintResult result;
     local.time = time_;
     for (std::size_t k = 0; k < results_.size(); ++k) {
-        const AnyConstraint& constraint = model_.constraints()[k];
-        const std::vector<int>&read = coordinates_[k].read(), &at = coordinates_[k].acted();
+        const AnyConstraint& constraint = constraints_[k];
+        const LocalCoordinates& coordinates = assembly_.constraint_coordinates(k);
+        const std::vector<int>&read = coordinates.read(), &at = coordinates.acted();
         const int equations = constraint.equations();
         gather(q_, read, local.q);
         gather(v_, read, local.v);
@@ -168,25 +167,25 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const Assembly& assembly, con
             result.reset(equations, static_cast<Eigen::Index>(read.size()));
             constraint.evaluate(local, result);
             VectorX row = multiply(result.stiffness, local.v);
-            coordinates_[k].carry(row);
-            coordinates_[k].carry(result.stiffness);
-            assembly.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
+            coordinates.carry(row);
+            coordinates.carry(result.stiffness);
+            assembly_.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
                 if (i == e) values[place] += row[j];
             });
             const double weight = mu[first_[k] + e];
-            if (weight != 0.0) assembly.add_matrix(at, weight, result.stiffness, matrix);
+            if (weight != 0.0) assembly_.add_matrix(at, weight, result.stiffness, matrix);
         }
     }
 }
 
 ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
-    SparseMatrix columns(numbering_.free_coordinates(), size());
+    SparseMatrix columns(assembly_.numbering().free_coordinates(), size());
     std::vector<int> rows;  // of a constraint's columns: a vector listed twice is summed
     for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
         rows.clear();
         for (const int coordinate : at)
-            if (numbering_.equation(coordinate) >= 0)
-                rows.push_back(numbering_.equation(coordinate));
+            if (assembly_.numbering().equation(coordinate) >= 0)
+                rows.push_back(assembly_.numbering().equation(coordinate));
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
         for (int i = 0; i < result.jacobian.rows(); ++i) {
@@ -194,7 +193,7 @@ ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
             for (const int row : rows) columns.insertBack(row, first + i) = 0.0;
             double* values = columns.valuePtr() + columns.outerIndexPtr()[first + i];
             for (std::size_t j = 0; j < at.size(); ++j)
-                if (const int row = numbering_.equation(at[j]); row >= 0)
+                if (const int row = assembly_.numbering().equation(at[j]); row >= 0)
                     values[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()] +=
                         result.jacobian(i, static_cast<Eigen::Index>(j));
         }
@@ -206,8 +205,8 @@ ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
     const auto next = std::upper_bound(first_.begin(), first_.end(), equation);
     const std::ptrdiff_t constraint = next - first_.begin() - 1;
-    return joined({"constraint ", constraint, " (", model_.constraints()[constraint].name(),
-                   "), equation ", equation - first_[constraint]});
+    return joined({"constraint ", constraint, " (", constraints_[constraint].name(), "), equation ",
+                   equation - first_[constraint]});
 }
 
 }  // namespace ancf::detail

@@ -45,14 +45,11 @@ public:
             length_ = before_.empty() ? length : std::min(length_, length);
             before_.push_back(0.0);
         });
-        for (const ScaledLoad& load : model.loads()) {
-            loads_.push_back(local(load.load.coupling()));
-            loads_.back().invariant = is_invariant(load.load, loads_.back());
-        }
-        for (const AnyConstraint& constraint : model.constraints()) {
-            constraints_.push_back(local(constraint.coupling()));
-            constraints_.back().invariant = is_invariant(constraint, constraints_.back());
-        }
+        const Assembly& assembly = problem.assembly();
+        for (const ScaledLoad& load : model.loads())
+            add(load.load, assembly.load_coordinates(loads_.size()), loads_);
+        for (const AnyConstraint& constraint : model.constraints())
+            add(constraint, assembly.constraint_coordinates(constraints_.size()), constraints_);
         for (const Support& support : model.supports()) driven_ = driven_ || support.value;
     }
 
@@ -106,9 +103,9 @@ public:
 
 private:
     struct LocalLoad {
-        LocalCoordinates at;
-        std::vector<int> power;  // of a length in each vector's unit
-        bool invariant = false;  // rigid motions leave the potential, or g, as it is
+        const LocalCoordinates& at;
+        std::vector<int> power = {};  // of a length in each vector's unit
+        bool invariant = false;       // rigid motions leave the potential, or g, as it is
     };
 
     // Calls visit(group, place of the element), element by element.
@@ -131,11 +128,12 @@ private:
         revision_ = model.revision();
     }
 
-    [[nodiscard]] LocalLoad local(const Coupling& coupling) const {
-        const Scene& model = problem_.model();
-        LocalLoad result{{model.layout(), model.dependence(), coupling, "load or constraint"}, {}};
-        for (const NodeField& at : coupling) result.power.push_back(length_power(at.field));
-        return result;
+    template <class Acting>
+    void add(const Acting& acting, const LocalCoordinates& coordinates,
+             std::vector<LocalLoad>& list) const {
+        LocalLoad& local = list.emplace_back(LocalLoad{coordinates});
+        for (const NodeField& at : acting.coupling()) local.power.push_back(length_power(at.field));
+        local.invariant = is_invariant(acting, local);
     }
 
     /// Writes the values of some functions of local coordinates, and their gradients by rows.

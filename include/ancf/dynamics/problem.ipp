@@ -31,7 +31,7 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
       options_(options),
       assembly_(model, options.storage),
       revision_(model.revision()),
-      constraints_(model, assembly_.numbering()) {
+      constraints_(assembly_) {
     options_.check();
     check_sizes();
     list_driven();
@@ -339,7 +339,7 @@ ANCF_INLINE Start DynamicProblem::start() {
 
 ANCF_INLINE Status DynamicProblem::factorize_kkt() {
     if (exchange_ != nullptr) return Status::converged;  // M alone
-    if (multipliers() > 0) constraints_.write_jacobian(assembly_, kkt_matrix_);
+    if (multipliers() > 0) constraints_.write_jacobian(kkt_matrix_);
     return kkt_.factorize(kkt_matrix_);
 }
 
@@ -448,7 +448,7 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
     if (request != Request::force && !left_out_.empty()) {
         tangent_ = assembly_.tangent();
         constraints_.evaluate(t, full_q_, full_v_);
-        constraints_.write_jacobian(assembly_, tangent_);
+        constraints_.write_jacobian(tangent_);
     }
     return fault;
 }
@@ -534,7 +534,7 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
 ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
     if (detail::entries(out) != detail::entries(mass_)) out = mass_;
     std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
-    constraints_.add_velocity_level(assembly_, mu, out);
+    constraints_.add_velocity_level(mu, out);
 }
 
 // --- projection --------------------------------------------------------------------------------
