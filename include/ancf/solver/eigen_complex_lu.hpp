@@ -6,15 +6,22 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
+#include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <Eigen/OrderingMethods>
+#include <Eigen/SparseLU>
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
+#include <cstddef>
+#include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -30,33 +37,90 @@ public:
     explicit BasicEigenComplexLu(Storage storage) : storage_(storage) {}
 
     /// @throws InvalidArgument unless square, compressed and of the storage.
-    void analyze(const SparseMatrix& pattern) override;
+    void analyze(const SparseMatrix& pattern) override {
+        detail::require_storage(name(), pattern, storage_);
+        magnitudes_ = pattern;
+        // column by column the places of both halves: rows ascend, as mirror images come first
+        const auto size = static_cast<std::size_t>(pattern.cols());
+        std::vector<std::vector<std::pair<int, int>>> columns(size);  // row, place
+        for (int j = 0; j < pattern.cols(); ++j)
+            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
+                const int i = pattern.innerIndexPtr()[k];
+                columns[j].emplace_back(i, k);
+                if (storage_ == Storage::lower && i != j) columns[i].emplace_back(j, k);
+            }
+        matrix_.resize(pattern.rows(), pattern.cols());
+        int count = 0;
+        for (const auto& column : columns) count += static_cast<int>(column.size());
+        matrix_.resizeNonZeros(count);
+        count = 0;
+        from_.clear();
+        for (std::size_t j = 0; j < size; ++j) {
+            matrix_.outerIndexPtr()[j] = count;
+            for (const auto& [row, place] : columns[j]) {
+                matrix_.innerIndexPtr()[count] = row;
+                matrix_.valuePtr()[count++] = 1.0;
+                from_.push_back(place);
+            }
+        }
+        matrix_.outerIndexPtr()[size] = count;
+        inverse_.resize(size);
+        lu_ = std::make_unique<Eigen::SparseLU<Matrix, Ordering>>();
+        if (size > 0) lu_->analyzePattern(matrix_);
+    }
 
     /// Factorises in the pattern analysed. @throws InvalidArgument for another number of values.
-    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override;
+    [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
+        const auto given = static_cast<std::size_t>(magnitudes_.nonZeros());
+        detail::require(lu_ != nullptr && values.size() == given, name(), ": expected ", given,
+                        " values, got ", values.size());
+        for (std::size_t k = 0; k < given; ++k) magnitudes_.valuePtr()[k] = std::abs(values[k]);
+        if (!detail::all_finite(magnitudes_)) return Status::not_finite;
+        // entries of a row compare where each unknown is measured by its own scale, as in EigenLu
+        const VectorX scales = detail::unit_scales(magnitudes_);
+        std::fill(inverse_.begin(), inverse_.end(), 0.0);
+        std::complex<double>* entries = matrix_.valuePtr();
+        const auto row = [&](Eigen::Index k) -> double& {
+            return inverse_[matrix_.innerIndexPtr()[k]];
+        };
+        for (Eigen::Index j = 0; j < matrix_.cols(); ++j)
+            for (Eigen::Index k = matrix_.outerIndexPtr()[j]; k < matrix_.outerIndexPtr()[j + 1];
+                 ++k) {
+                const int place = from_[k];
+                entries[k] = values[place];
+                row(k) = std::max(row(k), magnitudes_.valuePtr()[place] * scales[j]);
+            }
+        for (double& inverse : inverse_) inverse = inverse > 0.0 ? 1.0 / inverse : 1.0;
+        for (Eigen::Index k = 0; k < matrix_.nonZeros(); ++k) entries[k] *= row(k);
+        if (matrix_.cols() == 0) return Status::converged;
+        lu_->factorize(matrix_);
+        return lu_->info() == Eigen::Success ? Status::converged : Status::singular;
+    }
 
     /// Solves A x = b in place.
-    void solve(ComplexVectorX& b) const override;
+    void solve(ComplexVectorX& b) const override {
+        detail::require(lu_ != nullptr, name(), ": solve without a factorisation");
+        if (b.size() == 0) return;
+        for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= inverse_[i];
+        const ComplexVectorX x = lu_->solve(b);
+        b = x;
+    }
 
     /// The word that tables print.
     [[nodiscard]] std::string_view name() const noexcept override { return "complex eigen-lu"; }
 
 private:
-    struct Factors;  // Eigen's class and its matrix
+    using Matrix = Eigen::SparseMatrix<std::complex<double>, Eigen::ColMajor, int>;
 
     Storage storage_;
-    detail::Hidden<Factors> factors_{nullptr, nullptr};
+    Matrix matrix_;                // both halves
+    std::vector<int> from_;        // of each value of the matrix its place in those given
+    SparseMatrix magnitudes_;      // of the values given
+    std::vector<double> inverse_;  // of each row's largest entry
+    std::unique_ptr<Eigen::SparseLU<Matrix, Ordering>> lu_;
 };
 
 /// The factorisation of any complex square matrix, columns ordered by COLAMD.
 using EigenComplexLu = BasicEigenComplexLu<Eigen::COLAMDOrdering<int>>;
 
-#if defined(ANCF_COMPILED)
-extern template class BasicEigenComplexLu<Eigen::COLAMDOrdering<int>>;
-#endif
-
 }  // namespace ancf
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/solver/eigen_complex_lu.ipp>  // IWYU pragma: export
-#endif
