@@ -66,8 +66,11 @@ def include_findings(name, text):
 def form_findings(name, text):
     if not text.startswith(LICENCE):
         yield "does not open with the SPDX pair"
-    if "/// @file" not in text.split("#pragma once")[0]:
+    described = "/// @file" in text.split("#pragma once")[0]
+    if name.endswith(".hpp") and not described:
         yield "has no @file comment above #pragma once"
+    if name.endswith(".ipp") and described:
+        yield "has a @file comment: that of its header is enough"
     if not re.search(r"^#pragma once$", text, re.MULTILINE):
         yield "has no #pragma once"
 
@@ -169,7 +172,8 @@ def findings(root):
 
 def self_test():
     """Every wrong header is refused for its reason, and a right one for none."""
-    opening = LICENCE + "\n/// @file\n/// A header.\n\n#pragma once\n\n"
+    bare = LICENCE + "\n#pragma once\n\n"
+    opening = bare.replace("#pragma", "/// @file\n/// A header.\n\n#pragma")
     ending = "\n#if !defined(ANCF_COMPILED)\n#include <ancf/model/c.ipp>  // IWYU pragma: export\n#endif\n"
     right = {
         "section/a.hpp": opening + "#include <ancf/error.hpp>\n#include <Eigen/Core>\n",
@@ -177,7 +181,7 @@ def self_test():
         "suitesparse/d.hpp": opening + "#include <ancf/solver/e.hpp>\n#include <cholmod.h>\n",
         "ancf.hpp": opening + "#include <ancf/model/b.hpp>\n#include <ancf/error.hpp>\n",
         "model/c.hpp": opening + ending,
-        "model/c.ipp": opening + "#include <ancf/model/c.hpp>\n#include <ancf/section/a.hpp>\n",
+        "model/c.ipp": bare + "#include <ancf/model/c.hpp>\n#include <ancf/section/a.hpp>\n",
         "error.hpp": opening,
     }
     wrong = [
@@ -198,7 +202,8 @@ def self_test():
         ("stray.hpp", opening, "no layer"),
         ("contact/a.hpp", opening, "unknown layer"),
         ("model/a.hpp", opening[3:], "SPDX"),
-        ("model/a.hpp", LICENCE + "\n#pragma once\n", "@file"),
+        ("model/a.hpp", bare, "no @file"),
+        ("model/a.ipp", opening, "a @file"),
         ("model/a.hpp", opening.replace("#pragma once", ""), "#pragma once"),
         ("model/a.ipp", opening.replace("#pragma once", ""), "#pragma once"),
         ("model/a.ipp", opening, "its header"),

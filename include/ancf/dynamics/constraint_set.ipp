@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Definitions of constraint_set.hpp.
-
 #pragma once
 
 #include <ancf/dynamics/constraint_set.hpp>

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Definitions of energy_momentum.hpp: one run of the scheme.
-
 #pragma once
 
 #include <ancf/algebra.hpp>

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Comma-separated values: definitions.
-
 #pragma once
 
 #include <ancf/compiler.hpp>

@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Results over time: definitions.
-
 #pragma once
 
 #include <ancf/algebra.hpp>

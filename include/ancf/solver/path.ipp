@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// The algorithm behind follow_path: definitions of path.hpp.
-
 #pragma once
 
 #include <ancf/algebra.hpp>

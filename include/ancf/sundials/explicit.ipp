@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Definitions of explicit.hpp: the system and one run of ERKStep.
-
 #pragma once
 
 #include <ancf/error.hpp>

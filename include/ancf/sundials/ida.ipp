@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// @file
-/// Definitions of ida.hpp: one run of IDA.
-
 #pragma once
 
 #include <ancf/constants.hpp>
