@@ -142,9 +142,6 @@ struct AttachedElement {
     /// @throws InvalidArgument for more vectors than there is room for.
     [[gnu::cold]] AttachedElement(const Layout& layout, const Dependence& dependence, Fields fields,
                                   const std::array<int, 2>& nodes);
-
-    /// Adds the element's tangent, by columns, to the values of a system.
-    void add(const GroupTarget& target, const double* tangent) const;
 };
 
 }  // namespace detail

@@ -283,15 +283,11 @@ void add_transformed(const AttachedElement& element, const GroupTarget& target,
     }
 }
 
-ANCF_INLINE void AttachedElement::add(const GroupTarget& target, const double* tangent) const {
-    if (target.layout.dimension() == 3)
-        add_transformed<3>(*this, target, tangent);
-    else
-        add_transformed<2>(*this, target, tangent);
-}
-
 ANCF_INLINE void add_attached(const GroupTarget& target, int place, const double* tangent) {
-    target.attached[place].add(target, tangent);
+    if (target.layout.dimension() == 3)
+        add_transformed<3>(target.attached[place], target, tangent);
+    else
+        add_transformed<2>(target.attached[place], target, tangent);
 }
 
 }  // namespace detail
