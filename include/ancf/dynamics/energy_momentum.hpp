@@ -30,19 +30,13 @@ struct EnergyMomentumOptions {
     void check() const;
 };
 
-/// The integrator. An object can be used for many runs.
+/// The integrator.
 ///
 /// The multipliers of a state are those of the step that led to it: they belong to its middle.
 /// Loads that have no potential, and elements that dissipate, enter at the middle of a step.
-class EnergyMomentum {
+class EnergyMomentum : public Integrator<EnergyMomentumOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit EnergyMomentum(const EnergyMomentumOptions& options = {}) : options_(options) {
-        options_.check();
-    }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const EnergyMomentumOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints.
@@ -60,9 +54,6 @@ public:
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                            const Schedule& schedule,
                                            const Memory& memory = {}) const;
-
-private:
-    EnergyMomentumOptions options_;
 };
 
 }  // namespace ancf

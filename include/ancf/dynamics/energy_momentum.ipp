@@ -275,7 +275,7 @@ ANCF_INLINE void EnergyMomentumOptions::check() const {
 ANCF_INLINE DynamicsReport EnergyMomentum::integrate(DynamicProblem& problem, LinearSolver& solver,
                                                      const Schedule& schedule,
                                                      const Memory& memory) const {
-    return detail::EnergyMomentumRun(problem, solver, schedule, options_).run(memory);
+    return detail::EnergyMomentumRun(problem, solver, schedule, options()).run(memory);
 }
 
 }  // namespace ancf

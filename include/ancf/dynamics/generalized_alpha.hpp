@@ -43,16 +43,10 @@ struct GeneralizedAlphaOptions {
     void check() const;
 };
 
-/// The integrator. An object can be used for many runs.
-class GeneralizedAlpha {
+/// The integrator.
+class GeneralizedAlpha : public Integrator<GeneralizedAlphaOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit GeneralizedAlpha(const GeneralizedAlphaOptions& options = {}) : options_(options) {
-        options_.check();
-    }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const GeneralizedAlphaOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints.
@@ -70,9 +64,6 @@ public:
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                            const Schedule& schedule,
                                            const Memory& memory = {}) const;
-
-private:
-    GeneralizedAlphaOptions options_;
 };
 
 }  // namespace ancf

@@ -322,7 +322,7 @@ ANCF_INLINE DynamicsReport GeneralizedAlpha::integrate(DynamicProblem& problem,
                                                        LinearSolver& solver,
                                                        const Schedule& schedule,
                                                        const Memory& memory) const {
-    return detail::GeneralizedAlphaRun(problem, solver, schedule, options_).run(memory);
+    return detail::GeneralizedAlphaRun(problem, solver, schedule, options()).run(memory);
 }
 
 }  // namespace ancf

@@ -47,14 +47,10 @@ struct LeapfrogReport : DynamicsReport {
     double stable_step = 0.0;        ///< s, last estimate; infinite where nothing vibrates
 };
 
-/// The integrator. An object can be used for many runs.
-class Leapfrog {
+/// The integrator.
+class Leapfrog : public Integrator<LeapfrogOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit Leapfrog(const LeapfrogOptions& options = {}) : options_(options) { options_.check(); }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const LeapfrogOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached.
@@ -71,9 +67,6 @@ public:
     ///         not fit the model's time, a step below the resolution of time, or a scene without a
     ///         free coordinate.
     [[nodiscard]] LeapfrogReport integrate(DynamicProblem& problem, const Schedule& schedule) const;
-
-private:
-    LeapfrogOptions options_;
 };
 
 }  // namespace ancf

@@ -391,10 +391,10 @@ ANCF_INLINE LeapfrogReport Leapfrog::integrate(DynamicProblem& problem,
     detail::require_motion(problem);
     const double from = problem.model().state().time;
     schedule.check(from);
-    if (options_.step > 0.0 && schedule.end > from)
-        detail::require_resolved(options_.step, from, schedule.end);
+    if (options().step > 0.0 && schedule.end > from)
+        detail::require_resolved(options().step, from, schedule.end);
     LeapfrogReport report;
-    detail::LeapfrogRun(problem, schedule, options_, report).run();
+    detail::LeapfrogRun(problem, schedule, options(), report).run();
     return report;
 }
 

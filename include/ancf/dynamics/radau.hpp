@@ -44,14 +44,10 @@ struct RadauOptions {
     void check() const;
 };
 
-/// The integrator. An object can be used for many runs.
-class RadauIIA {
+/// The integrator.
+class RadauIIA : public Integrator<RadauOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit RadauIIA(const RadauOptions& options = {}) : options_(options) { options_.check(); }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const RadauOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints.
@@ -69,9 +65,6 @@ public:
     ANCF_LAZY [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                                      const Schedule& schedule,
                                                      const Memory& memory = {}) const;
-
-private:
-    RadauOptions options_;
 };
 
 }  // namespace ancf

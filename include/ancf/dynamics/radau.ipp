@@ -514,7 +514,7 @@ ANCF_INLINE void RadauOptions::check() const {
 
 ANCF_LAZY DynamicsReport RadauIIA::integrate(DynamicProblem& problem, LinearSolver& solver,
                                              const Schedule& schedule, const Memory& memory) const {
-    return detail::RadauRun(problem, solver, schedule, options_).run(memory);
+    return detail::RadauRun(problem, solver, schedule, options()).run(memory);
 }
 
 }  // namespace ancf

@@ -84,6 +84,20 @@ struct Memory {
     [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const;
 };
 
+/// What every integrator is: options. An object can be used for many runs.
+template <class Options>
+class Integrator {
+public:
+    /// @throws InvalidArgument naming the first option that cannot be meant.
+    explicit Integrator(const Options& options = {}) : options_(options) { options_.check(); }
+
+    /// Returns the options it was made with.
+    [[nodiscard]] const Options& options() const noexcept { return options_; }
+
+private:
+    Options options_;
+};
+
 /// How a run went; a run that fails keeps what it reached.
 struct DynamicsReport {
     Status status = Status::converged;  ///< how it ended

@@ -54,13 +54,9 @@ struct ExplicitReport : DynamicsReport {
 };
 
 /// The integrator.
-class Explicit {
+class Explicit : public Integrator<ExplicitOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit Explicit(const ExplicitOptions& options = {}) : options_(options) { options_.check(); }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const ExplicitOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached. What the scene's and the schedule's callables throw comes out.
@@ -73,9 +69,6 @@ public:
     /// @throws InvalidArgument for a scene with multipliers, a schedule that does not fit the
     ///         model's time, a fixed step below the resolution of time, or no unknowns.
     [[nodiscard]] ExplicitReport integrate(DynamicProblem& problem, const Schedule& schedule) const;
-
-private:
-    ExplicitOptions options_;
 };
 
 }  // namespace ancf::sundials

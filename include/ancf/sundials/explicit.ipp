@@ -383,9 +383,9 @@ ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
     ancf::detail::require_motion(problem);
     const double from = problem.model().state().time;
     schedule.check(from);
-    if (options_.step > 0.0 && schedule.end > from)
-        ancf::detail::require_resolved(options_.step, from, schedule.end);
-    return detail::ExplicitRun(problem, schedule, options_).run();
+    if (options().step > 0.0 && schedule.end > from)
+        ancf::detail::require_resolved(options().step, from, schedule.end);
+    return detail::ExplicitRun(problem, schedule, options()).run();
 }
 
 }  // namespace ancf::sundials

@@ -68,13 +68,9 @@ struct IdaReport : DynamicsReport {
 };
 
 /// The integrator.
-class Ida {
+class Ida : public Integrator<IdaOptions> {
 public:
-    /// @throws InvalidArgument naming the first option that cannot be meant.
-    explicit Ida(const IdaOptions& options = {}) : options_(options) { options_.check(); }
-
-    /// Returns the options it was made with.
-    [[nodiscard]] const IdaOptions& options() const noexcept { return options_; }
+    using Integrator::Integrator;
 
     /// Integrates from the model's state to the schedule's end; the model is then in the state
     /// reached, on the constraints. What the scene's and the schedule's callables throw comes out.
@@ -84,9 +80,6 @@ public:
     ///         where it did not start; or why it ended before, with what was observed until then.
     /// @throws InvalidArgument for a schedule that does not fit the model's time, or no unknowns.
     [[nodiscard]] IdaReport integrate(DynamicProblem& problem, const Schedule& schedule) const;
-
-private:
-    IdaOptions options_;
 };
 
 }  // namespace ancf::sundials

@@ -343,7 +343,7 @@ ANCF_INLINE IdaReport Ida::integrate(DynamicProblem& problem, const Schedule& sc
                           "Ida: the problem must have full storage: set ProblemOptions::storage");
     ancf::detail::require_motion(problem);
     schedule.check(problem.model().state().time);
-    return detail::IdaRun(problem, schedule, options_).run();
+    return detail::IdaRun(problem, schedule, options()).run();
 }
 
 }  // namespace ancf::sundials
