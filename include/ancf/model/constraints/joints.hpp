@@ -66,8 +66,8 @@ struct JointSide {
     SideKind kind;
     FrameAt at = NodeId{};
     std::array<Vec3<double>, 3> axes = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};  ///< at the start
-    Vec3<double> place = {};                                                       ///< at the start
-    double share = 0.5;  ///< of r_y in a section's torque
+    Vec3<double> place = {};  ///< of a frame that rests
+    double share = 0.5;       ///< of r_y in a section's torque
 
     [[nodiscard]] int vectors() const noexcept {
         return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;

@@ -63,7 +63,6 @@ ANCF_INLINE JointSide JointSide::frame(const BasicModel<3>& model, const FrameAt
     side.axes = triad_of(side, vec3<double>(model.value(at.node, side.at.first)),
                          vec3<double>(model.value(at.node, side.at.second)))
                     .axes;
-    side.place = vec3<double>(model.position(at.node));
     require(all_finite(side.axes), "a joint needs a frame: the slopes of node ", at.node.index,
             " are parallel or of no length");
     return side;
@@ -119,16 +118,15 @@ ANCF_INLINE Block<double> outer(const Vec3<double>& u, const Vec3<double>& v) {
 /// The sines and the cosine stand here less their constants.
 template <class Scalar>
 struct FrameJoint::At {
+    Forms<Scalar> forms;
     Triad<Scalar> a, b;
     std::vector<FrameForm<Scalar>> sines;
     FrameForm<Scalar> cosine;
     TurnFactor<Scalar> factor = {};
 
     At(const FrameJoint& joint, const DynamicVector<Scalar>& q, const Scalar& time)
-        : At(joint, q, joint.forms(time)) {}
-
-    At(const FrameJoint& joint, const DynamicVector<Scalar>& q, const Forms<Scalar>& forms)
-        : a(triad_of(joint.a_, q, joint.first_slope())),
+        : forms(joint.forms(time)),
+          a(triad_of(joint.a_, q, joint.first_slope())),
           b(triad_of(joint.b_, q, joint.first_slope() + 3 * joint.a_.vectors())),
           cosine(forms.cosine, a, b) {
         cosine.value -= Scalar(joint.cosine_constant_);
@@ -146,14 +144,13 @@ struct FrameJoint::At {
                                                   const ConstraintState& at) const {
         std::array<double, 12> v = {};
         for (int k = 0; k < a.width + b.width; ++k) v[k] = at.v[joint.first_slope() + k];
-        const Forms<double> now = joint.forms(at.time);
         std::vector<FormCourse> out;
-        for (const Block<double>& form : now.sines) out.emplace_back(form, a, b, v);
-        if (factor.varies) out.emplace_back(now.cosine, a, b, v);
+        for (const Block<double>& form : forms.sines) out.emplace_back(form, a, b, v);
+        if (factor.varies) out.emplace_back(forms.cosine, a, b, v);
         if (!joint.angle_) return out;
         const Forms<double> rates = joint.form_rates(at.time),
                             accelerations = joint.form_accelerations(at.time);
-        for (std::size_t k = 0; k < now.sines.size(); ++k)
+        for (std::size_t k = 0; k < forms.sines.size(); ++k)
             out[k].move(rates.sines[k], accelerations.sines[k], a, b, v);
         if (factor.varies) out.back().move(rates.cosine, accelerations.cosine, a, b, v);
         return out;
