@@ -167,20 +167,25 @@ private:
     /// Solves one step by Newton's method.
     ///
     /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
-    /// the step then starts again, with a matrix of its own.
+    /// the step then starts again, with a matrix of its own. Where vibrations are faster than the
+    /// steps, their accelerations predict badly: it starts once more without accelerations.
     [[nodiscard]] Status newton(double h) {
+        predict(h);
         if (linearised_width_ == h && iterate(h, false) == Status::converged)
             return Status::converged;
+        predict(h);
+        if (iterate(h, true) == Status::converged) return Status::converged;
+        predict(h);
+        add(h, -now_.acceleration);
         return iterate(h, true);
     }
 
-    /// Iterates from the prediction, with a new matrix or the one at hand.
+    /// Iterates from next_, with a new matrix or the one at hand.
     ///
     /// A matrix, of an earlier step or iterate, stays while it converges fast enough.
     [[nodiscard]] Status iterate(double h, bool renew) {
         const int n = problem_.size();
         const int m = problem_.multipliers();
-        predict(h);
         rhs_.resize(n + m);
         bool fresh = false;  // whether the matrix is of this step
         int since = 0;       // corrections by the matrix at hand
@@ -202,7 +207,8 @@ private:
             rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
             solve_with(solver_, rhs_, solution_);
             ++report_.iterations;
-            correct(h);
+            add(h, solution_.head(n));
+            next_.lambda += solution_.tail(m);
             const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
@@ -274,14 +280,12 @@ private:
         next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
     }
 
-    /// Adds the solution (dv', dlambda).
-    void correct(double h) {
-        const VectorX change = solution_.head(problem_.size());
+    /// Changes the accelerations, and what follows of them.
+    void add(double h, const VectorX& change) {
         next_.acceleration += change;
         next_.algorithmic += (1.0 - af_) / (1.0 - am_) * change;
         next_.q += h * h * beta_hat_ * change;
         next_.v += h * gamma_hat_ * change;
-        next_.lambda += solution_.tail(problem_.multipliers());
     }
 
     [[nodiscard]] double change_of_acceleration() const {
