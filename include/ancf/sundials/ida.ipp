@@ -121,7 +121,7 @@ private:
         SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
         call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
         call(IDASetJacFn(ida, &IdaSystem::jacobian));
-        if (report_.order == 2 && options_.form == Form::index3) measure_rate();
+        if (report_.order == 2) measure_rate();
         call(IDASetMaxOrd(ida, report_.order));
         call(IDASetDeltaCjLSetup(ida, 0.05));
         call(IDASetMaxNonlinIters(ida, 6));
