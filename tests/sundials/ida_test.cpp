@@ -7,14 +7,17 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/sundials/ida.hpp>
 
 #include <sundials/scenes.hpp>
 #include <support/catch.hpp>
+#include <support/driven_arm.hpp>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -448,6 +451,21 @@ TEST_CASE("Ida: a slow steel link keeps its spin by the second form", "[ida][spi
     REQUIRE(report.status == Status::converged);
     // 3.4e-3; by IDA's own test of convergence 0.29, in five times as many steps
     CHECK(report.energy_drift <= 2e-2 * report.kinetic_largest);
+}
+
+TEST_CASE("Ida: a steel link driven from rest moves in long steps", "[ida][joints]") {
+    const Form form = GENERATE(Form::index3, Form::gear_gupta_leimkuhler);
+    SteelLink link;
+    link.model.add(ancf::PlanarWeld(link.model, link.beam.first(), ancf::test::smooth_turn(5.0)));
+    ancf::DynamicProblem problem(link.model);
+    IdaOptions options;
+    options.form = form;
+    options.tolerance = 1e-6;
+    options.max_steps = 1000;  // 580; by order 5 1129, and 2.4 million by the second form
+    const auto report = Ida(options).integrate(problem, until(1.0, {}));
+    CAPTURE(form == Form::index3, report.message, report.steps);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.order == 2);
 }
 
 TEST_CASE("Ida: multipliers lost in the round-off of a short step end with an advice",

@@ -105,7 +105,10 @@ private:
         for (const auto& group : problem_.model().groups())
             if (group->one_node()) return 2;
         if (slow_frequency_ == 0.0) return 5;
-        const double period = 2.0 * pi / slow_frequency_;
+        double period = 2.0 * pi / slow_frequency_;
+        // what is at rest may be driven far more slowly than it vibrates
+        if (problem_.motion_frequency(start_) == 0.0)
+            period = std::max(period, schedule_.end - start_.time);
         return period * report_.highest_frequency / stable > steps_in_a_period ? 2 : 5;
     }
 
