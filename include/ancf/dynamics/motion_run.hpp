@@ -68,8 +68,9 @@ public:
     Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
              bool energies);
 
-    /// Reports the multipliers that belong to each reported state, not those of the integrator.
-    void solve_multipliers() noexcept { solves_multipliers_ = true; }
+    /// Tells whether to report the multipliers that belong to each reported state, not those of the
+    /// integrator.
+    void solve_multipliers(bool solves) noexcept { solves_multipliers_ = solves; }
 
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point);

@@ -55,7 +55,6 @@ public:
     IdaReport run() {
         if (!starts()) return std::move(report_);
         set_up();
-        if (problem_.multipliers() > 0) recorder_.solve_multipliers();  // its own may be round-off
         now_ = point(now_.time, y_.get());
         recorder_.start(now_);
         while (now_.time < schedule_.end && step()) {
@@ -124,7 +123,12 @@ private:
         SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
         call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
         call(IDASetJacFn(ida, &IdaSystem::jacobian));
-        if (report_.order == 2) measure_rate();
+        if (report_.order == 2) {
+            measure_rate();
+            highest_frequency_ = report_.highest_frequency;
+            if (options_.order == Order::two)
+                highest_frequency_ = problem_.highest_frequency(start_.time, start_.q);
+        }
         call(IDASetMaxOrd(ida, report_.order));
         call(IDASetDeltaCjLSetup(ida, 0.05));
         call(IDASetMaxNonlinIters(ida, 6));
@@ -247,6 +251,10 @@ private:
         double length = 0.0;
         IDAGetLastStep(ida_.get(), &length);
         now_ = point(reached, y_.get());
+        // its own are round-off in short steps. What a longer one leaves of vibrations that it does
+        // not resolve is small, but not the forces of it.
+        recorder_.solve_multipliers(problem_.multipliers() > 0 &&
+                                    length * highest_frequency_ < 1.0);
         // what the sum of many steps leaves is no step: the multipliers of index 3 would be round-
         // off
         if (schedule_.end - reached <= 1e-9 * length) now_.time = schedule_.end;
@@ -323,10 +331,11 @@ private:
     NewtonOwner newton_;  // of stiff scenes
     IdaOwner ida_;
 
-    double first_correction_ = 0.0;  // of a step, in IDA's norm
-    double slow_frequency_ = 0.0;    // rad/s: of the motion that is followed
-    double first_step_ = 0.0;        // s
-    bool hides_forces_ = false;      // whether the start's forces are below their round-off
+    double first_correction_ = 0.0;   // of a step, in IDA's norm
+    double slow_frequency_ = 0.0;     // rad/s: of the motion that is followed
+    double highest_frequency_ = 0.0;  // rad/s: of a scene whose vibrations steps may not resolve
+    double first_step_ = 0.0;         // s
+    bool hides_forces_ = false;       // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
 };
 
