@@ -73,8 +73,8 @@ private:
             if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
         }
         now_ = end;  // with its own rates: projected ones would have less energy
-        acceleration_ =
-            was_cut(values, values[7]) ? start_.acceleration : memory.get("acceleration", n);
+        acceleration_ = m > 0 && was_cut(values, values[7]) ? start_.acceleration
+                                                            : memory.get("acceleration", n);
     }
 
     void remember_run() {

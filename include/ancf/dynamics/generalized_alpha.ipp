@@ -75,16 +75,60 @@ private:
     static constexpr double round_off = 4e-16;  // of corrections, at least
 
     /// Begins at the model's state, with accelerations that belong to it.
-    void begin_anew() {
+    ///
+    /// a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order. But
+    /// v'' of a vibration that steps do not resolve is far too large for them: it solves
+    /// A (v'', .) = (M j, G j) with the jerk j and the matrix A of a step.
+    /// @param goes_on  whether an earlier run, of steps that did not resolve vibrations, led here.
+    void begin_anew(bool goes_on = false) {
         static_cast<MotionPoint&>(now_) = start_point();
         now_.acceleration = now_.algorithmic = start_.acceleration;
         width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
-        if (offset_ == 0.0) return;
-        // a_0 belongs to t_0 + offset h; with a_0 = v'_0 the first steps would be of first order
+        if (offset_ == 0.0 && !goes_on) return;
+        static_cast<MotionPoint&>(next_) = now_;
+        if (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
+            factorise(width_) != Status::converged)
+            return;
+        Start at = start_;
+        if (goes_on && problem_.model().exchange() == nullptr) smooth_acceleration(at);
+        now_.acceleration = now_.algorithmic = at.acceleration;
         VectorX jerk;
-        if (problem_.jerk(start_, 1e-3 * width_, jerk) == Status::converged)
-            now_.algorithmic += offset_ * width_ * jerk;
         report_.evaluations += 4;
+        if (offset_ == 0.0 || problem_.jerk(at, 1e-3 * width_, jerk) != Status::converged) return;
+        VectorX whole = VectorX::Zero(problem_.numbering().coordinates());
+        problem_.numbering().set_free(jerk, whole);
+        problem_.numbering().dependence().complete(whole);
+        solve_mass_step(jerk, problem_.constraints().product(whole));
+        now_.algorithmic += offset_ * width_ * solution_.head(problem_.size());
+    }
+
+    /// Takes the accelerations of vibrations that steps do not resolve away, and what belongs to
+    /// them of the multipliers.
+    ///
+    /// With E the forces of elements and joints, A (d, .) = (-h^2 beta_hat E'', 0) cancels them.
+    /// What d has of resolved motions, A^-1 M d, stays as it is.
+    void smooth_acceleration(Start& at) {
+        VectorX change;
+        report_.evaluations += 3;
+        if (problem_.elastic_acceleration(at, width_, change)) return;
+        rhs_.setZero(problem_.numbering().unknowns());
+        rhs_.head(problem_.size()) = -width_ * width_ * beta_hat_ * change;
+        solve_with(solver_, rhs_, solution_);
+        change = solution_.head(problem_.size());
+        at.acceleration += change;
+        at.multipliers += solution_.tail(problem_.multipliers());
+        solve_mass_step(change, VectorX::Zero(problem_.multipliers()));
+        at.acceleration -= solution_.head(problem_.size());
+    }
+
+    /// Solves A (x, .) = (M y, g) by the factorised matrix of a step.
+    void solve_mass_step(const VectorX& y, const VectorX& g) {
+        product_.setZero(problem_.size());
+        problem_.add_mass_product(1.0, y, product_);
+        rhs_.resize(problem_.numbering().unknowns());
+        rhs_.head(problem_.size()) = product_;
+        rhs_.tail(problem_.multipliers()) = g;
+        solve_with(solver_, rhs_, solution_);
     }
 
     /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
@@ -114,7 +158,7 @@ private:
             linearised_width_ = 0.0;  // the first step builds a matrix of its own
         const VectorX& values = memory.get("scalars", 12);
         matrix_ = {values[8], values[9], values[10]};
-        if (begins_anew) begin_anew();
+        if (begins_anew) begin_anew(true);
     }
 
     void remember_run() {

@@ -228,9 +228,8 @@ protected:
     /// others. With constraints what its rates changed by is what is left of g and G v, over powers
     /// of the width.
     /// @param numbers  of its memory.  @param width  of its last step, s.
-    [[nodiscard]] bool was_cut(const VectorX& numbers, double width) const {
-        const bool beside = numbers[1] == numbers[0] && numbers[2] == 0.0;
-        return beside && 2.0 * width < numbers[3] && problem_.multipliers() > 0;
+    [[nodiscard]] static bool was_cut(const VectorX& numbers, double width) {
+        return numbers[1] == numbers[0] && numbers[2] == 0.0 && 2.0 * width < numbers[3];
     }
 
     DynamicProblem& problem_;

@@ -418,6 +418,29 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
     return Status::converged;
 }
 
+ANCF_INLINE std::optional<Fault> DynamicProblem::elastic_acceleration(const Start& at, double step,
+                                                                      VectorX& rate) {
+    if (auto fault = evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent)) return fault;
+    rate.setZero(size());
+    detail::add_product(tangent(), options_.storage, 1.0, at.acceleration, rate);
+    const auto add_forces = [&](double weight) {
+        VectorX free;
+        numbering().gather_free(assembly_.external_force(), free);
+        for (int k = 0; k < numbering().coordinates(); ++k)
+            if (const int equation = numbering().equation(k); equation >= 0)
+                free[equation] += assembly_.unbalanced(k);
+        rate += weight / (step * step) * free;
+    };
+    add_forces(-2.0);
+    for (const double later : {step, -step}) {
+        const VectorX q = full_q_ + later * full_v_ + 0.5 * later * later * full_a_;
+        if (auto fault = assembly_.evaluate({q, full_v_, lambda_, {at.time, 1.0}}, Request::force))
+            return fault;
+        add_forces(1.0);
+    }
+    return {};
+}
+
 // --- evaluation --------------------------------------------------------------------------------
 
 ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const VectorX& q,

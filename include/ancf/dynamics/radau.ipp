@@ -118,7 +118,7 @@ private:
         most_growth_ = values[10];
         rejected_ = values[11] != 0.0;
         failed_ = values[12] != 0.0;
-        if (was_cut(values, width_before_)) {
+        if (problem_.multipliers() > 0 && was_cut(values, width_before_)) {
             static_cast<MotionPoint&>(now_) = start_point();
             now_.acceleration = start_.acceleration;
             width_before_ = 0.0;
