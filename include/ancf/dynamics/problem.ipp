@@ -758,12 +758,13 @@ ANCF_INLINE double DynamicProblem::motion_frequency(const Start& start) {
     numbering().gather_free(assembly_.external_force(), loads);
     solve_mass(loads, driven);
     const double loaded = detail::largest_ratio(driven, scales_);
-    // accelerations below so many times the square of the highest frequency are round-off
-    constexpr double frequency_noise = 64.0 * std::numeric_limits<double>::epsilon();
-    const double round_off =
-        loaded > 0.0 ? 1e-8 * loaded
-                     : frequency_noise * std::pow(highest_frequency(start.time, start.q), 2);
-    return acceleration > round_off ? std::sqrt(acceleration) : turn;
+    // rates below so many times the highest frequency are round-off, and accelerations below its
+    // square
+    constexpr double noise = 64.0 * std::numeric_limits<double>::epsilon();
+    if (loaded > 0.0 && acceleration > 1e-8 * loaded) return std::sqrt(acceleration);
+    const double highest = highest_frequency(start.time, start.q);
+    if (loaded == 0.0 && acceleration > noise * highest * highest) return std::sqrt(acceleration);
+    return turn > noise * highest ? turn : 0.0;
 }
 
 ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix,
