@@ -152,8 +152,7 @@ public:
         const std::size_t size = static_cast<std::size_t>(dimension_) * vectors_.size();
         for (std::size_t k = 0; k < vectors_.size(); ++k)
             for (int i = 0; i < dimension_; ++i) {
-                // one vector alone changes, by d: what is left of (I - Y/2) d, and the turn of C
-                // d/2
+                // one vector alone changes, by d: what is left of (I - Y/2) d, the turn of C d/2
                 const NodalVector& vector = vectors_[k];
                 Vector<double, 3> d = Vector<double, 3>::Zero();
                 d[i] = 1.0;

@@ -72,7 +72,7 @@ template <class Element>
 /// - `Coordinates force(const Coordinates&) const`, `double energy(const Coordinates&) const`;
 /// - `Matrix<double, n> mass() const`, `Coordinates gravity(const Vector<double, d>&) const`;
 /// - `bool admissible(const Coordinates&) const`, whether the strains are defined there, and
-///   `double length() const`, m.
+///   `double length() const`, m, positive.
 ///
 /// An element may offer more; docs/requirements.md lists what the library looks for.
 template <class Element>

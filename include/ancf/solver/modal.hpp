@@ -58,8 +58,8 @@ struct ModalReport {
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     std::string message = {};    ///< what failed; of a singular tangent, what moves without
                                  ///< stiffness; of converged vibrations fewer than are wanted and
-                                 ///< there, why, or that the state violates constraints. Else
-                                 ///< empty
+                                 ///< there, why; by how much the state violates constraints.
+                                 ///< Else empty
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.

@@ -214,11 +214,6 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     };
     ModalReport report = detail::with_cause(
         detail::modes_of(assembly, A, mass, solver, options, value), model, assembly, A, solver);
-    const double violated = ConvergenceMonitor(model, assembly.numbering()).violation(assembly);
-    if (report.message.empty() && !(violated <= 1e-6))
-        report.message =
-            detail::joined({"the state violates its constraints by ", violated,
-                            " of the scene's size at a load factor of ", options.factor});
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     const int wanted = std::min(options.count, std::max(left, 1));
     const auto found = static_cast<int>(report.modes.size());
@@ -227,6 +222,11 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
             {"of ", wanted, " modes ", wanted - found,
              " have no mass, or are lost in round-off beside the slowest one: those a negative "
              "shift of the size of the squares wanted will find"});
+    const double violated = ConvergenceMonitor(model, assembly.numbering()).violation(assembly);
+    if (!(violated <= 1e-6))
+        report.message += detail::joined(
+            {report.message.empty() ? "" : "; ", "the state violates its constraints by ", violated,
+             " of the scene's size at a load factor of ", options.factor});
     return report;
 }
 

@@ -30,7 +30,8 @@ enum class Form {
 /// The highest order that IDA may use. Orders 3 and 4 are never a good limit: 3 to 5 amplify
 /// undamped vibrations, and 5 is at least the most accurate of them.
 enum class Order {
-    automatic,  ///< two for stiff scenes and frames of stiff joints, else five
+    automatic,  ///< two for stiff scenes, for frames of stiff joints, and from rest for runs that
+                ///< are long beside the vibrations; else five
     two,
     five
 };
