@@ -127,14 +127,16 @@ private:
     ///
     /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
     /// the step then starts again, with a matrix of its own. Where vibrations are faster than the
-    /// steps, the mean acceleration of the last step predicts badly: it starts once more without.
+    /// steps, the mean acceleration of the last step predicts badly: it starts once more without,
+    /// unless the scene moves far in it.
     [[nodiscard]] Status step(double h) {
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, h, full_now_.q, full_now_.v);
         const double bend = 0.5 * h * h;
         if (linearised_width_ == h && iterate(h, bend, false) == Status::converged)
             return Status::converged;
-        if (iterate(h, bend, true) == Status::converged) return Status::converged;
+        const Status status = iterate(h, bend, true);
+        if (status == Status::converged || moves_far(now_, h)) return status;
         return iterate(h, 0.0, true);
     }
 

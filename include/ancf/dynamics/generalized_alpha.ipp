@@ -84,6 +84,7 @@ private:
         static_cast<MotionPoint&>(now_) = start_point();
         now_.acceleration = now_.algorithmic = start_.acceleration;
         width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
+        linearised_width_ = 0.0;
         if (offset_ == 0.0 && !goes_on) return;
         static_cast<MotionPoint&>(next_) = now_;
         if (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
@@ -92,9 +93,10 @@ private:
         Start at = start_;
         if (goes_on && problem_.model().exchange() == nullptr) smooth_acceleration(at);
         now_.acceleration = now_.algorithmic = at.acceleration;
-        VectorX jerk;
+        if (offset_ == 0.0) return;
         report_.evaluations += 4;
-        if (offset_ == 0.0 || problem_.jerk(at, 1e-3 * width_, jerk) != Status::converged) return;
+        VectorX jerk;
+        if (problem_.jerk(at, 1e-3 * width_, jerk) != Status::converged) return;
         VectorX whole = VectorX::Zero(problem_.numbering().coordinates());
         problem_.numbering().set_free(jerk, whole);
         problem_.numbering().dependence().complete(whole);
@@ -105,12 +107,12 @@ private:
     /// Takes the accelerations of vibrations that steps do not resolve away, and what belongs to
     /// them of the multipliers.
     ///
-    /// With E the forces of elements and joints, A (d, .) = (-h^2 beta_hat E'', 0) cancels them.
-    /// What d has of resolved motions, A^-1 M d, stays as it is.
+    /// With r'' of the positions alone, A (d, .) = (-h^2 beta_hat r'', 0) cancels them. What d has
+    /// of resolved motions, A^-1 M d, stays as it is.
     void smooth_acceleration(Start& at) {
         VectorX change;
         report_.evaluations += 3;
-        if (problem_.elastic_acceleration(at, width_, change)) return;
+        if (problem_.force_curvature(at, 0.1 * width_, change)) return;
         rhs_.setZero(problem_.numbering().unknowns());
         rhs_.head(problem_.size()) = -width_ * width_ * beta_hat_ * change;
         solve_with(solver_, rhs_, solution_);
@@ -152,13 +154,13 @@ private:
         bool begins_anew = false;
         together(problem_.model().exchange(), [&] { begins_anew = read(memory); });
         require_continuation("GeneralizedAlpha", memory, problem_, start_point(), now_);
+        if (begins_anew) return begin_anew(true);
         if (linearised_width_ > 0.0 &&
             (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
              factorise(linearised_width_) != Status::converged))
             linearised_width_ = 0.0;  // the first step builds a matrix of its own
         const VectorX& values = memory.get("scalars", 12);
         matrix_ = {values[8], values[9], values[10]};
-        if (begins_anew) begin_anew(true);
     }
 
     void remember_run() {
@@ -212,13 +214,15 @@ private:
     ///
     /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
     /// the step then starts again, with a matrix of its own. Where vibrations are faster than the
-    /// steps, their accelerations predict badly: it starts once more without accelerations.
+    /// steps, their accelerations predict badly: it starts once more without accelerations, unless
+    /// the scene moves far in it.
     [[nodiscard]] Status newton(double h) {
         predict(h);
         if (linearised_width_ == h && iterate(h, false) == Status::converged)
             return Status::converged;
         predict(h);
-        if (iterate(h, true) == Status::converged) return Status::converged;
+        const Status status = iterate(h, true);
+        if (status == Status::converged || moves_far(now_, h)) return status;
         predict(h);
         add(h, -now_.acceleration);
         return iterate(h, true);

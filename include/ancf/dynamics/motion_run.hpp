@@ -68,7 +68,7 @@ public:
     Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
              bool energies);
 
-    /// Tells whether to report the multipliers that belong to each reported state, not those of the
+    /// Sets whether to report the multipliers that belong to each reported state, not those of the
     /// integrator.
     void solve_multipliers(bool solves) noexcept { solves_multipliers_ = solves; }
 
@@ -224,6 +224,11 @@ protected:
                           Eigen::Index own);
     [[nodiscard]] MotionPoint recall(const Memory& memory, const std::string& prefix,
                                      double time) const;
+    /// Tells whether the rates move a position by a quarter of the scene's size in a step, or a
+    /// slope by a quarter of its length: Newton's method may find another solution from there.
+    [[nodiscard]] bool moves_far(const MotionPoint& at, double width) const {
+        return width * problem_.largest_ratio(at.v) > 0.25;
+    }
     /// Tells whether the run that goes on ended beside the grid, by a step far shorter than the
     /// others. With constraints what its rates changed by is what is left of g and G v, over powers
     /// of the width.

@@ -124,12 +124,15 @@ public:
     /// are differences of second order over the two steps after the start.
     [[nodiscard]] Status jerk(const Start& at, double step, VectorX& jerk);
 
-    /// Finds the second derivative in time of the forces of elements and joints, of a whole scene.
+    /// Finds the second derivative in time of r, as it depends on the positions alone, of a whole
+    /// scene.
     ///
-    /// K v' is exact; the rest is a difference over a step before and after, at the same time.
-    /// @param rate  n entries.  @return the first element that failed, if one did.
-    [[nodiscard]] std::optional<Fault> elastic_acceleration(const Start& at, double step,
-                                                            VectorX& rate);
+    /// K v' is exact; the rest is a central difference along v.
+    /// @param distance   of the difference, s.
+    /// @param curvature  n entries, N/s^2 and N m/s^2.
+    /// @return the first element that failed, if one did.
+    [[nodiscard]] std::optional<Fault> force_curvature(const Start& at, double distance,
+                                                       VectorX& curvature);
 
     // Evaluation at (t, q, v, lambda); results stand until the next one ------------------------
 

@@ -418,21 +418,18 @@ ANCF_INLINE Status DynamicProblem::jerk(const Start& at, double step, VectorX& j
     return Status::converged;
 }
 
-ANCF_INLINE std::optional<Fault> DynamicProblem::elastic_acceleration(const Start& at, double step,
-                                                                      VectorX& rate) {
+ANCF_INLINE std::optional<Fault> DynamicProblem::force_curvature(const Start& at, double distance,
+                                                                 VectorX& curvature) {
     if (auto fault = evaluate(at.time, at.q, at.v, at.multipliers, Request::tangent)) return fault;
-    rate.setZero(size());
-    detail::add_product(tangent(), options_.storage, 1.0, at.acceleration, rate);
+    curvature.setZero(size());
+    detail::add_product(tangent(), options_.storage, 1.0, at.acceleration, curvature);
     const auto add_forces = [&](double weight) {
-        VectorX free;
-        numbering().gather_free(assembly_.external_force(), free);
         for (int k = 0; k < numbering().coordinates(); ++k)
             if (const int equation = numbering().equation(k); equation >= 0)
-                free[equation] += assembly_.unbalanced(k);
-        rate += weight / (step * step) * free;
+                curvature[equation] += weight / (distance * distance) * assembly_.unbalanced(k);
     };
     add_forces(-2.0);
-    for (const double later : {step, -step}) {
+    for (const double later : {distance, -distance}) {
         const VectorX q = full_q_ + later * full_v_ + 0.5 * later * later * full_a_;
         if (auto fault = assembly_.evaluate({q, full_v_, lambda_, {at.time, 1.0}}, Request::force))
             return fault;
