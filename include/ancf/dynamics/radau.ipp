@@ -101,10 +101,11 @@ private:
     void recall_run(const Memory& memory) {
         const int n = problem_.size();
         const auto stages = static_cast<Eigen::Index>(stages_);
-        const VectorX& values = recall("RadauIIA", "radau", memory, 10);
+        const VectorX& values = recall("RadauIIA", "radau", memory, 11);
         require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ",
                 values[13], " stages, the options have ", options_.stages);
-        problem_.set_length_scale(values[14]);
+        error_before_ = values[14];
+        problem_.set_length_scale(values[15]);
         static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
         require_continuation("RadauIIA", memory, problem_, start_point(), now_);
         now_.acceleration = memory.get("acceleration", n);
@@ -132,10 +133,10 @@ private:
 
     void remember_run() {
         const double factorised = renew_ ? 0.0 : system_.width();
-        remember(
-            "radau", now_,
-            {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_, most_growth_,
-             rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0, static_cast<double>(stages_)});
+        remember("radau", now_,
+                 {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_,
+                  most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
+                  static_cast<double>(stages_), error_before_});
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
         report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
@@ -167,6 +168,7 @@ private:
         rejected_ = failed_ = false;
         grid_.take(step);
         rests_ = error < resting;
+        error_before_ = error * options_.tolerance;
         if (!control_.is_adaptive() || step.width != grid_.width) return;
         double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
         // what a fresh tangent hardly solves a longer step would not
@@ -216,6 +218,9 @@ private:
         int since = 0;     // corrections by the matrices at hand
         double before = 0.0, ratio_before = 0.0;
         const double expected = std::min(contraction_, 0.5);
+        // a share of the step's own error, as the last step tells it
+        const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
+        const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
             if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -228,10 +233,12 @@ private:
             }
             const double change = correct(h);
             if (!std::isfinite(change)) return Status::not_finite;
-            // in a step far shorter than its error allows, what is left is to be small beside the
-            // accelerations: x is an error x/h^2 of these, and the next step has its stresses
+            // in a step far shorter than its error allows, what is left is to be small beside that
+            // error or the accelerations: x is an error x/h^2 of these, and the next step has its
+            // stresses
             const double wanted = std::min(
-                newton_tolerance_, std::max(of_accelerations_ * h * h * scaled(Y_.back()), 1e-13));
+                newton_tolerance_,
+                std::max({of_error, of_accelerations_ * h * h * scaled(Y_.back()), 1e-13}));
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, round_off);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
@@ -483,6 +490,7 @@ private:
     // of the step before
     Stages acceleration_before_, lambda_before_;
     double width_before_ = 0.0;
+    double error_before_ = 0.0;  // relative to the scene
 
     // what Newton's method and the choice of steps keep
     MotionPoint linearised_;    // where the tangent of the matrices at hand was evaluated
