@@ -193,6 +193,8 @@ private:
             model.prescribe(tip, Field::r, component, path.value, path.rate, path.acceleration);
         }
         if (hold == 6) model.add(Distance<dimension>(tip, beam.first(), distance_to_first(tip)));
+        if (hold == 10)
+            model.add(PointOnLine<dimension>(tip, place, random.template direction<dimension>()));
         if constexpr (dimension == 2) {
             if (hold == 7) model.add(PlanarWeld(model, tip));
             if (hold == 8) model.add(PlanarWeld(model, tip, motion(0.0, 10.0)));

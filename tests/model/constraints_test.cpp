@@ -180,6 +180,7 @@ TEST_CASE("constraints on points: derivatives equal complex steps", "[constraint
     check_derivatives(model, ancf::Pin<3>(a, b), random);
     check_derivatives(model, ancf::Pin<3>(inner, b), random);
     check_derivatives(model, ancf::Pin(a, path<3>(place)), random);
+    check_derivatives(model, ancf::PointOnLine(inner, place, random.vector<3>()), random);
     check_derivatives(model, ancf::Distance(a, place, 0.7), random);
     check_derivatives(model, ancf::Distance<3>(a, b, 0.7), random);
     check_derivatives(model, ancf::Distance<3>(inner, outer, 0.7), random);
@@ -370,6 +371,7 @@ TEST_CASE("constraints name what they join", "[constraint]") {
     CHECK(ancf::Pin<3>(a, b).name() == "pin of node 3 and node 5");
     CHECK(ancf::Distance(a, Vector3(0.0, 1.0, 0.0), 1.0).name() ==
           "distance between node 3 and a point of space");
+    CHECK(ancf::PointOnLine<2>(a, {0, 0}, {1, 0}).name() == "line of node 3 and a point of space");
     CHECK(ancf::FixedCoordinate<3>(a, Field::r_x, 1, 0.0).name() ==
           "fixed r_x, component 1, of node 3");
     CHECK(ancf::Driven(ancf::Pin<3>(a, b), {}).name() == "driven pin of node 3 and node 5");
@@ -391,6 +393,9 @@ TEST_CASE("constraints refuse what cannot be meant", "[constraint]") {
     CHECK_THROWS_AS(ancf::Distance<3>(a, b, ancf::Motion{}), InvalidArgument);
     CHECK_THROWS_AS(ancf::Pin<3>(a, a), InvalidArgument);
     CHECK_THROWS_AS(ancf::Pin(a, Vector3(0.0, infinity, 0.0)), InvalidArgument);
+    CHECK_THROWS_WITH(ancf::PointOnLine(a, place, nowhere),
+                      ContainsSubstring("direction must have a length"));
+    CHECK_THROWS_AS(ancf::PointOnLine<2>(a, {0.0, infinity}, {1.0, 0.0}), InvalidArgument);
     CHECK_THROWS_AS(ancf::FixedCoordinate<3>(a, Field::r, 3, 0.0), InvalidArgument);
     CHECK_THROWS_AS(ancf::FixedCoordinate<3>(a, Field::r, 0, infinity), InvalidArgument);
     CHECK_THROWS_AS(ancf::FixedCoordinate<3>(a, Field::r, 0, ancf::Motion{}), InvalidArgument);

@@ -399,4 +399,47 @@ TEST_CASE("follow_path: a driven joint reaches its angle with the load factor",
     }
 }
 
+TEST_CASE("a slider-crank's slider is where the crank's angle puts it, on any line",
+          "[constraint][statics]") {
+    // The guide passes through the crank's axis; crank 0.3 m, rod 0.5 m.
+    const Point3 along = Point3(0.6, -0.2, 0.5).normalized();
+    const Point3 across = cross(along, Point3(0.1, 1.0, 0.3)).normalized();
+    const Point3 axis = cross(along, across), root(0.2, 0.1, -0.3);
+    int checked = 0;
+    for (const double angle : {0.5, 1.6, 3.0, 4.0, 6.2}) {
+        Space model;
+        const auto crank = bar(model, root, root + 0.3 * along),
+                   rod = bar(model, root + 0.3 * along, root + 0.8 * along);
+        // the node against space, so by the opposite angle
+        model.add(DrivenRevolute(model, crank.first(), axis, ramp(-angle)));
+        model.add(Revolute(model, crank.last(), rod.first(), axis));
+        model.add(PointOnLine(rod.last(), root, along));
+        EigenLu solver;
+        const StaticsReport report = solve_statics(model, solver, in_steps(16));
+        CAPTURE(angle, report.message);
+        REQUIRE(report.status == Status::converged);
+        const double place =
+            0.3 * std::cos(angle) + std::sqrt(0.25 - std::pow(0.3 * std::sin(angle), 2));
+        CHECK((model.value(rod.last(), Field::r) - root - place * along).norm() <= 1e-9);
+        CHECK(report.strain_energy <= 1e-6);
+        ++checked;
+    }
+    CHECK(checked == 5);
+}
+
+TEST_CASE("a weighted slider rests on its guide by the force across it", "[constraint][statics]") {
+    // A rod pinned at one end, its other end on a slope of 30 degrees.
+    Plane model;
+    const auto rod = flat(model, {0.0, 0.0}, {1.0, 0.0});
+    model.pin(rod.first());
+    const Point2 slope(std::cos(pi / 6.0), std::sin(pi / 6.0));
+    model.add(PointOnLine(rod.last(), {1.0, 0.0}, slope));
+    model.add(Force<2>(rod.last(), {0.0, -100.0}));
+    EigenLu solver;
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    // The rod carries no shear; -1.0000 of the force measured.
+    REQUIRE(model.state().multipliers.size() == 1);
+    CHECK(std::abs(model.state().multipliers[0] + 100.0 / slope[0]) <= 1e-3);
+}
+
 }  // namespace driven_joints_test

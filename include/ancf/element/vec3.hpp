@@ -11,6 +11,7 @@
 
 #include <ancf/types.hpp>
 
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -79,6 +80,17 @@ template <class S>
 inline S length(const Vec3<S>& a) noexcept {
     using std::sqrt;
     return sqrt(dot(a, a));
+}
+
+/// Returns two unit vectors normal to a unit vector and to each other.
+[[nodiscard]] inline std::array<Vec3<double>, 2> normals_of(const Vec3<double>& axis) noexcept {
+    int smallest = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(axis[k]) < std::abs(axis[smallest])) smallest = k;
+    Vec3<double> other = {};
+    other[smallest] = 1.0;
+    const Vec3<double> normal = cross(axis, other), u = normal / length(normal);
+    return {u, cross(axis, u)};
 }
 
 /// A small matrix, square unless told otherwise, column by column.

@@ -82,17 +82,6 @@ ANCF_INLINE JointSide JointSide::space(const BasicModel<3>& model, NodeId at) {
     return side;
 }
 
-/// Returns two unit vectors normal to a unit vector and to each other.
-ANCF_INLINE std::array<Vec3<double>, 2> normals_of(const Vec3<double>& axis) {
-    int smallest = 0;
-    for (int k = 1; k < 3; ++k)
-        if (std::abs(axis[k]) < std::abs(axis[smallest])) smallest = k;
-    Vec3<double> other = {};
-    other[smallest] = 1.0;
-    const Vec3<double> normal = cross(axis, other), u = normal / length(normal);
-    return {u, cross(axis, u)};
-}
-
 ANCF_INLINE Vec3<double> unit_axis(const char* joint, const Vector<double, 3>& axis) {
     const auto v = vec3<double>(axis);
     const double size = length(v);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Constraints on coordinates and points: fixed coordinates, pins, distances.
+/// Constraints on coordinates and points: fixed coordinates, pins, guides, distances.
 ///
 /// terms is a template on the scalar so that the tests differentiate it by a complex step; evaluate
 /// is what a model calls. docs/theory-dynamics.md derives each term.
@@ -18,6 +18,7 @@
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -173,6 +174,44 @@ private:
 template <int Dimension>
 Pin(MaterialPoint, Vector<double, Dimension>) -> Pin<Dimension>;
 
+/// A point held on a straight line of space, as a slider on its guide: g_k = n_k . (P - p), m, with
+/// one or, in space, two unit vectors n_k normal to the line.
+///
+/// Its multipliers are the forces along n_k that the point exerts, N. There is no friction.
+template <int Dimension = 3>
+class PointOnLine {
+public:
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
+
+    /// @param place      of the line, m.
+    /// @param direction  of the line, of any length.
+    /// @throws InvalidArgument unless the place is finite and the direction has a length.
+    PointOnLine(MaterialPoint point, const VectorArgument<Dimension>& place,
+                const VectorArgument<Dimension>& direction);
+
+    /// @{
+    /// As of every constraint, see AnyConstraint.
+    [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
+    [[nodiscard]] int equations() const { return Dimension - 1; }
+    [[nodiscard]] std::string name() const { return "line of " + points_.names(); }
+    template <class Scalar>
+    void terms(const DynamicVector<Scalar>& q, const Scalar& time,
+               ConstraintTerms<Scalar>& out) const;
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const {
+        terms(at.q, at.time, out);
+    }
+    /// @}
+
+private:
+    detail::PointPair<Dimension> points_;
+    std::array<Vector<double, Dimension>, Dimension - 1> normals_;
+};
+
+/// A guide's dimension is that of its place.
+template <int Dimension>
+PointOnLine(MaterialPoint, Vector<double, Dimension>, Vector<double, Dimension>)
+    -> PointOnLine<Dimension>;
+
 /// A massless link between two points, or a point and a place or a path: g = |P_a - P_b| - L(t), m.
 ///
 /// With n the unit vector from b to a, G = n^T W and its Hessian is W^T (I - n n^T) W/|P_a - P_b|.
@@ -296,6 +335,8 @@ extern template class FixedCoordinate<2>;
 extern template class FixedCoordinate<3>;
 extern template class Pin<2>;
 extern template class Pin<3>;
+extern template class PointOnLine<2>;
+extern template class PointOnLine<3>;
 extern template class Distance<2>;
 extern template class Distance<3>;
 #endif

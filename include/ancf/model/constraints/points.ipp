@@ -5,6 +5,7 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/hermite.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/constraints/points.hpp>
 
 #include <cmath>
@@ -195,6 +196,36 @@ void Pin<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) 
 }
 
 template <int Dimension>
+PointOnLine<Dimension>::PointOnLine(MaterialPoint point, const VectorArgument<Dimension>& place,
+                                    const VectorArgument<Dimension>& direction)
+    : points_(std::move(point), place, "PointOnLine") {
+    const Vector<double, Dimension> along = direction;
+    const double size = along.norm();
+    detail::require(std::isfinite(size) && size > 0.0,
+                    "PointOnLine: the direction must have a length, got ",
+                    detail::components(along));
+    if constexpr (Dimension == 2) {
+        normals_[0] = Vector<double, 2>(-along[1], along[0]) / size;
+    } else {
+        const auto normals = detail::normals_of(detail::vec3<double>(along) / size);
+        for (int k = 0; k < 2; ++k) normals_[k] = detail::to_vector(normals[k]);
+    }
+}
+
+template <int Dimension>
+template <class Scalar>
+void PointOnLine<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& time,
+                                   ConstraintTerms<Scalar>& out) const {
+    const Vector<Scalar, Dimension> d = points_.difference(q, time);
+    for (int k = 0; k < Dimension - 1; ++k) {
+        for (int i = 0; i < Dimension; ++i) out.violation[k] += normals_[k][i] * d[i];
+        int at = 0;
+        for (const double weight : points_.weights())
+            for (int i = 0; i < Dimension; ++i) out.jacobian(k, at++) = weight * normals_[k][i];
+    }
+}
+
+template <int Dimension>
 Distance<Dimension>::Distance(Points points, double length)
     : Distance(std::move(points), detail::resting_at(length)) {
     detail::require_positive("Distance: length", length);
@@ -248,6 +279,7 @@ template class detail::PointPair<2>;
 template class detail::PointPair<3>;
 ANCF_POINT_CONSTRAINT_INSTANCES(FixedCoordinate)
 ANCF_POINT_CONSTRAINT_INSTANCES(Pin)
+ANCF_POINT_CONSTRAINT_INSTANCES(PointOnLine)
 ANCF_POINT_CONSTRAINT_INSTANCES(Distance)
 #endif
 
