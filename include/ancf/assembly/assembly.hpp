@@ -185,6 +185,11 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
+    /// Adds scale times the loads' part of the tangent at q and an instant to a matrix of this
+    /// pattern.
+    void add_load_tangent(const VectorX& q, const Instant& instant, double scale,
+                          SparseMatrix& matrix) const;
+
     /// Returns the first load, amplitudes aside, whose force is another at other rates; -1 where
     /// there is none. Vectors have an entry per coordinate.
     [[nodiscard]] int damping_load(const VectorX& q, const VectorX& v, const VectorX& others,

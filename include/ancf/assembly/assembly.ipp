@@ -523,6 +523,17 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
     return rate;
 }
 
+ANCF_INLINE void Assembly::add_load_tangent(const VectorX& q, const Instant& instant, double scale,
+                                            SparseMatrix& matrix) const {
+    check_size("add_load_tangent", "coordinates", q);
+    for_each_load(
+        q, VectorX::Zero(q.size()), instant.time, true,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            if (result.stiffness.size() > 0)
+                add_matrix(coordinates, -scale * load.scale(instant), result.stiffness, matrix);
+        });
+}
+
 ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
                                        double time) const {
     check_size("damping_load", "coordinates", q);
