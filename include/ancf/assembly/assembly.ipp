@@ -71,6 +71,7 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
             "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
             "`constant_force` or `symmetric_stiffness` where that is so");
     }
+    check_arms();
     list_followed();
     build_pattern(storage);
     plans_ = std::vector<GroupPlan>(model.groups().size());
@@ -120,6 +121,44 @@ ANCF_INLINE void Assembly::list_followed() {
             if (const int node = layout.node_of(part.first);
                 std::find(of.begin(), of.end(), node) == of.end())
                 of.push_back(node);
+    }
+}
+
+ANCF_INLINE void Assembly::check_arms() const {
+    if (model_.attachments().empty() || model_.exchange() != nullptr) return;
+    const Layout& layout = model_.layout();
+    const Dependence& dependence = model_.dependence();
+    std::vector<char> held(static_cast<std::size_t>(layout.size()));
+    const auto hold = [&](const NodeField& at) {
+        // what holds the end of an arm does not hold its length
+        if (at.field == Field::r) return;
+        const int first = layout.index(at);
+        held[first] = 1;
+        if (!dependence.attached(first)) return;
+        for (const Dependence::Part& part : dependence.parts(first)) held[part.first] = 1;
+    };
+    for (const auto& group : model_.groups())
+        for (const Connection& connection : group->connections)
+            for (int k = 0; k < group->fields().count(); ++k) {
+                hold({connection.first, group->fields().at(k)});
+                hold({connection.second, group->fields().at(k)});
+            }
+    for (const Support& support : model_.supports()) hold({support.node, support.field});
+    for (const AnyConstraint& constraint : model_.constraints())
+        for (const NodeField& at : constraint.coupling()) hold(at);
+    for (const ScaledLoad& load : model_.loads())
+        if (!load.load.constant())
+            for (const NodeField& at : load.load.coupling()) hold(at);
+    for (const AttachedVector& attachment : model_.attachments()) {
+        if (attachment.vector.field != Field::r) continue;
+        for (const Dependence::Part& part : dependence.parts(layout.index(attachment.vector))) {
+            const Field field = layout.field_of(part.first);
+            detail::require(field == Field::r || held[part.first] != 0, "Model::attach: node ",
+                            attachment.vector.node.index, " stands beside node ",
+                            layout.node_of(part.first), " along ", to_string(field),
+                            ", which no element there has, so nothing holds it: weld a stiff arm "
+                            "of CrossSectionBeam between them");
+        }
     }
 }
 
