@@ -57,8 +57,9 @@ public:
             const Correction stresses{model_.state().q, deflection_};
             const auto fault = evaluate(1.0, model_.state().q, &stresses);
             out = assembly_.tangent() - unloaded;
-            // what stands from the beginning and bears the load, such as springs
-            for (const double h : {-step, step})
+            // what stands from the beginning and bears the load, such as springs, which may be
+            // short beside the scene
+            for (const double h : {-0.01 * step, 0.01 * step})
                 assembly_.add_load_tangent(model_.state().q + h * deflection_, {0.0, 0.0}, 0.5 / h,
                                            out);
             return fault;
