@@ -71,7 +71,6 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
             "such as EigenLu, Klu or Umfpack, or let a load of your own declare "
             "`constant_force` or `symmetric_stiffness` where that is so");
     }
-    check_arms();
     list_followed();
     build_pattern(storage);
     plans_ = std::vector<GroupPlan>(model.groups().size());
@@ -80,6 +79,7 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     build_gravity();
     SparseMatrix zero = pattern_.matrix();
     tangent_.swap(zero);
+    check_arms();
 }
 
 ANCF_INLINE void Assembly::refresh() {
