@@ -156,8 +156,8 @@ ANCF_INLINE void Assembly::check_arms() const {
             detail::require(field == Field::r || held[part.first] != 0, "Model::attach: node ",
                             attachment.vector.node.index, " stands beside node ",
                             layout.node_of(part.first), " along ", to_string(field),
-                            ", which no element there has, so nothing holds it: weld a stiff arm "
-                            "of CrossSectionBeam between them");
+                            ", which no element there has, so nothing holds it: put a stiff "
+                            "CrossSectionBeam between them");
         }
     }
 }
