@@ -8,8 +8,10 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads/forces.hpp>
 #include <ancf/model/loads/springs.hpp>
@@ -261,6 +263,29 @@ TEST_CASE("Scene::add_mass: an attached mass beside a beam turns with it", "[mod
         return report.status == Status::converged ? energy : -1.0;
     };
     CHECK(kinetic(0.7) - kinetic(0.0) == Approx(0.5 * 0.7 * 9.0 * (0.25 + 0.04)).epsilon(1e-12));
+}
+
+TEST_CASE("Scene::add_mass: no mass stands beside a beam along a slope that nothing holds",
+          "[model][springs][bad-input]") {
+    // such a mass fell freely, 0.196 m in 0.2 s
+    const auto assembled = [](auto line, const Point& arm) {
+        using Line = decltype(line);
+        Model model;
+        const auto beam = straight_beam<Line>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                              circle(0.02), {0, 0, 0}, {1, 0, 0}, 2);
+        const NodeId beside = model.add_node({1.0 + arm[0], arm[1], arm[2]});
+        model.add_mass(beside, 1.0);
+        model.attach(beside, beam.last());
+        model.add(Force<3>(beside, {0, -1, 0}));
+        return DynamicProblem(model).size();
+    };
+    const Material steel = Material::isotropic(2e11, 0.3, 7800.0);
+    const TorsionBeam beam(steel, circle(0.02), 1.0);
+    const Cable<3> cable(steel, circle(0.02), 1.0);
+    CHECK(assembled(beam, {0.1, 0.1, 0.0}) == 27);
+    CHECK(assembled(cable, {0.1, 0.0, 0.0}) == 18);
+    CHECK_THROWS_WITH(assembled(beam, {0.0, 0.0, 0.2}), ContainsSubstring("along r_z"));
+    CHECK_THROWS_WITH(assembled(cable, {0.0, 0.1, 0.0}), ContainsSubstring("along r_y"));
 }
 
 TEST_CASE("Spring: a column held by a spring at mid-height buckles", "[model][springs]") {

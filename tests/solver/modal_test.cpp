@@ -18,6 +18,7 @@
 #include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/springs.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/richardson.hpp>
 #include <ancf/solver/statics.hpp>
@@ -673,6 +674,30 @@ TEST_CASE("buckling: refuses a state that bears the load already", "[modal][bad-
     REQUIRE(report.status == Status::converged);
     // strain and shear of this slenderness change the load by 4e-4 of Euler's
     CHECK(report.modes[0].value == Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("buckling: springs that bear the load give way across", "[modal]") {
+    Scene scene;
+    const auto top = scene.add_node({0, 0, 1});
+    scene.add_mass(top, 1.0);
+    scene.add(ancf::Spring<3>(top, {0, 0, 0}, 1e6, 1.0));  // a strut of length 1 under the load
+    scene.add(ancf::Spring<3>(top, {10, 0, 1}, 100.0, 10.0));
+    scene.add(ancf::Spring<3>(top, {0, 10, 1}, 300.0, 10.0));
+    scene.add(ancf::Force<3>(top, {0, 0, -1}));
+    SECTION("alone") {}
+    SECTION("beside an element without a tangent at given stresses") {
+        ancf::straight_beam<ancf::test::Unmixed<Element>>(scene, steel(), ancf::rectangle(0.1, 0.1),
+                                                          {5, 5, 5}, {6, 5, 5}, 1);
+        scene.clamp({1});
+    }
+    ancf::EigenLdlt solver;
+    ancf::ModalOptions two;
+    two.count = 2;
+    const auto report = ancf::buckling_modes(scene, solver, two);
+    REQUIRE(report.status == Status::converged);
+    // the strut leans where P/l is the stiffness across; it shortens by 1e-4 until then
+    CHECK(report.modes.at(0).value == Approx(100.0).epsilon(1e-6));
+    CHECK(report.modes.at(1).value == Approx(300.0).epsilon(1e-6));
 }
 
 TEST_CASE("buckling: a narrow torsion beam under a tip load across or along its thin side",

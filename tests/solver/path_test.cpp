@@ -934,6 +934,16 @@ TEST_CASE("path: a load that moves nothing is called that", "[path][bad-input]")
     report = ancf::follow_path(model, solver);
     CHECK(report.status == Status::singular);
     CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+    // nor does one that begins with the square of its factor, on a beam whose rest is round-off
+    ancf::Model inclined;
+    const auto across = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        inclined, ancf::Material::isotropic(2e11, 0.3, 1000.0), ancf::circle(0.02), {1, 2, 3},
+        {1.3, 2.8, 3.4}, 6);
+    inclined.clamp(across.first());
+    inclined.add(ancf::Force<3>(across.last(), {0, 0, 1}), [](double f) { return f * f; });
+    report = ancf::follow_path(inclined, solver);
+    CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+    CHECK_THAT(report.message, !ContainsSubstring("out of balance"));
     // four elements leave round-off in that coordinate, along which 23 limit points were found
     ancf::Model finer;
     const auto slender = ancf::straight_beam<

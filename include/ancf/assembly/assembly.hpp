@@ -89,8 +89,9 @@ namespace detail {
 /// InvalidArgument, and a new one is made.
 class Assembly {
 public:
-    /// @throws InvalidArgument for a load or constraint on a vector that its node does not carry,
-    ///         or for lower storage of a tangent that is not symmetric or has multipliers.
+    /// @throws InvalidArgument for a load or constraint on a vector that its node does not carry, a
+    ///         position attached beside a node whose elements do not have the slope towards it, or
+    ///         for lower storage of a tangent that is not symmetric or has multipliers.
     Assembly(const Scene& model, Storage storage);
 
     /// Returns the scene.
@@ -185,6 +186,11 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
+    /// Adds scale times the loads' part of the tangent at q and an instant to a matrix of this
+    /// pattern.
+    void add_load_tangent(const VectorX& q, const Instant& instant, double scale,
+                          SparseMatrix& matrix) const;
+
     /// Returns the first load, amplitudes aside, whose force is another at other rates; -1 where
     /// there is none. Vectors have an entry per coordinate.
     [[nodiscard]] int damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
@@ -266,6 +272,8 @@ private:
     void list_coordinates();
     void build_pattern(Storage storage);
     [[gnu::cold]] void list_followed();
+    // Throws where an attached position follows a slope that would move without stiffness.
+    [[gnu::cold]] void check_arms() const;
     void build_slots(std::size_t group);
     // Returns where a group adds, with its tangents to these values.
     [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;

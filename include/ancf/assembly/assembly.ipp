@@ -79,6 +79,7 @@ ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
     build_gravity();
     SparseMatrix zero = pattern_.matrix();
     tangent_.swap(zero);
+    check_arms();
 }
 
 ANCF_INLINE void Assembly::refresh() {
@@ -120,6 +121,44 @@ ANCF_INLINE void Assembly::list_followed() {
             if (const int node = layout.node_of(part.first);
                 std::find(of.begin(), of.end(), node) == of.end())
                 of.push_back(node);
+    }
+}
+
+ANCF_INLINE void Assembly::check_arms() const {
+    if (model_.attachments().empty() || model_.exchange() != nullptr) return;
+    const Layout& layout = model_.layout();
+    const Dependence& dependence = model_.dependence();
+    std::vector<char> held(static_cast<std::size_t>(layout.size()));
+    const auto hold = [&](const NodeField& at) {
+        // what holds the end of an arm does not hold its length
+        if (at.field == Field::r) return;
+        const int first = layout.index(at);
+        held[first] = 1;
+        if (!dependence.attached(first)) return;
+        for (const Dependence::Part& part : dependence.parts(first)) held[part.first] = 1;
+    };
+    for (const auto& group : model_.groups())
+        for (const Connection& connection : group->connections)
+            for (int k = 0; k < group->fields().count(); ++k) {
+                hold({connection.first, group->fields().at(k)});
+                hold({connection.second, group->fields().at(k)});
+            }
+    for (const Support& support : model_.supports()) hold({support.node, support.field});
+    for (const AnyConstraint& constraint : model_.constraints())
+        for (const NodeField& at : constraint.coupling()) hold(at);
+    for (const ScaledLoad& load : model_.loads())
+        if (!load.load.constant())
+            for (const NodeField& at : load.load.coupling()) hold(at);
+    for (const AttachedVector& attachment : model_.attachments()) {
+        if (attachment.vector.field != Field::r) continue;
+        for (const Dependence::Part& part : dependence.parts(layout.index(attachment.vector))) {
+            const Field field = layout.field_of(part.first);
+            detail::require(field == Field::r || held[part.first] != 0, "Model::attach: node ",
+                            attachment.vector.node.index, " stands beside node ",
+                            layout.node_of(part.first), " along ", to_string(field),
+                            ", which no element there has, so nothing holds it: put a stiff "
+                            "CrossSectionBeam between them");
+        }
     }
 }
 
@@ -521,6 +560,17 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
                 rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
         });
     return rate;
+}
+
+ANCF_INLINE void Assembly::add_load_tangent(const VectorX& q, const Instant& instant, double scale,
+                                            SparseMatrix& matrix) const {
+    check_size("add_load_tangent", "coordinates", q);
+    for_each_load(
+        q, VectorX::Zero(q.size()), instant.time, true,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            if (result.stiffness.size() > 0)
+                add_matrix(coordinates, -scale * load.scale(instant), result.stiffness, matrix);
+        });
 }
 
 ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,

@@ -83,8 +83,9 @@ ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolv
 /// ones are of the reversed load.
 ///
 /// The model stands in equilibrium without load. Stresses and multipliers grow with the load factor
-/// as linear theory has it. Elements that evaluate a tangent at given stresses keep their place;
-/// of others the deflection counts as well, which must then be small: docs/theory-modal.md.
+/// as linear theory has it. Elements that evaluate a tangent at given stresses keep their place; of
+/// others and of springs the deflection counts as well, which must then be small:
+/// docs/theory-modal.md.
 /// @param model   unloaded in its state; it is left as it is.
 /// @param solver  any linear solver (linear_solver.hpp).
 /// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.

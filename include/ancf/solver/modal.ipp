@@ -50,15 +50,20 @@ public:
     /// Writes the change of the tangent per unit of load; returns the element that failed.
     ANCF_LAZY [[nodiscard]] std::optional<Fault> change(const SparseMatrix& unloaded,
                                                         SparseMatrix& out) {
+        // central, so that the extension due to linearly added rotations, of even order, drops out;
+        // the step leaves the difference ten digits of the tangent
+        const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
         if (takes_stresses(model_)) {
             const Correction stresses{model_.state().q, deflection_};
             const auto fault = evaluate(1.0, model_.state().q, &stresses);
             out = assembly_.tangent() - unloaded;
+            // what stands from the beginning and bears the load, such as springs, which may be
+            // short beside the scene
+            for (const double h : {-0.01 * step, 0.01 * step})
+                assembly_.add_load_tangent(model_.state().q + h * deflection_, {0.0, 0.0}, 0.5 / h,
+                                           out);
             return fault;
         }
-        // central, so that the extension due to linearly added rotations, of even order, drops out;
-        // the step leaves the difference ten digits of the tangent
-        const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
         if (const auto fault = evaluate(-step, model_.state().q - step * deflection_)) return fault;
         out = assembly_.tangent();
         const auto fault = evaluate(step, model_.state().q + step * deflection_);

@@ -577,7 +577,8 @@ private:
         if (!report_.points.empty()) return text;
         if (!unfulfilled_.empty()) return text + unfulfilled_;
         const bool balanced = evaluate(here, 0.0, Request::force) ||
-                              !(monitor_.residual(assembly_) > unbalanced_start);
+                              !(monitor_.residual(assembly_) > unbalanced_start) ||
+                              monitor_.at_round_off(assembly_, here.state.q);
         return balanced ? text : text + "; it starts out of balance: solve_statics() first";
     }
 

@@ -357,12 +357,20 @@ private:
         const std::vector<int> at = diagonal_places(assembly_.tangent());
         VectorX diagonal = VectorX::Zero(free);
         for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
+        // what has no stiffness of its own is as viscous as the stiffest of its unit
+        VectorX viscosity = diagonal.cwiseAbs();
+        double stiffest[3] = {};
+        const std::vector<int> all = free_coordinates(assembly_.numbering());
+        const auto unit = [&](int k) { return length_power(model_.layout().field_of(all[k])) + 1; };
+        for (int k = 0; k < free; ++k)
+            stiffest[unit(k)] = std::max(stiffest[unit(k)], viscosity[k]);
+        for (int k = 0; k < free; ++k)
+            if (viscosity[k] <= 1e-12 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
         time_ = step.corrections.empty()
                     ? first_time
                     : time_ * std::min(growth, wanted / step.corrections.back());
         while (time_ > shortest && step.iterations < most_iterations(step)) {
-            for (int k = 0; k < free; ++k)
-                values[at[k]] = diagonal[k] + std::abs(diagonal[k]) / time_;
+            for (int k = 0; k < free; ++k) values[at[k]] = diagonal[k] + viscosity[k] / time_;
             if (correct(step) != Status::converged) {
                 time_ /= growth;
                 continue;
