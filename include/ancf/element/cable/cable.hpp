@@ -313,21 +313,13 @@ void Cable<Dimension, Measure>::add_pair(std::size_t first, std::size_t second) 
     kernel_.natural.push_back(natural);
 }
 
+#if defined(ANCF_COMPILED)
+ANCF_COMPILED_TEMPLATE(Cable<2>);
+ANCF_COMPILED_TEMPLATE(Cable<3>);
+ANCF_COMPILED_TEMPLATE(Cable<2, EngineeringAxial>);
+ANCF_COMPILED_TEMPLATE(Cable<3, EngineeringAxial>);
+#endif
+
 }  // namespace ancf
 
 #include <ancf/element/cable/results.hpp>  // IWYU pragma: export
-
-#if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class Cable<2>;
-ANCF_COMPILED_ELEMENT(Cable<2>);
-extern template class Cable<3>;
-ANCF_COMPILED_ELEMENT(Cable<3>);
-extern template class Cable<2, EngineeringAxial>;
-ANCF_COMPILED_ELEMENT(Cable<2, EngineeringAxial>);
-extern template class Cable<3, EngineeringAxial>;
-ANCF_COMPILED_ELEMENT(Cable<3, EngineeringAxial>);
-
-}  // namespace ancf
-#endif

@@ -348,19 +348,11 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
     return jacobian;
 }
 
-}  // namespace ancf
-
 #if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class CrossSectionBeam<2>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2>);
-extern template class CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>);
-extern template class CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>);
-extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>);
+#endif
 
 }  // namespace ancf
-#endif
