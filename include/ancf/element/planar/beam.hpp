@@ -33,7 +33,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 
 namespace ancf {
@@ -301,16 +300,8 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::position(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
-    const auto weights = Line::value(xi, line_.parameter_length());
-    Vector<double, 2> r, director{0.0, 0.0};
-    if (y != 0.0) director = directors(e, xi);
-    for (int k = 0; k < 2; ++k) {
-        r[k] = (1.0 - weights[0]) * e[k] + weights[1] * e[2 + k] +
-               weights[0] * e[Layout::node + k] + weights[2] * e[Layout::node + 2 + k];
-        for (std::size_t x = 3; x < weights.size(); ++x)
-            r[k] += weights[x] * e[Layout::start[x] + k];
-        r[k] += y * director[k];
-    }
+    Vector<double, 2> r = line_.point(e, xi);
+    if (y != 0.0) r += y * directors(e, xi);
     return r;
 }
 

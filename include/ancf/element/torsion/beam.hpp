@@ -14,7 +14,6 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/element/hermite.hpp>
 #include <ancf/element/line_element.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/torsion/kernel.hpp>
@@ -106,14 +105,7 @@ public:
     [[nodiscard]] Vector<S, 3> position(const Vector<S, dofs>& e, double xi, double y = 0.0,
                                         double z = 0.0) const noexcept {
         const Matrix<S, 3, 2> director = directors(e, xi);
-        const auto first = hermite(xi, line_.parameter_length());
-        Vector<S, 3> result = y * director.col(0) + z * director.col(1);
-        for (int node = 0; node < 2; ++node) {
-            const auto at = static_cast<unsigned>(2 * node);
-            result += first[at] * e.template segment<3>(9 * node) +
-                      first[at + 1] * e.template segment<3>(9 * node + 3);
-        }
-        return result;
+        return line_.point(e, xi) + y * director.col(0) + z * director.col(1);
     }
 
     /// Returns the derivative of position() by e.
