@@ -279,8 +279,7 @@ struct TorsionKernel {
     [[nodiscard]] Vector<S, 18> force(const Vector<S, 18>& e) const noexcept;
     template <class S>
     [[nodiscard]] Evaluation<S, 18> evaluate(const Vector<S, 18>& e) const noexcept;
-    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
-    /// state before.
+    /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, 18> evaluate(const Vector<S, 18>& e,
                                                   const Vector<S, 18>& before,
