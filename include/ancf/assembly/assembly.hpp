@@ -265,14 +265,10 @@ private:
         std::vector<detail::AttachedElement> attached;
     };
 
+    // Evaluates this part of a scene alone.
     [[nodiscard]] std::optional<Fault> evaluate_own(const Configuration& at, Request request,
                                                     const VectorX* increment,
                                                     const Correction* last);
-    // The same for all parts of a scene, which then have each other's forces.
-    [[nodiscard]] std::optional<Fault> evaluate_part(const detail::Exchange& exchange,
-                                                     const Configuration& at, Request request,
-                                                     const VectorX* increment,
-                                                     const Correction* last);
     // Throws where nodes, elements, supports, loads or constraints of the model have changed.
     void check_scene() const;
     void check_size(const char* call, const char* what, const VectorX& given) const;
