@@ -265,7 +265,7 @@ Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_st
         double nodal[Layout::shears];
         kernel_.transverse(state, nodal);
         Vector<double, 1> strain(0.0);
-        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.weight(m) * nodal[m];
+        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.n[m] * nodal[m];
         return strain;
     });
     return {s[0] + y * s[1] + y * y * s[2], transverse[0], s[3] + y * s[4]};
@@ -332,7 +332,7 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
             for (int x = Layout::g; x < Layout::vectors; ++x) {
                 for (int m = 0; m < Layout::shears; ++m)
                     jacobian(i, Layout::start[x] + k) +=
-                        at.weight(m) * by_shear * by_nodes[m][2 * x + k];
+                        at.n[m] * by_shear * by_nodes[m][2 * x + k];
             }
         }
     }
