@@ -4,8 +4,8 @@
 # The same headers, compiled once: a static library of the definitions and of the usual elements.
 #
 # ancf_add_compiled(NAME [LAYERS layer...] [ELEMENTS type...]): a static library target. Its units are generated from the
-# headers: one for each ANCF_COMPILED_ELEMENT of a header, one for each layer or part of a layer. Of these only the given
-# ones, where some are given.
+# headers: one for each ANCF_COMPILED_ELEMENT and ANCF_COMPILED_TEMPLATE of a header, one for each layer or part of a
+# layer. Of these only the given ones, where some are given.
 # ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
 # ANCF_SANITIZER_FLAGS: what ANCF_SANITIZE adds to a compilation.
 
@@ -62,16 +62,15 @@ function(_ancf_compiled_elements result)
     file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
         ${PROJECT_SOURCE_DIR}/include/ancf/element/*.hpp)
     foreach(header IN LISTS headers)
-        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} classes REGEX "^extern template class ")
-        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines REGEX "^ANCF_COMPILED_ELEMENT\\(")
+        file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines REGEX "^ANCF_COMPILED_(ELEMENT|TEMPLATE)\\(")
         foreach(line IN LISTS lines)
-            string(REGEX REPLACE "^ANCF_COMPILED_ELEMENT\\((.*)\\);$" "\\1" element "${line}")
+            string(REGEX REPLACE "^ANCF_COMPILED_[A-Z]+\\((.*)\\);$" "\\1" element "${line}")
             if(ARGN AND NOT element IN_LIST ARGN)
                 continue()
             endif()
             string(MAKE_C_IDENTIFIER "element_${element}" stem)
             set(text "namespace ancf {\n")
-            if("extern template class ${element};" IN_LIST classes)
+            if(line MATCHES "^ANCF_COMPILED_TEMPLATE")
                 string(APPEND text "template class ${element};\n")
             endif()
             string(APPEND text "ANCF_ELEMENT_INSTANCE(, ${element});\n}\n")

@@ -237,7 +237,20 @@ public:
     /// values of a matrix of this pattern.
     template <class Visitor>
     void visit_border(int constraint, const std::vector<int>& coordinates,
-                      const Visitor& visit) const;
+                      const Visitor& visit) const {
+        const int own = numbering_.constraint_block(constraint);
+        const int equations = pattern_.first(own + 1) - pattern_.first(own);
+        for (int j = 0; j < static_cast<int>(coordinates.size()); ++j) {
+            const int equation = numbering_.equation(coordinates[j]);
+            if (equation < 0) continue;
+            const int node = numbering_.block(coordinates[j]);
+            const int column = equation - pattern_.first(node);
+            const int place = pattern_.base(own, node) + pattern_.column_offset(node, column);
+            const int mirrored = pattern_.base(node, own) + column;
+            for (int i = 0; i < equations; ++i)
+                visit(i, j, place + i, mirrored + pattern_.column_offset(own, i));
+        }
+    }
 
 private:
     // Returns the place of the first driven support whose entry is not finite, -1: none.
@@ -258,14 +271,10 @@ private:
         std::vector<detail::AttachedElement> attached;
     };
 
+    // Evaluates this part of a scene alone.
     [[nodiscard]] std::optional<Fault> evaluate_own(const Configuration& at, Request request,
                                                     const VectorX* increment,
                                                     const Correction* last);
-    // The same for all parts of a scene, which then have each other's forces.
-    [[nodiscard]] std::optional<Fault> evaluate_part(const detail::Exchange& exchange,
-                                                     const Configuration& at, Request request,
-                                                     const VectorX* increment,
-                                                     const Correction* last);
     // Throws where nodes, elements, supports, loads or constraints of the model have changed.
     void check_scene() const;
     void check_size(const char* call, const char* what, const VectorX& given) const;
@@ -324,23 +333,6 @@ private:
     int faulty_load_ = -1, faulty_constraint_ = -1;  // of the last evaluation; -1: none
     SparseMatrix tangent_, damping_;
 };
-
-template <class Visitor>
-void Assembly::visit_border(int constraint, const std::vector<int>& coordinates,
-                            const Visitor& visit) const {
-    const int own = numbering_.constraint_block(constraint);
-    const int equations = pattern_.first(own + 1) - pattern_.first(own);
-    for (int j = 0; j < static_cast<int>(coordinates.size()); ++j) {
-        const int equation = numbering_.equation(coordinates[j]);
-        if (equation < 0) continue;
-        const int node = numbering_.block(coordinates[j]);
-        const int column = equation - pattern_.first(node);
-        const int place = pattern_.base(own, node) + pattern_.column_offset(node, column);
-        const int mirrored = pattern_.base(node, own) + column;
-        for (int i = 0; i < equations; ++i)
-            visit(i, j, place + i, mirrored + pattern_.column_offset(own, i));
-    }
-}
 
 }  // namespace ancf
 

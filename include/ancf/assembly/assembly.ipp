@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace ancf {
 
@@ -26,25 +25,6 @@ template <class Call>
     const auto worst = static_cast<Status>(static_cast<int>(largest_of(exchange, status)));
     if (worst == (own ? own->status : Status::converged)) return own;
     return Fault{worst, -1, -1};
-}
-
-/// Returns the least cosine of the angle between the slopes at the ends of an element.
-[[nodiscard]] ANCF_INLINE double least_cosine(const Layout& layout, const ElementGroup& group,
-                                              int dimension, const VectorX& q) {
-    double least = 1.0;
-    for (const Connection& connection : group.connections) {
-        const double* a = q.data() + layout.index({connection.first, Field::r_x});
-        const double* b = q.data() + layout.index({connection.second, Field::r_x});
-        double aa = 0.0, ab = 0.0, bb = 0.0;
-        for (int i = 0; i < dimension; ++i) {
-            aa += a[i] * a[i];
-            ab += a[i] * b[i];
-            bb += b[i] * b[i];
-        }
-        const double lengths = std::sqrt(aa) * std::sqrt(bb);
-        if (lengths > 0.0) least = std::min(least, ab / lengths);
-    }
-    return least;
 }
 
 /// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
@@ -327,23 +307,15 @@ ANCF_INLINE void Assembly::build_gravity() {
 ANCF_INLINE std::optional<Fault> Assembly::evaluate(const Configuration& at, Request request,
                                                     const VectorX* increment,
                                                     const Correction* last) {
-    if (const detail::Exchange* const exchange = model_.exchange())
-        return evaluate_part(*exchange, at, request, increment, last);
-    return evaluate_own(at, request, increment, last);
-}
-
-ANCF_INLINE std::optional<Fault> Assembly::evaluate_part(const detail::Exchange& exchange,
-                                                         const Configuration& at, Request request,
-                                                         const VectorX* increment,
-                                                         const Correction* last) {
-    if (const auto fault = detail::worst_of_parts(
-            exchange, [&] { return evaluate_own(at, request, increment, last); }))
-        return fault;
-    exchange.add(internal_);
-    exchange.add(external_);
-    if (!exchange.constraints().empty()) exchange.add(constraint_);
+    const auto own = [&] { return evaluate_own(at, request, increment, last); };
+    const detail::Exchange* const exchange = model_.exchange();
+    if (exchange == nullptr) return own();
+    if (const auto fault = detail::worst_of_parts(*exchange, own)) return fault;
+    exchange->add(internal_);
+    exchange->add(external_);
+    if (!exchange->constraints().empty()) exchange->add(constraint_);
     double energies[2] = {strain_energy_, load_potential_};
-    exchange.sum(energies, 2);
+    exchange->sum(energies, 2);
     strain_energy_ = energies[0];
     load_potential_ = energies[1];
     return std::nullopt;
@@ -728,11 +700,22 @@ ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) con
 
 ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
     check_size("largest_turn", "coordinates", q);
-    double least = 1.0;
+    const Layout& layout = model_.layout();
+    double least = 1.0;  // cosine
     for (const auto& group : model_.groups()) {
         if (!group->fields().contains(Field::r_x)) continue;
-        least =
-            std::min(least, detail::least_cosine(model_.layout(), *group, model_.dimension(), q));
+        for (const Connection& connection : group->connections) {
+            const double* a = q.data() + layout.index({connection.first, Field::r_x});
+            const double* b = q.data() + layout.index({connection.second, Field::r_x});
+            double aa = 0.0, ab = 0.0, bb = 0.0;
+            for (int i = 0; i < model_.dimension(); ++i) {
+                aa += a[i] * a[i];
+                ab += a[i] * b[i];
+                bb += b[i] * b[i];
+            }
+            const double lengths = std::sqrt(aa) * std::sqrt(bb);
+            if (lengths > 0.0) least = std::min(least, ab / lengths);
+        }
     }
     if (model_.exchange() != nullptr) least = -model_.exchange()->largest(-least);
     return std::acos(std::max(least, -1.0));

@@ -5,8 +5,8 @@
 /// What the header of an element declares so that the compiled library holds it.
 ///
 /// `ANCF_COMPILED_ELEMENT(Element);` at the end of an element's header makes the library hold its
-/// group, and its energy, force and tangent of doubles; `extern template class Element;` before it
-/// makes the library hold the rest. CMake finds the elements by these lines.
+/// group, and its energy, force and tangent of doubles; `ANCF_COMPILED_TEMPLATE(Element<3>);` those
+/// of an instance of a class template and the rest of it. CMake finds the elements by these lines.
 
 #pragma once
 
@@ -15,6 +15,10 @@
 
 /// Declares that the library holds an element.
 #define ANCF_COMPILED_ELEMENT(...) ANCF_ELEMENT_INSTANCE(extern, __VA_ARGS__)
+/// Declares that the library holds an element whose class is the instance of a template.
+#define ANCF_COMPILED_TEMPLATE(...)    \
+    extern template class __VA_ARGS__; \
+    ANCF_ELEMENT_INSTANCE(extern, __VA_ARGS__)
 /// Declares (`extern`) or defines (nothing) what of an element is not in its class's own instance.
 #define ANCF_ELEMENT_INSTANCE(linkage, ...)                                                   \
     linkage template std::unique_ptr<ElementGroup> detail::make_group<__VA_ARGS__>();         \

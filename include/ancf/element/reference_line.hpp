@@ -102,7 +102,21 @@ public:
         return shape;
     }
 
-    /// Adds the derivative of the line's point at xi by the coordinates of both nodes.
+    /// Returns the point at xi of the line with the given coordinates, m.
+    /// @param e  as of the constructor
+    template <class S, int Dofs>
+    [[nodiscard]] Vector<S, Dimension> point(const Vector<S, Dofs>& e, double xi) const noexcept {
+        const auto weights = Line::value(xi, parameter_length_);
+        Vector<S, Dimension> r;
+        for (int k = 0; k < Dimension; ++k) {
+            r[k] = e[k] + weights[0] * (e[Dofs / 2 + k] - e[k]);
+            for (std::size_t x = 1; x < weights.size(); ++x)
+                r[k] += weights[x] * e[start<Dofs>[x] + k];
+        }
+        return r;
+    }
+
+    /// Adds the derivative of point() by the coordinates of both nodes.
     template <int Dofs>
     void add_point_jacobian(double xi, Matrix<double, Dimension, Dofs>& jacobian) const noexcept {
         const auto weights = Line::value(xi, parameter_length_);

@@ -7,30 +7,15 @@
 
 #pragma once
 
+#include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/element/hermite.hpp>
 #include <ancf/element/requirement.hpp>
-#include <ancf/element/evaluation.hpp>
 #include <ancf/types.hpp>
 
 #include <type_traits>
 
 namespace ancf {
-
-/// Returns what the section at xi transmits, by equilibrium with the forces at the nodes.
-///
-/// Of an element's generalised force f = dU/de the force on position and the moment of the slopes
-/// at the second node are what the rest of the scene exerts there. Nothing else acts on the
-/// element, so its sections transmit the force f_r2 and the moment
-/// sum a_2 x f_a2 + (r_2 - r(xi)) x f_r2 about the centre line. In statics these balance loads at
-/// nodes to round-off on any mesh, at clamps and beside point loads too; forces along the element
-/// count half at each of its nodes, so the force is that of its middle. The element's own
-/// section_forces are those of the strains.
-/// @param e   nodal coordinates.
-/// @param xi  from 0 to 1.
-template <class Element>
-[[nodiscard]] SectionForces transmitted_forces(const Element& element,
-                                               const typename Element::Coordinates& e, double xi);
 
 namespace detail {
 
@@ -67,9 +52,20 @@ template <class Element>
 
 }  // namespace detail
 
+/// Returns what the section at xi transmits, by equilibrium with the forces at the nodes.
+///
+/// Of an element's generalised force f = dU/de the force on position and the moment of the slopes
+/// at the second node are what the rest of the scene exerts there. Nothing else acts on the
+/// element, so its sections transmit the force f_r2 and the moment
+/// sum a_2 x f_a2 + (r_2 - r(xi)) x f_r2 about the centre line. In statics these balance loads at
+/// nodes to round-off on any mesh, at clamps and beside point loads too; forces along the element
+/// count half at each of its nodes, so the force is that of its middle. The element's own
+/// section_forces are those of the strains.
+/// @param e   nodal coordinates.
+/// @param xi  from 0 to 1.
 template <class Element>
-SectionForces transmitted_forces(const Element& element, const typename Element::Coordinates& e,
-                                 double xi) {
+[[nodiscard]] SectionForces transmitted_forces(const Element& element,
+                                               const typename Element::Coordinates& e, double xi) {
     constexpr int d = Element::dimension, second = Element::dofs / 2;
     const typename Element::Coordinates f = element.force(e);
     const auto vector = [](const typename Element::Coordinates& of, int at) {

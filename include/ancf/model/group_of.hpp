@@ -62,6 +62,45 @@ using Packs = std::enable_if_t<Element::evaluates_packs>;
 template <class Element>
 using TorsionStiffness = decltype(Vector<double, 2>(some<Element>().torsion_stiffness()));
 
+/// How many equal elements are evaluated at once: as many as a wide register has lanes where the
+/// element takes packs, else one.
+template <class Element>
+inline constexpr int pack_lanes = offers<Packs, Element> ? wide_lanes : 1;
+
+/// Adds the part (a, b) of an element's block to the values of a tangent.
+template <class Element, class Block>
+void scatter_part(const GroupTarget& target, const ElementSlots& slots, int a, int b,
+                  const Block& block) {
+    constexpr int half = Element::dofs / 2;
+    const auto rows = static_cast<std::size_t>(a), columns = static_cast<std::size_t>(b);
+    if (slots.base[rows][columns] < 0) return;
+    const bool lower = slots.node[rows] == slots.node[columns] && target.storage == Storage::lower;
+    double* base = target.values + slots.base[rows][columns];
+    const int node = slots.node[columns];
+    if (slots.plain) {
+        for (int j = 0; j < half; ++j) {
+            double* column = base + target.column_offset(node, j);
+            for (int i = lower ? j : 0; i < half; ++i) column[i] += block(i, j);
+        }
+        return;
+    }
+    int place[2 * half];  // within the node's block, -1 where held
+    element_coordinates(target.layout, Element::dimension, Element::fields, slots, place);
+    for (int i = 0; i < 2 * half; ++i) {
+        const int equation = target.equation[place[i]];
+        place[i] = equation < 0 ? -1 : equation - target.first_row[slots.node[i >= half ? 1 : 0]];
+    }
+    for (int j = 0; j < half; ++j) {
+        const int own = place[b * half + j];
+        if (own < 0) continue;
+        double* column = base + target.column_offset(node, own);
+        for (int i = 0; i < half; ++i) {
+            const int row = place[a * half + i];
+            if (row >= (lower ? own : 0)) column[row] += block(i, j);
+        }
+    }
+}
+
 }  // namespace detail
 
 /// The elements of one type, with their type.
@@ -126,7 +165,29 @@ public:
             own = prototype(k).torsion_stiffness();
         std::copy_n(own.data(), 2, out);
     }
-    double add(const ElementRun& run, const GroupTarget& target) const override;
+    double add(const ElementRun& run, const GroupTarget& target) const override {
+        constexpr int lanes = detail::pack_lanes<Element>;
+        double energy = 0.0;
+        [[maybe_unused]] const bool plain = target.increment == nullptr && target.before == nullptr;
+        [[maybe_unused]] const auto equal = [&](int first) {
+            const Connection* const part = &connections[first];
+            return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
+                return other.prototype == part->prototype;
+            });
+        };
+        for (int k = run.first; k < run.last;) {
+            if constexpr (lanes > 1) {
+                if (plain && k + lanes <= run.last && equal(k)) {
+                    energy += add_pack<lanes>(k, target);
+                    k += lanes;
+                    continue;
+                }
+            }
+            energy += add_element(k, target);
+            ++k;
+        }
+        return energy;
+    }
     void add_block(int index, const GroupTarget& target, const double* block) const override {
         Matrix<double, Element::dofs> own;
         std::copy_n(block, Element::dofs * Element::dofs, own.data());
@@ -148,191 +209,114 @@ private:
     }
 
     static void add_block(const ElementSlots& slots, const GroupTarget& target,
-                          const Matrix<double, Element::dofs>& tangent);
-    double add_element(int index, const GroupTarget& target) const;
-    template <int Lanes>
-    double add_pack(int first, const GroupTarget& target) const;
-};
-
-namespace detail {
-
-/// How many equal elements are evaluated at once: as many as a wide register has lanes where the
-/// element takes packs, else one.
-template <class Element>
-inline constexpr int pack_lanes = offers<Packs, Element> ? wide_lanes : 1;
-
-/// Adds the part (a, b) of an element's block to the values of a tangent.
-template <class Element, class Block>
-void scatter_part(const GroupTarget& target, const ElementSlots& slots, int a, int b,
-                  const Block& block) {
-    constexpr int half = Element::dofs / 2;
-    const auto rows = static_cast<std::size_t>(a), columns = static_cast<std::size_t>(b);
-    if (slots.base[rows][columns] < 0) return;
-    const bool lower = slots.node[rows] == slots.node[columns] && target.storage == Storage::lower;
-    double* base = target.values + slots.base[rows][columns];
-    const int node = slots.node[columns];
-    if (slots.plain) {
-        for (int j = 0; j < half; ++j) {
-            double* column = base + target.column_offset(node, j);
-            for (int i = lower ? j : 0; i < half; ++i) column[i] += block(i, j);
+                          const Matrix<double, Element::dofs>& tangent) {
+        if (slots.attached >= 0) {
+            detail::add_attached(target, slots.attached, tangent.data());
+            return;
         }
-        return;
+        constexpr int half = Element::dofs / 2;
+        for (int b = 0; b < 2; ++b)
+            for (int a = 0; a < 2; ++a)
+                detail::scatter_part<Element>(
+                    target, slots, a, b, tangent.template block<half, half>(a * half, b * half));
     }
-    int place[2 * half];  // within the node's block, -1 where held
-    element_coordinates(target.layout, Element::dimension, Element::fields, slots, place);
-    for (int i = 0; i < 2 * half; ++i) {
-        const int equation = target.equation[place[i]];
-        place[i] = equation < 0 ? -1 : equation - target.first_row[slots.node[i >= half ? 1 : 0]];
-    }
-    for (int j = 0; j < half; ++j) {
-        const int own = place[b * half + j];
-        if (own < 0) continue;
-        double* column = base + target.column_offset(node, own);
-        for (int i = 0; i < half; ++i) {
-            const int row = place[a * half + i];
-            if (row >= (lower ? own : 0)) column[row] += block(i, j);
-        }
-    }
-}
-
-}  // namespace detail
-
-template <class Element>
-double GroupOf<Element>::add(const ElementRun& run, const GroupTarget& target) const {
-    constexpr int lanes = detail::pack_lanes<Element>;
-    double energy = 0.0;
-    [[maybe_unused]] const bool plain = target.increment == nullptr && target.before == nullptr;
-    [[maybe_unused]] const auto equal = [&](int first) {
-        const Connection* const part = &connections[first];
-        return std::all_of(part + 1, part + lanes, [part](const Connection& other) {
-            return other.prototype == part->prototype;
-        });
-    };
-    for (int k = run.first; k < run.last;) {
-        if constexpr (lanes > 1) {
-            if (plain && k + lanes <= run.last && equal(k)) {
-                energy += add_pack<lanes>(k, target);
-                k += lanes;
-                continue;
-            }
-        }
-        energy += add_element(k, target);
-        ++k;
-    }
-    return energy;
-}
-
-template <class Element>
-double GroupOf<Element>::add_element(int index, const GroupTarget& target) const {
-    const ElementSlots& slots = target.slots[index];
-    const Element& element = prototype(prototype_of(index));
-    int coordinate[Element::dofs];
-    detail::element_coordinates(target.layout, Element::dimension, Element::fields, slots,
-                                coordinate);
-    const auto gathered = [&](const double* all) {
-        Coordinates own;
-        for (int i = 0; i < Element::dofs; ++i) own[i] = all[coordinate[i]];
-        return own;
-    };
-    const Coordinates e = gathered(target.q);
-    if (!target.tangent && target.increment == nullptr) {
-        const Coordinates force = element.force(e);
-        for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += force[i];
-        return 0.0;
-    }
-    const auto predict = [&](const Coordinates& force) {
-        for (int i = 0; target.predicted_force != nullptr && i < Element::dofs; ++i)
-            target.predicted_force[coordinate[i]] += force[i];
-    };
-    auto result = [&]() -> Evaluation<double, Element::dofs> {
-        if constexpr (detail::offers<detail::MixedEvaluationOf, Element>)
-            if (target.before != nullptr) {
-                const auto mixed =
-                    element.evaluate(e, gathered(target.before), gathered(target.change));
-                if constexpr (detail::offers<detail::PredictedForce, decltype(mixed)>)
-                    predict(mixed.predicted);
-                else
-                    predict(mixed.force);
-                return mixed;
-            }
-        auto plain = element.evaluate(e);
-        predict(plain.force);
-        return plain;
-    }();
-    if (target.increment != nullptr) {
-        const Coordinates change = gathered(target.increment);
-        for (int j = 0; j < Element::dofs; ++j)
+    double add_element(int index, const GroupTarget& target) const {
+        const ElementSlots& slots = target.slots[index];
+        const Element& element = prototype(prototype_of(index));
+        int coordinate[Element::dofs];
+        detail::element_coordinates(target.layout, Element::dimension, Element::fields, slots,
+                                    coordinate);
+        const auto gathered = [&](const double* all) {
+            Coordinates own;
+            for (int i = 0; i < Element::dofs; ++i) own[i] = all[coordinate[i]];
+            return own;
+        };
+        const Coordinates e = gathered(target.q);
+        if (!target.tangent && target.increment == nullptr) {
+            const Coordinates force = element.force(e);
             for (int i = 0; i < Element::dofs; ++i)
-                result.force[i] += result.tangent(i, j) * change[j];
-    }
-    for (int i = 0; i < Element::dofs; ++i) target.internal_force[coordinate[i]] += result.force[i];
-    if (!target.tangent) return result.energy;
-    add_block(slots, target, result.tangent);
-    return result.energy;
-}
-
-template <class Element>
-void GroupOf<Element>::add_block(const ElementSlots& slots, const GroupTarget& target,
-                                 const Matrix<double, Element::dofs>& tangent) {
-    if (slots.attached >= 0) {
-        detail::add_attached(target, slots.attached, tangent.data());
-        return;
-    }
-    constexpr int half = Element::dofs / 2;
-    for (int b = 0; b < 2; ++b)
-        for (int a = 0; a < 2; ++a)
-            detail::scatter_part<Element>(target, slots, a, b,
-                                          tangent.template block<half, half>(a * half, b * half));
-}
-
-template <class Element>
-template <int Lanes>
-double GroupOf<Element>::add_pack(int first, const GroupTarget& target) const {
-    const ElementSlots* slots = target.slots + first;
-    const Element& element = prototype(prototype_of(first));
-    int coordinate[Lanes][Element::dofs];
-    Vector<Pack<Lanes>, Element::dofs> e;
-    for (int lane = 0; lane < Lanes; ++lane) {
-        detail::element_coordinates(target.layout, Element::dimension, Element::fields, slots[lane],
-                                    coordinate[lane]);
-        for (int i = 0; i < Element::dofs; ++i) e[i].set(lane, target.q[coordinate[lane][i]]);
-    }
-    const auto add_force = [&](const auto& force) {
-        for (int lane = 0; lane < Lanes; ++lane)
-            for (int i = 0; i < Element::dofs; ++i)
-                target.internal_force[coordinate[lane][i]] += force[i][lane];
-    };
-    if (!target.tangent) {
-        add_force(element.force(e));
-        return 0.0;
-    }
-    const auto result = element.evaluate(e);
-    add_force(result.force);
-    // a block of all lanes at a time: the packs are read once, and what is written stays in cache
-    constexpr int half = Element::dofs / 2;
-    if (target.attached != nullptr) {
-        Matrix<double, Element::dofs> own;
-        for (int lane = 0; lane < Lanes; ++lane) {
+                target.internal_force[coordinate[i]] += force[i];
+            return 0.0;
+        }
+        const auto predict = [&](const Coordinates& force) {
+            for (int i = 0; target.predicted_force != nullptr && i < Element::dofs; ++i)
+                target.predicted_force[coordinate[i]] += force[i];
+        };
+        auto result = [&]() -> Evaluation<double, Element::dofs> {
+            if constexpr (detail::offers<detail::MixedEvaluationOf, Element>)
+                if (target.before != nullptr) {
+                    const auto mixed =
+                        element.evaluate(e, gathered(target.before), gathered(target.change));
+                    if constexpr (detail::offers<detail::PredictedForce, decltype(mixed)>)
+                        predict(mixed.predicted);
+                    else
+                        predict(mixed.force);
+                    return mixed;
+                }
+            auto plain = element.evaluate(e);
+            predict(plain.force);
+            return plain;
+        }();
+        if (target.increment != nullptr) {
+            const Coordinates change = gathered(target.increment);
             for (int j = 0; j < Element::dofs; ++j)
-                for (int i = 0; i < Element::dofs; ++i) own(i, j) = result.tangent(i, j)[lane];
-            add_block(slots[lane], target, own);
+                for (int i = 0; i < Element::dofs; ++i)
+                    result.force[i] += result.tangent(i, j) * change[j];
         }
+        for (int i = 0; i < Element::dofs; ++i)
+            target.internal_force[coordinate[i]] += result.force[i];
+        if (!target.tangent) return result.energy;
+        add_block(slots, target, result.tangent);
+        return result.energy;
+    }
+    template <int Lanes>
+    double add_pack(int first, const GroupTarget& target) const {
+        const ElementSlots* slots = target.slots + first;
+        const Element& element = prototype(prototype_of(first));
+        int coordinate[Lanes][Element::dofs];
+        Vector<Pack<Lanes>, Element::dofs> e;
+        for (int lane = 0; lane < Lanes; ++lane) {
+            detail::element_coordinates(target.layout, Element::dimension, Element::fields,
+                                        slots[lane], coordinate[lane]);
+            for (int i = 0; i < Element::dofs; ++i) e[i].set(lane, target.q[coordinate[lane][i]]);
+        }
+        const auto add_force = [&](const auto& force) {
+            for (int lane = 0; lane < Lanes; ++lane)
+                for (int i = 0; i < Element::dofs; ++i)
+                    target.internal_force[coordinate[lane][i]] += force[i][lane];
+        };
+        if (!target.tangent) {
+            add_force(element.force(e));
+            return 0.0;
+        }
+        const auto result = element.evaluate(e);
+        add_force(result.force);
+        // a block of all lanes at a time: packs are read once, and what is written stays in cache
+        constexpr int half = Element::dofs / 2;
+        if (target.attached != nullptr) {
+            Matrix<double, Element::dofs> own;
+            for (int lane = 0; lane < Lanes; ++lane) {
+                for (int j = 0; j < Element::dofs; ++j)
+                    for (int i = 0; i < Element::dofs; ++i) own(i, j) = result.tangent(i, j)[lane];
+                add_block(slots[lane], target, own);
+            }
+            return lane_sum(result.energy);
+        }
+        Matrix<double, half> blocks[Lanes];
+        for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b) {
+                const auto stores = [&](const ElementSlots& one) { return one.base[a][b] >= 0; };
+                if (std::none_of(slots, slots + Lanes, stores)) continue;
+                for (int j = 0; j < half; ++j)
+                    for (int i = 0; i < half; ++i)
+                        for (int lane = 0; lane < Lanes; ++lane)
+                            blocks[lane](i, j) = result.tangent(a * half + i, b * half + j)[lane];
+                for (int lane = 0; lane < Lanes; ++lane)
+                    detail::scatter_part<Element>(target, slots[lane], a, b, blocks[lane]);
+            }
         return lane_sum(result.energy);
     }
-    Matrix<double, half> blocks[Lanes];
-    for (int a = 0; a < 2; ++a)
-        for (int b = 0; b < 2; ++b) {
-            const auto stores = [&](const ElementSlots& one) { return one.base[a][b] >= 0; };
-            if (std::none_of(slots, slots + Lanes, stores)) continue;
-            for (int j = 0; j < half; ++j)
-                for (int i = 0; i < half; ++i)
-                    for (int lane = 0; lane < Lanes; ++lane)
-                        blocks[lane](i, j) = result.tangent(a * half + i, b * half + j)[lane];
-            for (int lane = 0; lane < Lanes; ++lane)
-                detail::scatter_part<Element>(target, slots[lane], a, b, blocks[lane]);
-        }
-    return lane_sum(result.energy);
-}
+};
 
 namespace detail {
 

@@ -80,7 +80,11 @@ class AnyLoad {
 public:
     /// Holds a copy of the load.
     template <class Load>
-    explicit AnyLoad(Load load) : held_(std::make_shared<Holder<Load>>(std::move(load))) {
+    explicit AnyLoad(Load load)
+        : held_(std::make_shared<Holder<Load>>(std::move(load))),
+          constant_(detail::offers<detail::ConstantForce, Load>),
+          symmetric_(constant_ || detail::offers<detail::SymmetricStiffness, Load>),
+          settles_(detail::offers<detail::Settles, Load>) {
         static_assert(is_load_v<Load>,
                       "a load offers `Coupling coupling() const` and "
                       "`void evaluate(const LoadState&, LoadResult&) const`");
@@ -89,11 +93,11 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
     /// Tells whether its stiffness is symmetric.
-    [[nodiscard]] bool symmetric() const noexcept { return held_->symmetric(); }
+    [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
     /// Tells whether its force depends neither on coordinates nor on rates.
-    [[nodiscard]] bool constant() const noexcept { return held_->constant(); }
+    [[nodiscard]] bool constant() const noexcept { return constant_; }
     /// Tells whether it acts on what its node carries.
-    [[nodiscard]] bool settles() const noexcept { return held_->settles(); }
+    [[nodiscard]] bool settles() const noexcept { return settles_; }
     /// Settles on what its node carries.
     void settle(const Layout& layout) { held_ = held_->settled(layout); }
     /// Evaluates it.
@@ -115,11 +119,8 @@ public:
 private:
     struct Interface {
         virtual ~Interface() = default;
-        [[nodiscard]] virtual bool settles() const noexcept = 0;
         [[nodiscard]] virtual std::shared_ptr<const Interface> settled(const Layout&) const = 0;
         [[nodiscard]] virtual Coupling coupling() const = 0;
-        [[nodiscard]] virtual bool symmetric() const noexcept = 0;
-        [[nodiscard]] virtual bool constant() const noexcept = 0;
         virtual void evaluate(const LoadState&, LoadResult&) const = 0;
     };
 
@@ -127,15 +128,6 @@ private:
     struct Holder final : Interface {
         explicit Holder(Load held) : load(std::move(held)) {}
         [[nodiscard]] Coupling coupling() const override { return load.coupling(); }
-        [[nodiscard]] bool symmetric() const noexcept override {
-            return detail::offers<detail::SymmetricStiffness, Load> || constant();
-        }
-        [[nodiscard]] bool constant() const noexcept override {
-            return detail::offers<detail::ConstantForce, Load>;
-        }
-        [[nodiscard]] bool settles() const noexcept override {
-            return detail::offers<detail::Settles, Load>;
-        }
         [[nodiscard]] std::shared_ptr<const Interface> settled(
             const Layout& layout) const override {
             auto copy = std::make_shared<Holder>(load);
@@ -149,6 +141,7 @@ private:
     };
 
     std::shared_ptr<const Interface> held_;
+    bool constant_, symmetric_, settles_;
 };
 
 }  // namespace ancf

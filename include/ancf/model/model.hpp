@@ -73,7 +73,18 @@ public:
     ///                   In the plane r_xy, where elements have it, turns r_y as r_xx turns r_x.
     /// @throws InvalidArgument unless every value is finite.
     NodeId add_node(const Argument& position, const Slopes& slopes = Slopes::Identity(),
-                    const Point& curvature = Point::Zero());
+                    const Point& curvature = Point::Zero()) {
+        detail::require(detail::all_finite(position),
+                        "Model::add_node: the position must be finite, got ",
+                        detail::components(position));
+        detail::require(detail::all_finite(slopes),
+                        "Model::add_node: slopes must be finite, got (by columns) ",
+                        detail::components(slopes));
+        detail::require(detail::all_finite(curvature),
+                        "Model::add_node: the curvature must be finite, got ",
+                        detail::components(curvature));
+        return add_initial_node(detail::node_vectors<Dimension>(position, slopes, curvature));
+    }
 
     /// Adds a load of this dimension, as Scene::add does.
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
@@ -102,7 +113,14 @@ public:
 
     /// Sets the acceleration of gravity, m/s^2.
     /// @throws InvalidArgument unless every component is finite.
-    void set_gravity(const Argument& gravity, Amplitude amplitude = {});
+    void set_gravity(const Argument& gravity, Amplitude amplitude = {}) {
+        detail::require(detail::all_finite(gravity),
+                        "Model::set_gravity: components must be finite, got ",
+                        detail::components(gravity));
+        std::array<double, 3> components = {};
+        for (int k = 0; k < Dimension; ++k) components[k] = gravity[k];
+        set_gravity_components(components, std::move(amplitude));
+    }
 
     /// Returns the acceleration of gravity, m/s^2.
     [[nodiscard]] Point gravity() const {
@@ -141,7 +159,32 @@ public:
     /// @throws InvalidArgument unless every value is finite, for a node that does not exist, and
     ///         for a state of another model.
     void set_rigid_rates(const std::vector<NodeId>& nodes, const Argument& velocity,
-                         const Spin& spin, const Argument& about = Point(Point::Zero()));
+                         const Spin& spin, const Argument& about = Point(Point::Zero())) {
+        const auto turned = [&](const Point& vector) -> Point {
+            if constexpr (Dimension == 3)
+                return cross<double>(spin, vector);
+            else
+                return spin * Point(-vector[1], vector[0]);
+        };
+        const Point at_origin = velocity - turned(about);
+        detail::require(detail::all_finite(at_origin),
+                        "Model::set_rigid_rates: velocity, spin and about must be finite");
+        VectorX& rates = state().v;
+        check_state(rates, layout());
+        for (const NodeId node : nodes) check(node);
+        for (const NodeId node : nodes) {
+            const Fields fields = layout().fields(node.index);
+            for (int k = 0; k < fields.count(); ++k) {
+                const int first = layout().first(node.index) + k * Dimension;
+                if (dependence().attached(first)) continue;
+                const Point now = value(node, fields.at(k));
+                Eigen::Map<Point> rate(rates.data() + first);
+                rate = turned(now);
+                if (fields.at(k) == Field::r) rate += at_origin;
+            }
+        }
+        dependence().complete(rates);
+    }
 
     /// Sets the rates of all nodes so.
     /// @throws InvalidArgument as the other one.
@@ -182,62 +225,7 @@ private:
     }
 };
 
-template <int Dimension>
-void BasicModel<Dimension>::set_rigid_rates(const std::vector<NodeId>& nodes,
-                                            const Argument& velocity, const Spin& spin,
-                                            const Argument& about) {
-    const auto turned = [&](const Point& vector) -> Point {
-        if constexpr (Dimension == 3)
-            return cross<double>(spin, vector);
-        else
-            return spin * Point(-vector[1], vector[0]);
-    };
-    const Point at_origin = velocity - turned(about);
-    detail::require(detail::all_finite(at_origin),
-                    "Model::set_rigid_rates: velocity, spin and about must be finite");
-    VectorX& rates = state().v;
-    check_state(rates, layout());
-    for (const NodeId node : nodes) check(node);
-    for (const NodeId node : nodes) {
-        const Fields fields = layout().fields(node.index);
-        for (int k = 0; k < fields.count(); ++k) {
-            const int first = layout().first(node.index) + k * Dimension;
-            if (dependence().attached(first)) continue;
-            const Point now = value(node, fields.at(k));
-            Eigen::Map<Point> rate(rates.data() + first);
-            rate = turned(now);
-            if (fields.at(k) == Field::r) rate += at_origin;
-        }
-    }
-    dependence().complete(rates);
-}
-
 using Model = BasicModel<3>;        ///< a model in space
 using PlanarModel = BasicModel<2>;  ///< a model in the plane
-
-template <int Dimension>
-NodeId BasicModel<Dimension>::add_node(const Argument& position, const Slopes& slopes,
-                                       const Point& curvature) {
-    detail::require(detail::all_finite(position),
-                    "Model::add_node: the position must be finite, got ",
-                    detail::components(position));
-    detail::require(detail::all_finite(slopes),
-                    "Model::add_node: slopes must be finite, got (by columns) ",
-                    detail::components(slopes));
-    detail::require(detail::all_finite(curvature),
-                    "Model::add_node: the curvature must be finite, got ",
-                    detail::components(curvature));
-    return add_initial_node(detail::node_vectors<Dimension>(position, slopes, curvature));
-}
-
-template <int Dimension>
-void BasicModel<Dimension>::set_gravity(const Argument& gravity, Amplitude amplitude) {
-    detail::require(detail::all_finite(gravity),
-                    "Model::set_gravity: components must be finite, got ",
-                    detail::components(gravity));
-    std::array<double, 3> components = {};
-    for (int k = 0; k < Dimension; ++k) components[k] = gravity[k];
-    set_gravity_components(components, std::move(amplitude));
-}
 
 }  // namespace ancf

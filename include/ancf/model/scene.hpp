@@ -145,7 +145,13 @@ public:
     /// @return its index for `connect`.
     /// @throws InvalidArgument for an element of another dimension or without a length.
     template <class Element>
-    int add_prototype(Element element);
+    int add_prototype(Element element) {
+        check_dimension("an element", Element::dimension);
+        detail::require_positive("Scene::add_prototype: the length of an element",
+                                 element.length());
+        if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
+        return detail::append_prototype<Element>(found_group<Element>(), std::move(element));
+    }
 
     /// Adds an element between two nodes.
     /// @return its index in its group.
@@ -180,7 +186,13 @@ public:
     /// change: one through a reference kept from before goes unnoticed.
     /// @throws InvalidArgument for an index of none.
     template <class Element>
-    [[nodiscard]] Element& prototype(int index);
+    [[nodiscard]] Element& prototype(int index) {
+        auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
+        check_prototype(group, index);
+        ++revision_.properties;
+        rebuild_ = true;
+        return group.prototypes[index];
+    }
 
     /// Gives an element a copy of its prototype where it shares it, for a change of it alone.
     ///
@@ -190,7 +202,14 @@ public:
     /// @return the index of the prototype that no other element has.
     /// @throws InvalidArgument for an index of no element.
     template <class Element>
-    int make_own_prototype(int element);
+    int make_own_prototype(int element) {
+        auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
+        const int shared = group.connection(element).prototype;
+        if (has_own_prototype(group, element)) return shared;
+        const int own = add_prototype(Element(group.element(element)));
+        group.connections[element].prototype = own;
+        return own;
+    }
 
     // Supports. A component has one: the last that was given to it replaces those before.
 
@@ -362,7 +381,11 @@ public:
     /// @throws InvalidArgument for an element that does not exist or a q of another size.
     template <class Element>
     [[nodiscard]] typename Element::Coordinates element_coordinates(int index,
-                                                                    const VectorX& q) const;
+                                                                    const VectorX& q) const {
+        typename Element::Coordinates e;
+        gather_element(found_group<Element>(), index, q, e.data());
+        return e;
+    }
 
     /// Returns the nodal coordinates of an element as they stand now.
     template <class Element>
@@ -438,40 +461,6 @@ private:
 
     int dimension_;
 };
-
-template <class Element>
-int Scene::add_prototype(Element element) {
-    check_dimension("an element", Element::dimension);
-    detail::require_positive("Scene::add_prototype: the length of an element", element.length());
-    if (find_group<Element>() == nullptr) groups_.push_back(detail::make_group<Element>());
-    return detail::append_prototype<Element>(found_group<Element>(), std::move(element));
-}
-
-template <class Element>
-Element& Scene::prototype(int index) {
-    auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
-    check_prototype(group, index);
-    ++revision_.properties;
-    rebuild_ = true;
-    return group.prototypes[index];
-}
-
-template <class Element>
-int Scene::make_own_prototype(int element) {
-    auto& group = static_cast<GroupOf<Element>&>(found_group<Element>());
-    const int shared = group.connection(element).prototype;
-    if (has_own_prototype(group, element)) return shared;
-    const int own = add_prototype(Element(group.element(element)));
-    group.connections[element].prototype = own;
-    return own;
-}
-
-template <class Element>
-typename Element::Coordinates Scene::element_coordinates(int index, const VectorX& q) const {
-    typename Element::Coordinates e;
-    gather_element(found_group<Element>(), index, q, e.data());
-    return e;
-}
 
 }  // namespace ancf
 

@@ -35,7 +35,10 @@ public:
     /// Writes a row of one value per column: floating point, integers and words.
     /// @throws InvalidArgument for another number of values, or a word that would need quotes.
     template <class... Values>
-    void row(const Values&... values);
+    void row(const Values&... values) {
+        check(sizeof...(Values));
+        write({cell(values)...});
+    }
 
     /// Writes a row of numbers.
     /// @throws InvalidArgument for another number of values.
@@ -46,7 +49,14 @@ public:
 
 private:
     template <class Value>
-    [[nodiscard]] static std::string cell(const Value& value);
+    [[nodiscard]] static std::string cell(const Value& value) {
+        if constexpr (std::is_floating_point_v<Value>)
+            return number_text(static_cast<double>(value));
+        else if constexpr (std::is_integral_v<Value>)
+            return std::to_string(value);
+        else
+            return word(value);
+    }
     [[nodiscard]] static std::string word(std::string_view value);
     void check(std::size_t values) const;
     void write(const std::vector<std::string>& cells);
@@ -54,22 +64,6 @@ private:
     std::ostream& out_;
     std::vector<std::string> columns_;
 };
-
-template <class Value>
-std::string CsvWriter::cell(const Value& value) {
-    if constexpr (std::is_floating_point_v<Value>)
-        return number_text(static_cast<double>(value));
-    else if constexpr (std::is_integral_v<Value>)
-        return std::to_string(value);
-    else
-        return word(value);
-}
-
-template <class... Values>
-void CsvWriter::row(const Values&... values) {
-    check(sizeof...(Values));
-    write({cell(values)...});
-}
 
 }  // namespace ancf
 

@@ -55,7 +55,18 @@ public:
     ///         beam without elements.
     template <class Element>
     void add(const Scene& model, const Beam<Element>& beam, const Section& section,
-             int stations = 9, double start = 0.0);
+             int stations = 9, double start = 0.0) {
+        begin_beam(beam, section);
+        std::vector<Corner> corners;
+        const auto show = [&](const BeamStation<Element>& at) {
+            corners.clear();
+            for (const auto& [y, z] : section.outline())
+                corners.push_back({at.position(y, z), at.velocity(y, z), at.axial_stress(y, z)});
+            add_station(at.s, transmitted_forces(at.element, at.e, at.xi), corners, at.xi > 0.0);
+        };
+        for_each_station(model, beam, stations, show, start);
+        end_beam();
+    }
 
     /// Returns the points, m.
     [[nodiscard]] const std::vector<Vector<double, 3>>& points() const noexcept { return points_; }
@@ -92,21 +103,6 @@ private:
     int first_ = 0;  // point of the beam
     int count_ = 0;  // corners of its outline
 };
-
-template <class Element>
-void Surface::add(const Scene& model, const Beam<Element>& beam, const Section& section,
-                  int stations, double start) {
-    begin_beam(beam, section);
-    std::vector<Corner> corners;
-    const auto show = [&](const BeamStation<Element>& at) {
-        corners.clear();
-        for (const auto& [y, z] : section.outline())
-            corners.push_back({at.position(y, z), at.velocity(y, z), at.axial_stress(y, z)});
-        add_station(at.s, transmitted_forces(at.element, at.e, at.xi), corners, at.xi > 0.0);
-    };
-    for_each_station(model, beam, stations, show, start);
-    end_beam();
-}
 
 }  // namespace ancf
 

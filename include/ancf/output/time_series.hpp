@@ -51,14 +51,39 @@ public:
     /// @param element  index in the group of its type.  @param xi  place along it, 0 to 1
     /// @throws InvalidArgument for an element that does not exist, or xi outside [0, 1].
     template <class Element>
-    void add_section_forces(const std::string& name, int element, double xi);
+    void add_section_forces(const std::string& name, int element, double xi) {
+        static_cast<void>(model_.group<Element>().element(element));
+        check_place(xi);
+        add(name, {"N", "Q_y", "Q_z", "T", "M_y", "M_z"},
+            [this, element, xi](const State& state, Values& row) {
+                const auto e = model_.element_coordinates<Element>(element, state.q);
+                const SectionForces f =
+                    transmitted_forces(model_.group<Element>().element(element), e, xi);
+                row.insert(row.end(),
+                           {f.axial, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z});
+            });
+    }
 
     /// Adds the stress of a point as the element's stress() has it: S_xx, S_yy, S_zz, S_yz, S_xz,
     /// S_xy of beams in space, S_xx, S_yy, S_xy in the plane, S_xx of cables; Pa. y and z in m.
     /// @throws InvalidArgument for an element that does not exist, or xi outside [0, 1].
     template <class Element>
     void add_stress(const std::string& name, int element, double xi, double y = 0.0,
-                    double z = 0.0);
+                    double z = 0.0) {
+        static_cast<void>(model_.group<Element>().element(element));
+        check_place(xi);
+        using Stress = decltype(std::declval<const Element&>().stress(
+            std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0));
+        constexpr int components = Stress::RowsAtCompileTime;
+        std::vector<std::string> parts = {"S_xx"};
+        if (components == 3) parts = {"S_xx", "S_yy", "S_xy"};
+        if (components == 6) parts = {"S_xx", "S_yy", "S_zz", "S_yz", "S_xz", "S_xy"};
+        add(name, parts, [this, element, xi, y, z](const State& state, Values& row) {
+            const auto e = model_.element_coordinates<Element>(element, state.q);
+            const Stress stress = model_.group<Element>().element(element).stress(e, xi, y, z);
+            row.insert(row.end(), stress.data(), stress.data() + components);
+        });
+    }
 
     /// Adds the force F and the moment M about the node that a constraint exerts on the node, in
     /// global axes; N and N m.
@@ -98,37 +123,6 @@ private:
     VectorX support_force_;
     std::optional<CsvWriter> csv_;
 };
-
-template <class Element>
-void TimeSeries::add_section_forces(const std::string& name, int element, double xi) {
-    static_cast<void>(model_.group<Element>().element(element));
-    check_place(xi);
-    add(name, {"N", "Q_y", "Q_z", "T", "M_y", "M_z"},
-        [this, element, xi](const State& state, Values& row) {
-            const auto e = model_.element_coordinates<Element>(element, state.q);
-            const SectionForces f =
-                transmitted_forces(model_.group<Element>().element(element), e, xi);
-            row.insert(row.end(),
-                       {f.axial, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z});
-        });
-}
-
-template <class Element>
-void TimeSeries::add_stress(const std::string& name, int element, double xi, double y, double z) {
-    static_cast<void>(model_.group<Element>().element(element));
-    check_place(xi);
-    using Stress = decltype(std::declval<const Element&>().stress(
-        std::declval<const typename Element::Coordinates&>(), 0.0, 0.0, 0.0));
-    constexpr int components = Stress::RowsAtCompileTime;
-    std::vector<std::string> parts = {"S_xx"};
-    if (components == 3) parts = {"S_xx", "S_yy", "S_xy"};
-    if (components == 6) parts = {"S_xx", "S_yy", "S_zz", "S_yz", "S_xz", "S_xy"};
-    add(name, parts, [this, element, xi, y, z](const State& state, Values& row) {
-        const auto e = model_.element_coordinates<Element>(element, state.q);
-        const Stress stress = model_.group<Element>().element(element).stress(e, xi, y, z);
-        row.insert(row.end(), stress.data(), stress.data() + components);
-    });
-}
 
 }  // namespace ancf
 

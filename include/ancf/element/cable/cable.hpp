@@ -161,8 +161,6 @@ private:
 
     void set_up(const Material& material, const Section& section);
     [[nodiscard]] Station station(double xi) const noexcept;
-    void set_stations();
-    void set_natural();
     void add_pair(std::size_t first, std::size_t second);
     [[nodiscard]] Curvature natural_curvature(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] static Curvature curvature(const Point& p, const Point& v) noexcept;
@@ -225,7 +223,12 @@ Cable<Dimension, Measure>::Cable(const Material& material, const Section& sectio
     : Base(reference, length, options) {
     set_up(material, section);
     this->require_admissible("slopes r_x of about 1");
-    set_natural();
+    const std::size_t count = kernel_.bending.size();
+    if constexpr (Dimension == 3) {
+        for (std::size_t k = 0; 2 * k < count; ++k) add_pair(k, count - 1 - k);
+    } else {
+        for (std::size_t k = 0; k < count; ++k) add_pair(k, k);
+    }
 }
 
 template <int Dimension, class Measure>
@@ -241,21 +244,6 @@ void Cable<Dimension, Measure>::set_up(const Material& material, const Section& 
     detail::require_points(options_.rule, StrainGroup::bending, "bending", 2);
     kernel_.softening = 1.0 - options_.compression;
     kernel_.straight = detail::straight_curvature / line_.length();
-    set_stations();
-}
-
-/// The weights of r' and r'' per arc length s of the reference; `stiffness` is ds/dxi.
-template <int Dimension, class Measure>
-typename Cable<Dimension, Measure>::Station Cable<Dimension, Measure>::station(
-    double xi) const noexcept {
-    const StationShape<double> shape = line_.shape(xi);
-    return {{{shape.p[0], shape.p[1], shape.p[2]}},
-            {{shape.p1[0], shape.p1[1], shape.p1[2]}},
-            line_.metric(xi) * line_.parameter_length()};
-}
-
-template <int Dimension, class Measure>
-void Cable<Dimension, Measure>::set_stations() {
     for (const RuleStation& place : options_.rule.stations()) {
         const double axial = place.weight(StrainGroup::axial);
         const double bending = place.weight(StrainGroup::bending);
@@ -271,14 +259,14 @@ void Cable<Dimension, Measure>::set_stations() {
     }
 }
 
+/// The weights of r' and r'' per arc length s of the reference; `stiffness` is ds/dxi.
 template <int Dimension, class Measure>
-void Cable<Dimension, Measure>::set_natural() {
-    const std::size_t count = kernel_.bending.size();
-    if constexpr (Dimension == 3) {
-        for (std::size_t k = 0; 2 * k < count; ++k) add_pair(k, count - 1 - k);
-    } else {
-        for (std::size_t k = 0; k < count; ++k) add_pair(k, k);
-    }
+typename Cable<Dimension, Measure>::Station Cable<Dimension, Measure>::station(
+    double xi) const noexcept {
+    const StationShape<double> shape = line_.shape(xi);
+    return {{{shape.p[0], shape.p[1], shape.p[2]}},
+            {{shape.p1[0], shape.p1[1], shape.p1[2]}},
+            line_.metric(xi) * line_.parameter_length()};
 }
 
 /// Lets the natural curvatures of two stations (or of one, first = second) turn together.
@@ -313,21 +301,13 @@ void Cable<Dimension, Measure>::add_pair(std::size_t first, std::size_t second) 
     kernel_.natural.push_back(natural);
 }
 
+#if defined(ANCF_COMPILED)
+ANCF_COMPILED_TEMPLATE(Cable<2>);
+ANCF_COMPILED_TEMPLATE(Cable<3>);
+ANCF_COMPILED_TEMPLATE(Cable<2, EngineeringAxial>);
+ANCF_COMPILED_TEMPLATE(Cable<3, EngineeringAxial>);
+#endif
+
 }  // namespace ancf
 
 #include <ancf/element/cable/results.hpp>  // IWYU pragma: export
-
-#if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class Cable<2>;
-ANCF_COMPILED_ELEMENT(Cable<2>);
-extern template class Cable<3>;
-ANCF_COMPILED_ELEMENT(Cable<3>);
-extern template class Cable<2, EngineeringAxial>;
-ANCF_COMPILED_ELEMENT(Cable<2, EngineeringAxial>);
-extern template class Cable<3, EngineeringAxial>;
-ANCF_COMPILED_ELEMENT(Cable<3, EngineeringAxial>);
-
-}  // namespace ancf
-#endif

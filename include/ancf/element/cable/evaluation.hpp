@@ -38,8 +38,7 @@ struct CableKernel {
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
 
-    /// Returns the same with a tangent whose stresses are those of `before`, linearised along
-    /// `change`.
+    /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,

@@ -137,12 +137,7 @@ struct CurvedStation {
         }
     }
 
-    /// Returns alpha kappa - beta k/A.
-    [[nodiscard]] Vector<S, D> natural_part(double alpha, double beta) const noexcept {
-        return (alpha * cube) * turned(p, k) - (beta * inverse) * k;
-    }
-
-    /// Adds the derivative of natural_part() by the line, transposed.
+    /// Adds the derivative of alpha kappa - beta k/A by the line, transposed.
     void add_jacobian(double alpha, double beta, Matrix<S, 9, 3>& jacobian) const noexcept {
         const S along = alpha * cube, across = beta * inverse;
         const Vector<S, 3> curvature = turned(p, k);
@@ -242,9 +237,11 @@ template <class S>
     const NaturalCurvature& natural, const std::vector<CableBendingStation>& stations,
     const LineVector<S, 3>& line) noexcept {
     Vector<S, 3> z = Vector<S, 3>::Zero();
-    for (int g = 0; g < natural.count; ++g)
-        z += CurvedStation<S, 3>(stations[natural.station[g]], line)
-                 .natural_part(natural.along[g], natural.across[g]);
+    for (int g = 0; g < natural.count; ++g) {
+        const CurvedStation<S, 3> at(stations[natural.station[g]], line);
+        z += (natural.along[g] * at.cube) * turned(at.p, at.k) -
+             (natural.across[g] * at.inverse) * at.k;
+    }
     return z;
 }
 

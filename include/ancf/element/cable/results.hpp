@@ -85,10 +85,7 @@ template <class Scalar>
 Vector<Scalar, Dimension> Cable<Dimension, Measure>::position(const Vector<Scalar, dofs>& e,
                                                               double xi, double y,
                                                               double z) const noexcept {
-    const auto shape = hermite(xi, line_.parameter_length());
-    Vector<Scalar, Dimension> place = Vector<Scalar, Dimension>::Zero();
-    for (int a = 0; a < 4; ++a)
-        place += Scalar(shape[a]) * e.template segment<Dimension>(Dimension * a);
+    Vector<Scalar, Dimension> place = line_.point(e, xi);
     if (y == 0.0 && z == 0.0) return place;
     const Matrix<Scalar, Dimension> frame = section_frame<Scalar>(tangent(e, xi));
     place += Scalar(y) * frame.col(1);

@@ -271,17 +271,11 @@ auto ContinuumBeam<Dimension>::viscous(const Coordinates& e, const Coordinates& 
     }));
 }
 
+#if defined(ANCF_COMPILED)
+ANCF_COMPILED_TEMPLATE(ContinuumBeam<2>);
+ANCF_COMPILED_TEMPLATE(ContinuumBeam<3>);
+#endif
+
 }  // namespace ancf
 
 #include <ancf/element/continuum/results.hpp>  // IWYU pragma: export
-
-#if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class ContinuumBeam<2>;
-ANCF_COMPILED_ELEMENT(ContinuumBeam<2>);
-extern template class ContinuumBeam<3>;
-ANCF_COMPILED_ELEMENT(ContinuumBeam<3>);
-
-}  // namespace ancf
-#endif

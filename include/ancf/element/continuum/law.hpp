@@ -49,15 +49,44 @@ struct PointStiffness {
 };
 
 /// Returns the diagonal law: E, k_y G, k_z G and their mean for 2 e_yz.
-[[nodiscard]] PointStiffness diagonal_stiffness(const Material& material, const Section& section);
+[[nodiscard]] inline PointStiffness diagonal_stiffness(const Material& material,
+                                                       const Section& section) {
+    const double k_y = section.shear_correction_y();
+    const double k_z = section.shear_correction_z();
+    return {material.young,
+            0.0,
+            {k_y * material.shear, k_z * material.shear},
+            0.5 * (k_y + k_z) * material.shear};
+}
 
 /// Returns Hooke's law: in three dimensions the solid's, in two that of plane stress, S_zz = 0.
 /// @throws InvalidArgument unless Poisson's ratio is in (-1, 1/2), in two dimensions (-1, 1/2].
 template <int Dimension>
-[[nodiscard]] PointStiffness hooke_stiffness(const Material& material, const Section& section);
+[[nodiscard]] PointStiffness hooke_stiffness(const Material& material, const Section& section) {
+    const double poisson = material.poisson();
+    require(poisson > -1.0 && (Dimension == 2 ? poisson <= 0.5 : poisson < 0.5),
+            "Hooke's law needs Poisson's ratio E/(2 G) - 1 in ",
+            Dimension == 2 ? "(-1, 0.5], got " : "(-1, 0.5), got ", poisson);
+    const double normal = Dimension == 2 ? material.young / (1.0 - poisson * poisson)
+                                         : material.young * (1.0 - poisson) /
+                                               ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+    const double coupling = Dimension == 2 ? poisson * normal : poisson / (1.0 - poisson) * normal;
+    return {normal,
+            coupling,
+            {section.shear_correction_y() * material.shear,
+             section.shear_correction_z() * material.shear},
+            material.shear};
+}
 
 /// Returns the moments of the section's whole area gathered in its centroid.
-[[nodiscard]] Moments lumped(const Moments& moments) noexcept;
+[[nodiscard]] inline Moments lumped(const Moments& moments) noexcept {
+    const double y = moments.y / moments.area;
+    const double z = moments.z / moments.area;
+    MomentTable table{};
+    for (int i = 0; i <= 4; ++i)
+        for (int j = 0; i + j <= 4; ++j) table[i][j] = moments.area * power(y, i) * power(z, j);
+    return from_table(table);
+}
 
 /// The law of a cross-section: stress resultants conjugate to the strain coefficients, per length.
 ///
@@ -90,10 +119,48 @@ struct ContinuumLaw {
     }
 
     /// Adds factor times the law of an area with the given moments and stiffness.
-    void add(double factor, const PointStiffness& stiffness, const Moments& moments) noexcept;
+    void add(double factor, const PointStiffness& stiffness, const Moments& moments) noexcept {
+        const MomentTable table = to_table(moments);
+        const auto moment = [&](int i, int j, int k, int l) {
+            const int y = (i == 1) + (j == 1) + (k == 1) + (l == 1);
+            const int z = (i == 2) + (j == 2) + (k == 2) + (l == 2);
+            return factor * table[y][z];
+        };
+        for (int i = 0; i < Dimension; ++i)
+            for (int j = i; j < Dimension; ++j) {
+                for (int k = 0; k < Dimension; ++k)
+                    for (int l = k; l < Dimension; ++l)
+                        axial(pair(i, j), pair(k, l)) += stiffness.normal * moment(i, j, k, l);
+                for (int c = 0; c < slopes; ++c)
+                    shear(pair(i, j), c) += stiffness.shear[c] * moment(i, j, 0, 0);
+                coupling(pair(i, j)) += stiffness.coupling * moment(i, j, 0, 0);
+            }
+        normal += factor * stiffness.normal * moments.area;
+        normal_coupling += factor * stiffness.coupling * moments.area;
+        transverse_shear += factor * stiffness.transverse_shear * moments.area;
+    }
 
     /// Returns `factor` times the law for y and z measured in units of `unit`, m.
-    [[nodiscard]] ContinuumLaw scaled(double factor, double unit) const noexcept;
+    [[nodiscard]] ContinuumLaw scaled(double factor, double unit) const noexcept {
+        ContinuumLaw result;
+        for (int i = 0, p = 0; i < Dimension; ++i)
+            for (int j = i; j < Dimension; ++j, ++p) {
+                const double scale_p = (i > 0 ? 1.0 / unit : 1.0) * (j > 0 ? 1.0 / unit : 1.0);
+                for (int k = 0, q = 0; k < Dimension; ++k)
+                    for (int l = k; l < Dimension; ++l, ++q) {
+                        const double scale_q =
+                            (k > 0 ? 1.0 / unit : 1.0) * (l > 0 ? 1.0 / unit : 1.0);
+                        result.axial(p, q) = factor * scale_p * scale_q * axial(p, q);
+                    }
+                for (int c = 0; c < slopes; ++c)
+                    result.shear(p, c) = factor * scale_p * shear(p, c);
+                result.coupling(p) = factor * scale_p * coupling(p);
+            }
+        result.normal = factor * normal;
+        result.normal_coupling = factor * normal_coupling;
+        result.transverse_shear = factor * transverse_shear;
+        return result;
+    }
 };
 
 /// Returns the law of a section.
@@ -106,89 +173,8 @@ struct ContinuumLaw {
 ///         moments or shear correction factors.
 template <int Dimension>
 [[nodiscard]] ContinuumLaw<Dimension> continuum_law(const Material& material,
-                                                    const Section& section, ContinuumMaterial kind);
-
-inline PointStiffness diagonal_stiffness(const Material& material, const Section& section) {
-    const double k_y = section.shear_correction_y();
-    const double k_z = section.shear_correction_z();
-    return {material.young,
-            0.0,
-            {k_y * material.shear, k_z * material.shear},
-            0.5 * (k_y + k_z) * material.shear};
-}
-
-template <int Dimension>
-PointStiffness hooke_stiffness(const Material& material, const Section& section) {
-    const double poisson = material.poisson();
-    require(poisson > -1.0 && (Dimension == 2 ? poisson <= 0.5 : poisson < 0.5),
-            "Hooke's law needs Poisson's ratio E/(2 G) - 1 in ",
-            Dimension == 2 ? "(-1, 0.5], got " : "(-1, 0.5), got ", poisson);
-    const double normal = Dimension == 2 ? material.young / (1.0 - poisson * poisson)
-                                         : material.young * (1.0 - poisson) /
-                                               ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-    const double coupling = Dimension == 2 ? poisson * normal : poisson / (1.0 - poisson) * normal;
-    return {normal,
-            coupling,
-            {section.shear_correction_y() * material.shear,
-             section.shear_correction_z() * material.shear},
-            material.shear};
-}
-
-inline Moments lumped(const Moments& moments) noexcept {
-    const double y = moments.y / moments.area;
-    const double z = moments.z / moments.area;
-    MomentTable table{};
-    for (int i = 0; i <= 4; ++i)
-        for (int j = 0; i + j <= 4; ++j) table[i][j] = moments.area * power(y, i) * power(z, j);
-    return from_table(table);
-}
-
-template <int Dimension>
-void ContinuumLaw<Dimension>::add(double factor, const PointStiffness& stiffness,
-                                  const Moments& moments) noexcept {
-    const MomentTable table = to_table(moments);
-    const auto moment = [&](int i, int j, int k, int l) {
-        const int y = (i == 1) + (j == 1) + (k == 1) + (l == 1);
-        const int z = (i == 2) + (j == 2) + (k == 2) + (l == 2);
-        return factor * table[y][z];
-    };
-    for (int i = 0; i < Dimension; ++i)
-        for (int j = i; j < Dimension; ++j) {
-            for (int k = 0; k < Dimension; ++k)
-                for (int l = k; l < Dimension; ++l)
-                    axial(pair(i, j), pair(k, l)) += stiffness.normal * moment(i, j, k, l);
-            for (int c = 0; c < slopes; ++c)
-                shear(pair(i, j), c) += stiffness.shear[c] * moment(i, j, 0, 0);
-            coupling(pair(i, j)) += stiffness.coupling * moment(i, j, 0, 0);
-        }
-    normal += factor * stiffness.normal * moments.area;
-    normal_coupling += factor * stiffness.coupling * moments.area;
-    transverse_shear += factor * stiffness.transverse_shear * moments.area;
-}
-
-template <int Dimension>
-ContinuumLaw<Dimension> ContinuumLaw<Dimension>::scaled(double factor, double unit) const noexcept {
-    ContinuumLaw result;
-    for (int i = 0, p = 0; i < Dimension; ++i)
-        for (int j = i; j < Dimension; ++j, ++p) {
-            const double scale_p = (i > 0 ? 1.0 / unit : 1.0) * (j > 0 ? 1.0 / unit : 1.0);
-            for (int k = 0, q = 0; k < Dimension; ++k)
-                for (int l = k; l < Dimension; ++l, ++q) {
-                    const double scale_q = (k > 0 ? 1.0 / unit : 1.0) * (l > 0 ? 1.0 / unit : 1.0);
-                    result.axial(p, q) = factor * scale_p * scale_q * axial(p, q);
-                }
-            for (int c = 0; c < slopes; ++c) result.shear(p, c) = factor * scale_p * shear(p, c);
-            result.coupling(p) = factor * scale_p * coupling(p);
-        }
-    result.normal = factor * normal;
-    result.normal_coupling = factor * normal_coupling;
-    result.transverse_shear = factor * transverse_shear;
-    return result;
-}
-
-template <int Dimension>
-ContinuumLaw<Dimension> continuum_law(const Material& material, const Section& section,
-                                      ContinuumMaterial kind) {
+                                                    const Section& section,
+                                                    ContinuumMaterial kind) {
     material.validate();
     const Moments& moments = section.moments();
     require(moments.has_fourth_order(),

@@ -385,27 +385,16 @@ bool CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::admissible(
     return true;
 }
 
+#if defined(ANCF_COMPILED)
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Geodesic>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Transported>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Projected, PointwiseShear>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>);
+#endif
+
 }  // namespace ancf
 
 #include <ancf/element/cross_section/results.hpp>  // IWYU pragma: export
-
-#if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class CrossSectionBeam<3>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3>);
-extern template class CrossSectionBeam<3, Geodesic>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic>);
-extern template class CrossSectionBeam<3, Transported>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Transported>);
-extern template class CrossSectionBeam<3, Projected, PointwiseShear>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Projected, PointwiseShear>);
-extern template class CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Projected, LinearShear, EngineeringMeasure>);
-extern template class CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic, LinearShear, EngineeringMeasure>);
-extern template class CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<3, Geodesic, LinearShear, GreenMeasure, QuinticLine>);
-
-}  // namespace ancf
-#endif

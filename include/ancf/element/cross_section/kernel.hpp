@@ -37,7 +37,28 @@ struct CrossSectionKernel {
     TransverseStrain transverse_measure = TransverseStrain::green;
 
     /// Makes e the stress-free state: its strains are the ones subtracted from now on.
-    void set_reference(const Vector<double, dofs>& e);
+    void set_reference(const Vector<double, dofs>& e) {
+        Nodes<double> nodes;
+        Lanes<double> lanes;
+        prepare(e, nodes, lanes);
+        for (StationData<T, line>& station : stations.full) {
+            At<double> at;
+            (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
+            for (int k = 0; k < strain_count; ++k) station.reference[k] += at.strain[k];
+        }
+        for (AxialStationData<T, line>& station : stations.axial) {
+            AxialState<double> at;
+            (void)axial_state(station, lanes.vectors, at);
+            station.reference += at.stress / station.stiffness;
+        }
+        for (int node = 0; node < 2; ++node) {
+            const Vec3<double>&a = nodes.vectors[n_a1 + node], &b = nodes.vectors[n_b1 + node];
+            transverse.reference[0][node] = stretch_strain(transverse_measure, a).value;
+            transverse.reference[1][node] = stretch_strain(transverse_measure, b).value;
+            transverse.reference[2][node] = dot(a, b);
+        }
+        packs = packed<native_lanes>(stations);
+    }
 
     template <class S>
     [[nodiscard]] S energy(const Vector<S, dofs>& e) const noexcept;
@@ -46,16 +67,72 @@ struct CrossSectionKernel {
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept;
 
-    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
-    /// state before.
+    /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept;
+                                                    const Vector<S, dofs>& change) const noexcept {
+        return pass<S, true>(e, &before, &change);
+    }
 
     /// Returns B^T C dB/dt of the coordinates e + t v.
     [[nodiscard]] Matrix<double, dofs> rate_coupling(const Vector<double, dofs>& e,
-                                                     const Vector<double, dofs>& v) const noexcept;
+                                                     const Vector<double, dofs>& v) const noexcept {
+        using P = Rate<Pack<2>>;
+        using Sums = typename Formulation::template Gradient<P>;
+        Nodes<P> nodes;
+        Lanes<P> lanes;
+        prepare(moving<Pack<2>>(e, v), nodes, lanes);
+        Matrix<double, strain_count, dofs> B, rate, weighted;  // of some strains; weighted: C B
+        const auto write = [&](Sums& gradient, int k) {
+            Formulation::finish(nodes.scalars, gradient);
+            Vector<P, dofs> row;
+            expand(gradient, row);
+            for (int i = 0; i < dofs; ++i)
+                for (const int lane : {0, 1}) {
+                    B(k + lane, i) = row[i].value[lane];
+                    rate(k + lane, i) = row[i].rate[lane];
+                }
+        };
+        Matrix<double, dofs> sum = Matrix<double, dofs>::Zero();
+        P units[2] = {P(0.0), P(0.0)};  // of a strain in one lane and of the next in the other
+        for (const int lane : {0, 1}) units[lane].value.set(lane, 1.0);
+        for (const StationData<T, line>& station : stations.full) {
+            At<P> at;
+            (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
+            for (int k = 0; k < strain_count; k += 2) {
+                std::fill_n(at.stress, strain_count, P(0.0));
+                std::copy_n(units, 2, at.stress + k);
+                Sums gradient{};
+                Formulation::gradient(station, at, gradient);
+                write(gradient, k);
+            }
+            for (int i = 0; i < dofs; ++i)
+                stress<(1U << strain_count) - 1U>(station.stiffness, B.col(i).data(),
+                                                  weighted.col(i).data());
+            sum.noalias() += weighted.transpose() * rate;
+        }
+        for (const AxialStationData<T, line>& station : stations.axial) {
+            Sums gradient{};
+            axial_gradient(station,
+                           {line_derivative(station.p, lanes.vectors), P(station.stiffness)},
+                           gradient);
+            write(gradient, 0);
+            sum += B.row(0).transpose().lazyProduct(rate.row(0)) / station.stiffness;
+        }
+        for (int k = 0; k < 3; ++k) {
+            std::fill_n(&nodes.transverse.stress[0][0], 6, P(0.0));
+            std::copy_n(units, 2, nodes.transverse.stress[k]);
+            Sums gradient{};
+            add_transverse(nodes.transverse, nodes.vectors, gradient);
+            write(gradient, 0);
+            for (const int node : {0, 1})
+                sum += (transverse.stiffness[k] / 6.0 *
+                        (B.row(0) + B.row(1) + B.row(node)).transpose())
+                           .lazyProduct(rate.row(node));
+        }
+        return sum;
+    }
 
 private:
     /// The scalar that stations are evaluated with.
@@ -93,7 +170,13 @@ private:
 
     /// Writes what is evaluated at the nodes, from their vectors, and what stations need of it.
     template <class P, class S>
-    void prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept;
+    void prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
+        for (int x = 0; x < vectors_with<line>; ++x) {
+            for (int k = 0; k < 3; ++k) lanes.vectors[x][k] = P(nodes.vectors[x][k]);
+        }
+        Formulation::prepare(nodes.vectors, nodes.scalars, lanes.scalars);
+        transverse_state(transverse, transverse_measure, nodes.vectors, nodes.transverse);
+    }
 
     template <class P, class S>
     void prepare(const Vector<S, dofs>& e, Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
@@ -111,48 +194,74 @@ private:
     /// Writes the linearised stresses of a station.
     template <class Station, class S, class P>
     ANCF_NOINLINE static void predict(const Station& station, const Linearised<S, P>& before,
-                                      P (&stresses)[strain_count]) noexcept;
+                                      P (&stresses)[strain_count]) noexcept {
+        At<Dual<P>> at;
+        (void)Formulation::state(station, before.lanes.vectors, before.lanes.scalars, at);
+        for (int k = 0; k < strain_count; ++k) stresses[k] = arrived(at.stress[k]);
+    }
     template <class Station, class S, class P>
-    static void predict(const Station& station, const Linearised<S, P>& before, P& stress) noexcept;
+    static void predict(const Station& station, const Linearised<S, P>& before,
+                        P& stress) noexcept {
+        AxialState<Dual<P>> at;
+        (void)axial_state(station, before.lanes.vectors, at);
+        stress = arrived(at.stress);
+    }
 
     template <class S, bool Mixed>
     [[nodiscard]] auto pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
-                            const Vector<S, dofs>* change) const noexcept;
+                            const Vector<S, dofs>* change) const noexcept {
+        using P = Lane<S>;
+        Nodes<S> nodes;
+        Lanes<P> lanes;
+        prepare(e, nodes, lanes);
+        [[maybe_unused]] std::conditional_t<Mixed, Linearised<S, P>, char> before;
+        if constexpr (Mixed) prepare(course(*from, *change), before.nodes, before.lanes);
+        typename Formulation::template Gradient<P> sums{};
+        [[maybe_unused]] typename Formulation::template Gradient<P> predicted{};
+        typename Formulation::template Hessian<P> blocks{};
+        P sum(0.0);
+        for (const auto& station : table<P, S>().full) {
+            At<P> at;
+            sum += Formulation::state(station, lanes.vectors, lanes.scalars, at);
+            Formulation::gradient(station, at, sums);
+            if constexpr (Mixed) {
+                predict(station, before, at.stress);
+                Formulation::gradient(station, at, predicted);
+            }
+            Formulation::hessian(station, at, blocks);
+        }
+        for (const auto& station : table<P, S>().axial) {
+            AxialState<P> at;
+            sum += axial_state(station, lanes.vectors, at);
+            axial_gradient(station, at, sums);
+            if constexpr (Mixed) {
+                predict(station, before, at.stress);
+                axial_gradient(station, at, predicted);
+            }
+            axial_hessian(station, at, blocks);
+        }
+        typename Formulation::template Gradient<S> gradient;
+        [[maybe_unused]] typename Formulation::template Gradient<S> weights;
+        sum_lanes(sums, gradient);
+        if constexpr (Mixed) sum_lanes(predicted, weights);
+        std::conditional_t<Mixed, MixedEvaluation<S, dofs>, Evaluation<S, dofs>> result;
+        result.energy = nodes.transverse.energy + collapsed<S>(sum);
+        const HalfTangent<S, dofs> half(result.tangent);
+        Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
+        Formulation::finish(nodes.scalars, gradient);
+        add_transverse(nodes.transverse, nodes.vectors, gradient);
+        if constexpr (Mixed) {
+            detail::predict(before.nodes.transverse, nodes.transverse);
+            Formulation::finish(nodes.scalars, weights);
+            add_transverse(nodes.transverse, nodes.vectors, weights);
+            expand(weights, result.predicted);
+        }
+        add_transverse(transverse, transverse_measure, nodes.transverse, nodes.vectors, half);
+        half.finish(blocks);
+        expand(gradient, result.force);
+        return result;
+    }
 };
-
-template <class T, class Formulation>
-template <class P, class S>
-void CrossSectionKernel<T, Formulation>::prepare(Nodes<S>& nodes, Lanes<P>& lanes) const noexcept {
-    for (int x = 0; x < vectors_with<line>; ++x) {
-        for (int k = 0; k < 3; ++k) lanes.vectors[x][k] = P(nodes.vectors[x][k]);
-    }
-    Formulation::prepare(nodes.vectors, nodes.scalars, lanes.scalars);
-    transverse_state(transverse, transverse_measure, nodes.vectors, nodes.transverse);
-}
-
-template <class T, class Formulation>
-void CrossSectionKernel<T, Formulation>::set_reference(const Vector<double, dofs>& e) {
-    Nodes<double> nodes;
-    Lanes<double> lanes;
-    prepare(e, nodes, lanes);
-    for (StationData<T, line>& station : stations.full) {
-        At<double> at;
-        (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
-        for (int k = 0; k < strain_count; ++k) station.reference[k] += at.strain[k];
-    }
-    for (AxialStationData<T, line>& station : stations.axial) {
-        AxialState<double> at;
-        (void)axial_state(station, lanes.vectors, at);
-        station.reference += at.stress / station.stiffness;
-    }
-    for (int node = 0; node < 2; ++node) {
-        const Vec3<double>&a = nodes.vectors[n_a1 + node], &b = nodes.vectors[n_b1 + node];
-        transverse.reference[0][node] = stretch_strain(transverse_measure, a).value;
-        transverse.reference[1][node] = stretch_strain(transverse_measure, b).value;
-        transverse.reference[2][node] = dot(a, b);
-    }
-    packs = packed<native_lanes>(stations);
-}
 
 template <class T, class Formulation>
 template <class S>
@@ -202,153 +311,10 @@ auto CrossSectionKernel<T, Formulation>::force(const Vector<S, dofs>& e) const n
 }
 
 template <class T, class Formulation>
-template <class Station, class S, class P>
-void CrossSectionKernel<T, Formulation>::predict(const Station& station,
-                                                 const Linearised<S, P>& before,
-                                                 P (&stresses)[strain_count]) noexcept {
-    At<Dual<P>> at;
-    (void)Formulation::state(station, before.lanes.vectors, before.lanes.scalars, at);
-    for (int k = 0; k < strain_count; ++k) stresses[k] = arrived(at.stress[k]);
-}
-
-template <class T, class Formulation>
-template <class Station, class S, class P>
-void CrossSectionKernel<T, Formulation>::predict(const Station& station,
-                                                 const Linearised<S, P>& before,
-                                                 P& stress) noexcept {
-    AxialState<Dual<P>> at;
-    (void)axial_state(station, before.lanes.vectors, at);
-    stress = arrived(at.stress);
-}
-
-template <class T, class Formulation>
-template <class S, bool Mixed>
-auto CrossSectionKernel<T, Formulation>::pass(const Vector<S, dofs>& e, const Vector<S, dofs>* from,
-                                              const Vector<S, dofs>* change) const noexcept {
-    using P = Lane<S>;
-    Nodes<S> nodes;
-    Lanes<P> lanes;
-    prepare(e, nodes, lanes);
-    [[maybe_unused]] std::conditional_t<Mixed, Linearised<S, P>, char> before;
-    if constexpr (Mixed) prepare(course(*from, *change), before.nodes, before.lanes);
-    typename Formulation::template Gradient<P> sums{};
-    [[maybe_unused]] typename Formulation::template Gradient<P> predicted{};
-    typename Formulation::template Hessian<P> blocks{};
-    P sum(0.0);
-    for (const auto& station : table<P, S>().full) {
-        At<P> at;
-        sum += Formulation::state(station, lanes.vectors, lanes.scalars, at);
-        Formulation::gradient(station, at, sums);
-        if constexpr (Mixed) {
-            predict(station, before, at.stress);
-            Formulation::gradient(station, at, predicted);
-        }
-        Formulation::hessian(station, at, blocks);
-    }
-    for (const auto& station : table<P, S>().axial) {
-        AxialState<P> at;
-        sum += axial_state(station, lanes.vectors, at);
-        axial_gradient(station, at, sums);
-        if constexpr (Mixed) {
-            predict(station, before, at.stress);
-            axial_gradient(station, at, predicted);
-        }
-        axial_hessian(station, at, blocks);
-    }
-    typename Formulation::template Gradient<S> gradient;
-    [[maybe_unused]] typename Formulation::template Gradient<S> weights;
-    sum_lanes(sums, gradient);
-    if constexpr (Mixed) sum_lanes(predicted, weights);
-    std::conditional_t<Mixed, MixedEvaluation<S, dofs>, Evaluation<S, dofs>> result;
-    result.energy = nodes.transverse.energy + collapsed<S>(sum);
-    const HalfTangent<S, dofs> half(result.tangent);
-    Formulation::assign(nodes.scalars, Mixed ? weights : gradient, blocks, half);
-    Formulation::finish(nodes.scalars, gradient);
-    add_transverse(nodes.transverse, nodes.vectors, gradient);
-    if constexpr (Mixed) {
-        detail::predict(before.nodes.transverse, nodes.transverse);
-        Formulation::finish(nodes.scalars, weights);
-        add_transverse(nodes.transverse, nodes.vectors, weights);
-        expand(weights, result.predicted);
-    }
-    add_transverse(transverse, transverse_measure, nodes.transverse, nodes.vectors, half);
-    half.finish(blocks);
-    expand(gradient, result.force);
-    return result;
-}
-
-template <class T, class Formulation>
 template <class S>
 auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e) const noexcept
     -> Evaluation<S, dofs> {
     return pass<S, false>(e, nullptr, nullptr);
-}
-
-template <class T, class Formulation>
-template <class S>
-auto CrossSectionKernel<T, Formulation>::evaluate(const Vector<S, dofs>& e,
-                                                  const Vector<S, dofs>& before,
-                                                  const Vector<S, dofs>& change) const noexcept
-    -> MixedEvaluation<S, dofs> {
-    return pass<S, true>(e, &before, &change);
-}
-
-template <class T, class Formulation>
-auto CrossSectionKernel<T, Formulation>::rate_coupling(const Vector<double, dofs>& e,
-                                                       const Vector<double, dofs>& v) const noexcept
-    -> Matrix<double, dofs> {
-    using P = Rate<Pack<2>>;
-    using Sums = typename Formulation::template Gradient<P>;
-    Nodes<P> nodes;
-    Lanes<P> lanes;
-    prepare(moving<Pack<2>>(e, v), nodes, lanes);
-    Matrix<double, strain_count, dofs> B, rate, weighted;  // of some strains; weighted: C B
-    const auto write = [&](Sums& gradient, int k) {
-        Formulation::finish(nodes.scalars, gradient);
-        Vector<P, dofs> row;
-        expand(gradient, row);
-        for (int i = 0; i < dofs; ++i)
-            for (const int lane : {0, 1}) {
-                B(k + lane, i) = row[i].value[lane];
-                rate(k + lane, i) = row[i].rate[lane];
-            }
-    };
-    Matrix<double, dofs> sum = Matrix<double, dofs>::Zero();
-    P units[2] = {P(0.0), P(0.0)};  // of a strain in one lane and of the next in the other
-    for (const int lane : {0, 1}) units[lane].value.set(lane, 1.0);
-    for (const StationData<T, line>& station : stations.full) {
-        At<P> at;
-        (void)Formulation::state(station, lanes.vectors, lanes.scalars, at);
-        for (int k = 0; k < strain_count; k += 2) {
-            std::fill_n(at.stress, strain_count, P(0.0));
-            std::copy_n(units, 2, at.stress + k);
-            Sums gradient{};
-            Formulation::gradient(station, at, gradient);
-            write(gradient, k);
-        }
-        for (int i = 0; i < dofs; ++i)
-            stress<(1U << strain_count) - 1U>(station.stiffness, B.col(i).data(),
-                                              weighted.col(i).data());
-        sum.noalias() += weighted.transpose() * rate;
-    }
-    for (const AxialStationData<T, line>& station : stations.axial) {
-        Sums gradient{};
-        axial_gradient(station, {line_derivative(station.p, lanes.vectors), P(station.stiffness)},
-                       gradient);
-        write(gradient, 0);
-        sum += B.row(0).transpose().lazyProduct(rate.row(0)) / station.stiffness;
-    }
-    for (int k = 0; k < 3; ++k) {
-        std::fill_n(&nodes.transverse.stress[0][0], 6, P(0.0));
-        std::copy_n(units, 2, nodes.transverse.stress[k]);
-        Sums gradient{};
-        add_transverse(nodes.transverse, nodes.vectors, gradient);
-        write(gradient, 0);
-        for (const int node : {0, 1})
-            sum += (transverse.stiffness[k] / 6.0 * (B.row(0) + B.row(1) + B.row(node)).transpose())
-                       .lazyProduct(rate.row(node));
-    }
-    return sum;
 }
 
 }  // namespace ancf::detail

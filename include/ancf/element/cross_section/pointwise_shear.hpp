@@ -164,7 +164,66 @@ struct PointwiseShear {
     /// Carries the second derivatives by the shears likewise.
     template <class S>
     static void hessian(const Station<S>& f, const S (&U)[detail::invariant_count],
-                        detail::LocalHessian<S>& h) noexcept;
+                        detail::LocalHessian<S>& h) noexcept {
+        using namespace detail;
+        // L: gradients of (s, s', q, q'); Z = coupling + L^T D/2, so that the sum of Z (x) L +
+        // L (x) Z is what D adds.
+        Vec3<S> L[shear_count][local_count];
+        for (auto& row : L) {
+            for (auto& entry : row) entry = {{S(0.0), S(0.0), S(0.0)}};
+        }
+        for (int director = 0; director < 2; ++director) {
+            const StationSine<S>& sine = director == 0 ? f.y : f.z;
+            Vec3<S> J[dot_count][4], g[4];
+            dot_gradients(sine, J);
+            chain(J, sine.ds, g);
+            for (int x = 0; x < 4; ++x) L[2 * director][family(director, x)] = g[x];
+            chain(J, sine.ds1, g);
+            for (int x = 0; x < 4; ++x) L[2 * director + 1][family(director, x)] = g[x];
+
+            const S f_s = U[w_s + 2 * director], f_s1 = U[w_s1 + 2 * director];
+            S H[dot_count][dot_count], weight[dot_count];
+            station_sine_second(sine, f_s, f_s1, H);
+            for (int k = 0; k < dot_count; ++k) weight[k] = f_s * sine.ds[k] + f_s1 * sine.ds1[k];
+            const S identity[4][4] = {
+                {2.0 * weight[z_pp], weight[z_pv], weight[z_ap], weight[z_bp]},
+                {S(0.0), S(0.0), weight[z_av], S(0.0)},
+                {S(0.0), S(0.0), 2.0 * weight[z_aa], weight[z_ab]},
+                {S(0.0), S(0.0), S(0.0), S(0.0)}};
+            Vec3<S> HJ[dot_count][4];
+            for (int k = 0; k < dot_count; ++k) chain(J, H[k], HJ[k]);
+            for (int x = 0; x < 4; ++x) {
+                for (int y = x; y < 4; ++y) {
+                    Block<S>& block = h(family(director, x), family(director, y));
+                    for (int i = 0; i < 3; ++i) {
+                        for (int j = 0; j < 3; ++j) {
+                            for (int k = 0; k < dot_count; ++k)
+                                block(i, j) += J[k][x][i] * HJ[k][y][j];
+                        }
+                        block(i, i) += identity[x][y];
+                    }
+                }
+            }
+        }
+        Vec3<S> Z[shear_count][local_count];
+        for (int m = 0; m < shear_count; ++m) {
+            for (int x = 0; x < local_count; ++x) {
+                Z[m][x] = h.coupling[x][m];
+                for (int k = 0; k < shear_count; ++k) add(Z[m][x], S(0.5 * h.shear[k][m]), L[k][x]);
+            }
+        }
+        for (int x = 0; x < local_count; ++x) {
+            for (int y = x; y < local_count; ++y) {
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = 0; j < 3; ++j) {
+                        for (int m = 0; m < shear_count; ++m) {
+                            h(x, y)(i, j) += Z[m][x][i] * L[m][y][j] + L[m][x][i] * Z[m][y][j];
+                        }
+                    }
+                }
+            }
+        }
+    }
 
 private:
     /// Returns the place of (p, p1, a, a1) of a director among the local vectors.
@@ -172,66 +231,5 @@ private:
         return x < 2 ? x : x + 2 * director;
     }
 };
-
-template <class S>
-void PointwiseShear::hessian(const Station<S>& f, const S (&U)[detail::invariant_count],
-                             detail::LocalHessian<S>& h) noexcept {
-    using namespace detail;
-    // L: gradients of (s, s', q, q'); Z = coupling + L^T D/2, so that the sum of Z (x) L + L (x) Z
-    // is what D adds.
-    Vec3<S> L[shear_count][local_count];
-    for (auto& row : L) {
-        for (auto& entry : row) entry = {{S(0.0), S(0.0), S(0.0)}};
-    }
-    for (int director = 0; director < 2; ++director) {
-        const StationSine<S>& sine = director == 0 ? f.y : f.z;
-        Vec3<S> J[dot_count][4], g[4];
-        dot_gradients(sine, J);
-        chain(J, sine.ds, g);
-        for (int x = 0; x < 4; ++x) L[2 * director][family(director, x)] = g[x];
-        chain(J, sine.ds1, g);
-        for (int x = 0; x < 4; ++x) L[2 * director + 1][family(director, x)] = g[x];
-
-        const S f_s = U[w_s + 2 * director], f_s1 = U[w_s1 + 2 * director];
-        S H[dot_count][dot_count], weight[dot_count];
-        station_sine_second(sine, f_s, f_s1, H);
-        for (int k = 0; k < dot_count; ++k) weight[k] = f_s * sine.ds[k] + f_s1 * sine.ds1[k];
-        const S identity[4][4] = {{2.0 * weight[z_pp], weight[z_pv], weight[z_ap], weight[z_bp]},
-                                  {S(0.0), S(0.0), weight[z_av], S(0.0)},
-                                  {S(0.0), S(0.0), 2.0 * weight[z_aa], weight[z_ab]},
-                                  {S(0.0), S(0.0), S(0.0), S(0.0)}};
-        Vec3<S> HJ[dot_count][4];
-        for (int k = 0; k < dot_count; ++k) chain(J, H[k], HJ[k]);
-        for (int x = 0; x < 4; ++x) {
-            for (int y = x; y < 4; ++y) {
-                Block<S>& block = h(family(director, x), family(director, y));
-                for (int i = 0; i < 3; ++i) {
-                    for (int j = 0; j < 3; ++j) {
-                        for (int k = 0; k < dot_count; ++k) block(i, j) += J[k][x][i] * HJ[k][y][j];
-                    }
-                    block(i, i) += identity[x][y];
-                }
-            }
-        }
-    }
-    Vec3<S> Z[shear_count][local_count];
-    for (int m = 0; m < shear_count; ++m) {
-        for (int x = 0; x < local_count; ++x) {
-            Z[m][x] = h.coupling[x][m];
-            for (int k = 0; k < shear_count; ++k) add(Z[m][x], S(0.5 * h.shear[k][m]), L[k][x]);
-        }
-    }
-    for (int x = 0; x < local_count; ++x) {
-        for (int y = x; y < local_count; ++y) {
-            for (int i = 0; i < 3; ++i) {
-                for (int j = 0; j < 3; ++j) {
-                    for (int m = 0; m < shear_count; ++m) {
-                        h(x, y)(i, j) += Z[m][x][i] * L[m][y][j] + L[m][x][i] * Z[m][y][j];
-                    }
-                }
-            }
-        }
-    }
-}
 
 }  // namespace ancf

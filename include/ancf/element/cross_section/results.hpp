@@ -240,12 +240,7 @@ template <int Dimension, class Directors, class Shear, class Measure, class Line
 template <class S>
 auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position(
     const Vector<S, dofs>& e, double xi, double y, double z) const noexcept -> Vector<S, 3> {
-    detail::NodalVectors<S, Line::vectors> vectors;
-    detail::nodal_vectors(e, vectors);
-    const auto weights = Line::value(xi, line_.parameter_length());
-    Vector<S, 3> r = e.template segment<3>(0);
-    for (std::size_t x = 0; x < weights.size(); ++x)
-        r += weights[x] * detail::to_vector(vectors[detail::line_vector(static_cast<int>(x))]);
+    Vector<S, 3> r = line_.point(e, xi);
     if (y != 0.0 || z != 0.0) {
         const Matrix<S, 3, 2> d = directors(e, xi);
         r += y * d.col(0) + z * d.col(1);

@@ -168,15 +168,9 @@ private:
     double volume_, size_, inertia_, lame_ = 0.0, shear_;
 };
 
-}  // namespace ancf
-
 #if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class AffineJoint<2>;
-ANCF_COMPILED_ELEMENT(AffineJoint<2>);
-extern template class AffineJoint<3>;
-ANCF_COMPILED_ELEMENT(AffineJoint<3>);
+ANCF_COMPILED_TEMPLATE(AffineJoint<2>);
+ANCF_COMPILED_TEMPLATE(AffineJoint<3>);
+#endif
 
 }  // namespace ancf
-#endif

@@ -33,7 +33,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 
 namespace ancf {
@@ -266,7 +265,7 @@ Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_st
         double nodal[Layout::shears];
         kernel_.transverse(state, nodal);
         Vector<double, 1> strain(0.0);
-        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.weight(m) * nodal[m];
+        for (int m = 0; m < Layout::shears; ++m) strain[0] += at.n[m] * nodal[m];
         return strain;
     });
     return {s[0] + y * s[1] + y * y * s[2], transverse[0], s[3] + y * s[4]};
@@ -301,16 +300,8 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
 template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::position(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
-    const auto weights = Line::value(xi, line_.parameter_length());
-    Vector<double, 2> r, director{0.0, 0.0};
-    if (y != 0.0) director = directors(e, xi);
-    for (int k = 0; k < 2; ++k) {
-        r[k] = (1.0 - weights[0]) * e[k] + weights[1] * e[2 + k] +
-               weights[0] * e[Layout::node + k] + weights[2] * e[Layout::node + 2 + k];
-        for (std::size_t x = 3; x < weights.size(); ++x)
-            r[k] += weights[x] * e[Layout::start[x] + k];
-        r[k] += y * director[k];
-    }
+    Vector<double, 2> r = line_.point(e, xi);
+    if (y != 0.0) r += y * directors(e, xi);
     return r;
 }
 
@@ -341,26 +332,18 @@ auto CrossSectionBeam<2, Directors, Shear, Measure, Line>::position_jacobian(
             for (int x = Layout::g; x < Layout::vectors; ++x) {
                 for (int m = 0; m < Layout::shears; ++m)
                     jacobian(i, Layout::start[x] + k) +=
-                        at.weight(m) * by_shear * by_nodes[m][2 * x + k];
+                        at.n[m] * by_shear * by_nodes[m][2 * x + k];
             }
         }
     }
     return jacobian;
 }
 
-}  // namespace ancf
-
 #if defined(ANCF_COMPILED)
-namespace ancf {
-
-extern template class CrossSectionBeam<2>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2>);
-extern template class CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>);
-extern template class CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>);
-extern template class CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>;
-ANCF_COMPILED_ELEMENT(CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, CubicShear, GreenMeasure, QuinticLine>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, CubicShear, EngineeringMeasure, QuinticLine>);
+ANCF_COMPILED_TEMPLATE(CrossSectionBeam<2, Projected, LinearShear, EngineeringMeasure>);
+#endif
 
 }  // namespace ancf
-#endif

@@ -102,8 +102,7 @@ struct PlanarKernel {
         return result;
     }
 
-    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
-    /// state before.
+    /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                const Vector<S, dofs>& before,

@@ -172,14 +172,13 @@ struct PlanarNodes {
             for (int x = Layout::g; x < Layout::vectors; ++x) v[x][k] = e[Layout::start[x] + k];
         }
         for (int node = 0; node < 2; ++node) {
+            const Scalar a[2] = {slope(node, 0), slope(node, 1)};
+            const Scalar g[2] = {carried(Layout::g + node, 0), carried(Layout::g + node, 1)};
+            sine[node] = planar_sine(a, g);
             if constexpr (Layout::rates) {
-                const Scalar a[2] = {slope(node, 0), slope(node, 1)};
-                const Scalar g[2] = {carried(Layout::g + node, 0), carried(Layout::g + node, 1)};
-                sine[node] = planar_sine(a, g);
                 values[node] = sine[node].value.value;
                 values[2 + node] = sine[node].value.rate;
             } else {
-                sine[node] = planar_sine(v[Layout::a + node], v[Layout::g + node]);
                 values[node] = sine[node].value;
             }
         }

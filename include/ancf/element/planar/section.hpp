@@ -15,6 +15,7 @@
 #include <ancf/compiler.hpp>
 #include <ancf/element/cross_section_options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -67,9 +68,7 @@ struct PlanarGreen {
             {zero, -w.lam, w.s * turn - bend, zero, zero},
             {zero, zero, w.kap * turn, w.lam, w.s1},
             {zero, w.lam, bend, zero, w.s}};
-        for (int i = 0; i < planar_invariant_count; ++i) {
-            for (int k = 0; k < planar_strain_count; ++k) J[i][k] = rows[i][k];
-        }
+        std::copy_n(&rows[0][0], planar_invariant_count * planar_strain_count, &J[0][0]);
     }
 
     /// Adds sum_k f_k d2e_k/dw2 to the upper triangle of D.
@@ -130,9 +129,7 @@ struct PlanarEngineering {
             {zero, S(-1.0), zero, zero, zero},
             {-w.lam * tangent, w.s1 * tangent * inverse * inverse, zero, w.lam, zero},
             {zero, inverse, zero, zero, zero}};
-        for (int i = 0; i < planar_invariant_count; ++i) {
-            for (int k = 0; k < planar_strain_count; ++k) J[i][k] = rows[i][k];
-        }
+        std::copy_n(&rows[0][0], planar_invariant_count * planar_strain_count, &J[0][0]);
     }
 
     /// Adds sum_k f_k d2e_k/dw2 to the upper triangle of D.

@@ -22,76 +22,56 @@
 
 namespace ancf::detail {
 
-/// The weights of a planar station: of the line, and of the nodal shears.
-template <class Layout, bool Rates = Layout::rates>
-struct PlanarShape : StationShape<double, Layout::line> {
-    /// Takes the weights of a station; shear is linear, so they are all there.
-    static PlanarShape of(const StationShape<double, Layout::line>& shape,
-                          double /*length*/) noexcept {
-        return {shape};
-    }
-
-    /// Writes the shear and its rate along the arc length.
-    template <class S>
-    void shear(const S (&nodal)[2], S& s, S& s1) const noexcept {
-        const S difference = nodal[1] - nodal[0];
-        s = nodal[0] + this->n2 * difference;
-        s1 = this->n2_x * difference;
-    }
-
-    /// Adds to the conjugates of the nodal shears those of shear and rate.
-    template <class S>
-    void add(const S& by_s, const S& by_s1, S (&nodal)[2]) const noexcept {
-        const S to_second = this->n2 * by_s + this->n2_x * by_s1;
-        nodal[0] += by_s - to_second;
-        nodal[1] += to_second;
-    }
-
-    /// Returns the weight of a nodal shear.
-    [[nodiscard]] double weight(int m) const noexcept { return m == 0 ? 1.0 - this->n2 : this->n2; }
-    /// Returns the weight of a nodal shear in the rate.
-    [[nodiscard]] double rate_weight(int m) const noexcept {
-        return m == 0 ? -this->n2_x : this->n2_x;
-    }
-};
-
-/// Shears with their rates at the nodes: Hermite's cubic.
+/// The weights of a planar station: of the line, and of the nodal shears. These are interpolated
+/// linearly or, with their rates at the nodes, by Hermite's cubic.
 template <class Layout>
-struct PlanarShape<Layout, true> : StationShape<double, Layout::line> {
-    double n[4];    ///< weights of s_i, s_j and their rates
-    double n_x[4];  ///< the same in the rate along the arc length
+struct PlanarShape : StationShape<double, Layout::line> {
+    double n[Layout::shears];    ///< weights of s_i, s_j and their rates
+    double n_x[Layout::shears];  ///< the same in the rate along the arc length
 
     /// Takes the weights of a station.
     /// @param length  m, that the parameter of the nodal rates runs through
-    static PlanarShape of(const StationShape<double, Layout::line>& shape, double length) noexcept {
-        const auto value = hermite(shape.n2, length), first = hermite_first(shape.n2, length);
-        const double scale = shape.n2_x * length;  // dx/ds
-        return {shape,
-                {value[0], value[2], value[1], value[3]},
-                {scale * first[0], scale * first[2], scale * first[1], scale * first[3]}};
+    static PlanarShape of(const StationShape<double, Layout::line>& shape,
+                          [[maybe_unused]] double length) noexcept {
+        if constexpr (Layout::rates) {
+            const auto value = hermite(shape.n2, length), first = hermite_first(shape.n2, length);
+            const double scale = shape.n2_x * length;  // dx/ds
+            return {shape,
+                    {value[0], value[2], value[1], value[3]},
+                    {scale * first[0], scale * first[2], scale * first[1], scale * first[3]}};
+        } else {
+            return {shape, {1.0 - shape.n2, shape.n2}, {-shape.n2_x, shape.n2_x}};
+        }
     }
 
     /// Writes the shear and its rate along the arc length.
     template <class S>
-    void shear(const S (&nodal)[4], S& s, S& s1) const noexcept {
-        s = n[0] * nodal[0];
-        s1 = n_x[0] * nodal[0];
-        for (int m = 1; m < 4; ++m) {
-            s += n[m] * nodal[m];
-            s1 += n_x[m] * nodal[m];
+    void shear(const S (&nodal)[Layout::shears], S& s, S& s1) const noexcept {
+        if constexpr (Layout::rates) {
+            s = n[0] * nodal[0];
+            s1 = n_x[0] * nodal[0];
+            for (int m = 1; m < Layout::shears; ++m) {
+                s += n[m] * nodal[m];
+                s1 += n_x[m] * nodal[m];
+            }
+        } else {
+            const S difference = nodal[1] - nodal[0];
+            s = nodal[0] + n[1] * difference;
+            s1 = n_x[1] * difference;
         }
     }
 
     /// Adds to the conjugates of the nodal shears those of shear and rate.
     template <class S>
-    void add(const S& by_s, const S& by_s1, S (&nodal)[4]) const noexcept {
-        for (int m = 0; m < 4; ++m) nodal[m] += n[m] * by_s + n_x[m] * by_s1;
+    void add(const S& by_s, const S& by_s1, S (&nodal)[Layout::shears]) const noexcept {
+        if constexpr (Layout::rates) {
+            for (int m = 0; m < Layout::shears; ++m) nodal[m] += n[m] * by_s + n_x[m] * by_s1;
+        } else {
+            const S to_second = n[1] * by_s + n_x[1] * by_s1;
+            nodal[0] += by_s - to_second;
+            nodal[1] += to_second;
+        }
     }
-
-    /// Returns the weight of a nodal shear.
-    [[nodiscard]] double weight(int m) const noexcept { return n[m]; }
-    /// Returns the weight of a nodal shear in the rate.
-    [[nodiscard]] double rate_weight(int m) const noexcept { return n_x[m]; }
 };
 
 /// A station of the planar element.
@@ -175,12 +155,8 @@ inline void add_planar_hessian(const PlanarStation<Layout>& data, const PlanarFr
     const S scale = f.inv_lam * f.inv_lam * U[pw_kap];
     const S tt = 2.0 * f.w.kap * scale, tn = 2.0 * f.eta * scale;
     const S nn = f.inv_lam * U[pw_lam] - 2.0 * f.w.kap * scale;
-    const auto& shape = data.shape;
-    double n[Layout::shears], n_x[Layout::shears];
-    for (int m = 0; m < Layout::shears; ++m) {
-        n[m] = shape.weight(m);
-        n_x[m] = shape.rate_weight(m);
-    }
+    const PlanarShape<Layout> shape = data.shape;  // which the sums, written below, do not alias
+    const auto &n = shape.n, &n_x = shape.n_x;
     for (int i = 0; i < 2; ++i) {
         for (int j = 0; j < 2; ++j) {
             const S pp = D[pw_lam][pw_lam] * b_p[0][i] * b_p[0][j] +

@@ -14,7 +14,6 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/element/hermite.hpp>
 #include <ancf/element/line_element.hpp>
 #include <ancf/element/quadrature.hpp>
 #include <ancf/element/torsion/kernel.hpp>
@@ -93,12 +92,21 @@ public:
 
     /// Returns the directors n, c (columns), 1: with the tangent an orthonormal frame.
     template <class S>
-    [[nodiscard]] Matrix<S, 3, 2> directors(const Vector<S, dofs>& e, double xi) const noexcept;
+    [[nodiscard]] Matrix<S, 3, 2> directors(const Vector<S, dofs>& e, double xi) const noexcept {
+        detail::Invariants<S> w;
+        const detail::CarriedFrame<S> f = frame(e, xi, w);
+        Matrix<S, 3, 2> result;
+        result << detail::to_vector(f.n), detail::to_vector(f.c);
+        return result;
+    }
 
     /// Returns the position r0 + y n + z c of a point of the body, m.
     template <class S>
     [[nodiscard]] Vector<S, 3> position(const Vector<S, dofs>& e, double xi, double y = 0.0,
-                                        double z = 0.0) const noexcept;
+                                        double z = 0.0) const noexcept {
+        const Matrix<S, 3, 2> director = directors(e, xi);
+        return line_.point(e, xi) + y * director.col(0) + z * director.col(1);
+    }
 
     /// Returns the derivative of position() by e.
     ANCF_LAZY [[nodiscard]] Matrix<double, 3, dofs> position_jacobian(
@@ -108,53 +116,22 @@ private:
     ANCF_LAZY void set_up(const Material& material, const Section& section);
     template <class S>
     [[nodiscard]] detail::CarriedFrame<S> frame(const Vector<S, dofs>& e, double xi,
-                                                detail::Invariants<S>& w) const noexcept;
+                                                detail::Invariants<S>& w) const noexcept {
+        detail::CarriedFrame<S> f;
+        detail::torsion_frame(line_.shape(xi), detail::TorsionNodes<S>(e), f, w);
+        return f;
+    }
 
     double young_, axial_;       ///< E, Pa; EA, N
     Matrix<double, 2> bending_;  ///< E int (y, z)^T (y, z) dA, N m^2
     double torsion_;             ///< GJ, N m^2
 };
 
-template <class S>
-detail::CarriedFrame<S> TorsionBeam::frame(const Vector<S, dofs>& e, double xi,
-                                           detail::Invariants<S>& w) const noexcept {
-    detail::CarriedFrame<S> f;
-    detail::torsion_frame(line_.shape(xi), detail::TorsionNodes<S>(e), f, w);
-    return f;
-}
-
-template <class S>
-Matrix<S, 3, 2> TorsionBeam::directors(const Vector<S, dofs>& e, double xi) const noexcept {
-    detail::Invariants<S> w;
-    const detail::CarriedFrame<S> f = frame(e, xi, w);
-    Matrix<S, 3, 2> result;
-    result << detail::to_vector(f.n), detail::to_vector(f.c);
-    return result;
-}
-
-template <class S>
-Vector<S, 3> TorsionBeam::position(const Vector<S, dofs>& e, double xi, double y,
-                                   double z) const noexcept {
-    const Matrix<S, 3, 2> director = directors(e, xi);
-    const auto first = hermite(xi, line_.parameter_length());
-    Vector<S, 3> result = y * director.col(0) + z * director.col(1);
-    for (int node = 0; node < 2; ++node) {
-        const auto at = static_cast<unsigned>(2 * node);
-        result += first[at] * e.template segment<3>(9 * node) +
-                  first[at + 1] * e.template segment<3>(9 * node + 3);
-    }
-    return result;
-}
-
-}  // namespace ancf
-
 #if defined(ANCF_COMPILED)
-namespace ancf {
-
 ANCF_COMPILED_ELEMENT(TorsionBeam);
+#endif
 
 }  // namespace ancf
-#endif
 
 #if !defined(ANCF_COMPILED)
 #include <ancf/element/torsion/beam.ipp>  // IWYU pragma: export

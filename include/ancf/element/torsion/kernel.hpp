@@ -238,6 +238,11 @@ ANCF_NOINLINE void add_torsion_curvature(const StationShape<double>& shape,
                                                shape.p1[a] * shape.p[b] * pv(j, i);
 }
 
+/// Where the local coordinates (D, g1, g2, a1, a2) stand among the element's; D takes the second
+/// node's position, the first node's is its negative.
+inline constexpr int torsion_place[torsion_local] = {9,  10, 11, 3, 4,  5,  12, 13,
+                                                     14, 6,  7,  8, 15, 16, 17};
+
 /// The constant data of an element, and the walk over its stations.
 struct TorsionKernel {
     static constexpr int dimension = 3, dofs = 18;
@@ -247,7 +252,26 @@ struct TorsionKernel {
     TorsionHold holds[2];
 
     /// Takes the strains of a state as those of the stress-free state.
-    void set_reference(const Vector<double, 18>& e) noexcept;
+    void set_reference(const Vector<double, 18>& e) noexcept {
+        const TorsionNodes<double> nodes(e);
+        for (TorsionAxialStation& station : axial) {
+            station.reference = 0.0;
+            station.reference = station.strain(station.slope(nodes.vector));
+        }
+        for (TorsionStation& station : stations) {
+            CarriedFrame<double> f;
+            Invariants<double> w;
+            torsion_frame(station.shape, nodes, f, w);
+            station.reference[0] = w.kap;
+            station.reference[1] = w.chi;
+            station.reference[2] = w.om;
+        }
+        for (int node = 0; node < 2; ++node) {
+            const Vec3<double>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
+            holds[node].square = dot(a, a);
+            holds[node].along = dot(a, g);
+        }
+    }
 
     template <class S>
     [[nodiscard]] S energy(const Vector<S, 18>& e) const noexcept;
@@ -255,12 +279,22 @@ struct TorsionKernel {
     [[nodiscard]] Vector<S, 18> force(const Vector<S, 18>& e) const noexcept;
     template <class S>
     [[nodiscard]] Evaluation<S, 18> evaluate(const Vector<S, 18>& e) const noexcept;
-    /// Returns the same with a tangent whose geometric part has the stresses C (s + B change) of a
-    /// state before.
+    /// As LineElement::evaluate() of a state and the correction that led to it.
     template <class S>
     [[nodiscard]] MixedEvaluation<S, 18> evaluate(const Vector<S, 18>& e,
                                                   const Vector<S, 18>& before,
-                                                  const Vector<S, 18>& change) const noexcept;
+                                                  const Vector<S, 18>& change) const noexcept {
+        const TorsionNodes<S> nodes(e);
+        const TorsionNodes<Dual<S>> along(course(before, change));
+        Local<S> local = Local<S>::Zero();
+        LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
+        MixedEvaluation<S, 18> result;
+        result.energy = walk<true>(nodes, along, local, tangent);
+        result.force = force(e);
+        expand(local, result.predicted);
+        expand(tangent, result.tangent);
+        return result;
+    }
 
 private:
     template <class S>
@@ -273,209 +307,178 @@ private:
     ///                forces and tangents have its stresses then
     template <bool WithTangent, class S, class Before>
     S walk(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-           LocalMatrix<S>& tangent) const noexcept;
+           LocalMatrix<S>& tangent) const noexcept {
+        S energy = add_axial<WithTangent>(nodes, before, force, tangent) +
+                   add_holds<WithTangent>(nodes, before, force, tangent);
+        TorsionRow<S> sum = TorsionRow<S>::Zero();
+        [[maybe_unused]] TorsionMatrix<S> K;
+        if constexpr (WithTangent) K.setZero();
+        for (const TorsionStation& station : stations) {
+            TorsionState<S> at;
+            torsion_state(station.shape, nodes, at);
+            S strain[3], U[3];
+            station.stresses(at.w, strain, U);
+            for (int i = 0; i < 3; ++i) energy += 0.5 * U[i] * strain[i];
+            if constexpr (!std::is_same_v<Before, NoState>) {
+                CarriedFrame<Dual<S>> f;
+                Invariants<Dual<S>> w;
+                Dual<S> earlier[3], of_earlier[3];
+                torsion_frame(station.shape, before, f, w);
+                station.stresses(w, earlier, of_earlier);
+                predict(of_earlier, U);
+            }
+            for (int i = 0; i < 3; ++i) sum += U[i] * at.rate[i];
+            if constexpr (WithTangent) {
+                // kap and chi are coupled, om stands alone
+                const TorsionRow<S> moment[3] = {S(station.stiffness[0][0]) * at.rate[0] +
+                                                     S(station.stiffness[0][1]) * at.rate[1],
+                                                 S(station.stiffness[1][0]) * at.rate[0] +
+                                                     S(station.stiffness[1][1]) * at.rate[1],
+                                                 S(station.stiffness[2][2]) * at.rate[2]};
+                for (int i = 0; i < 3; ++i) K += at.rate[i] * moment[i].transpose();
+                // 2 th (U_kap d chi - U_chi d kap) - th^2 (kap U_kap + chi U_chi)
+                const TorsionRow<S> turning =
+                    U[0] * at.chi - U[1] * at.kap -
+                    S(0.5 * (at.frame.kap * U[0] + at.frame.chi * U[1])) * at.spin;
+                K += at.spin * turning.transpose() + turning * at.spin.transpose();
+                add_torsion_curvature(station.shape, at.frame, U, K);
+            }
+        }
+        Local<S> forms[2];
+        add_spins(nodes, sum, forms, force);
+        if constexpr (WithTangent) add_spin_tangent(nodes, sum, K, forms, tangent);
+        return energy;
+    }
     template <bool WithTangent, class S, class Before>
     S add_axial(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-                LocalMatrix<S>& tangent) const noexcept;
+                LocalMatrix<S>& tangent) const noexcept {
+        S energy(0.0);
+        for (const TorsionAxialStation& station : axial) {
+            const Vec3<S> p = station.slope(nodes.vector);
+            const S strain = station.strain(p);
+            S stress = station.stiffness * strain;
+            energy += 0.5 * stress * strain;
+            if constexpr (!std::is_same_v<Before, NoState>) {
+                stress = station.stiffness * arrived(station.strain(station.slope(before.vector)));
+            }
+            for (int a = 0; a < 3; ++a)
+                for (int i = 0; i < 3; ++i) force[3 * a + i] += station.p[a] * stress * p[i];
+            if constexpr (WithTangent) {
+                for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 3; ++j) {
+                        S value = station.stiffness * p[i] * p[j];
+                        if (i == j) value += stress;
+                        for (int a = 0; a < 3; ++a)
+                            for (int b = 0; b < 3; ++b)
+                                tangent(3 * a + i, 3 * b + j) +=
+                                    station.p[a] * station.p[b] * value;
+                    }
+            }
+        }
+        return energy;
+    }
     template <bool WithTangent, class S, class Before>
     S add_holds(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-                LocalMatrix<S>& tangent) const noexcept;
+                LocalMatrix<S>& tangent) const noexcept {
+        S energy(0.0);
+        for (int node = 0; node < 2; ++node) {
+            const TorsionHold& hold = holds[node];
+            const int g_at = 3 * (tv_g1 + node), a_at = 3 * (tv_a1 + node);
+            const Vec3<S>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
+            S strain[2], stress[2];
+            hold.stresses(g, a, strain, stress);
+            energy += 0.5 * (stress[0] * strain[0] + stress[1] * strain[1]);
+            if constexpr (!std::is_same_v<Before, NoState>) {
+                Dual<S> earlier[2], of_earlier[2];
+                hold.stresses(before.vector[tv_g1 + node], before.vector[tv_a1 + node], earlier,
+                              of_earlier);
+                predict(of_earlier, stress);
+            }
+            const S N = stress[0], Q = stress[1];
+            for (int i = 0; i < 3; ++i) {
+                force[a_at + i] += N * a[i] + Q * g[i];
+                force[g_at + i] += Q * a[i];
+                if constexpr (WithTangent) {
+                    tangent(a_at + i, a_at + i) += N;
+                    tangent(a_at + i, g_at + i) += Q;
+                    tangent(g_at + i, a_at + i) += Q;
+                    for (int j = 0; j < 3; ++j) {
+                        tangent(a_at + i, a_at + j) +=
+                            hold.stretching * a[i] * a[j] + hold.shear * g[i] * g[j];
+                        tangent(a_at + i, g_at + j) += hold.shear * g[i] * a[j];
+                        tangent(g_at + i, a_at + j) += hold.shear * a[i] * g[j];
+                        tangent(g_at + i, g_at + j) += hold.shear * a[i] * a[j];
+                    }
+                }
+            }
+        }
+        return energy;
+    }
     /// Writes what an element returns.
     template <class S>
-    static void expand(const Local<S>& local, Vector<S, 18>& force) noexcept;
+    static void expand(const Local<S>& local, Vector<S, 18>& force) noexcept {
+        for (int i = 0; i < torsion_local; ++i) force[torsion_place[i]] = local[i];
+        for (int k = 0; k < 3; ++k) force[k] = -local[k];
+    }
     template <class S>
-    static void expand(const LocalMatrix<S>& local, Matrix<S, 18>& tangent) noexcept;
+    static void expand(const LocalMatrix<S>& local, Matrix<S, 18>& tangent) noexcept {
+        for (int i = 0; i < torsion_local; ++i)
+            for (int j = 0; j < torsion_local; ++j)
+                tangent(torsion_place[i], torsion_place[j]) = local(i, j);
+        for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < torsion_local; ++i) {
+                tangent(k, torsion_place[i]) = -local(k, i);
+                tangent(torsion_place[i], k) = -local(i, k);
+            }
+            for (int j = 0; j < 3; ++j) tangent(k, j) = local(k, j);
+        }
+    }
     /// Adds the force, and writes the variations of the nodes' spins.
     template <class S>
     static void add_spins(const TorsionNodes<S>& nodes, const TorsionRow<S>& force,
-                          Local<S> (&forms)[2], Local<S>& to_force) noexcept;
+                          Local<S> (&forms)[2], Local<S>& to_force) noexcept {
+        to_force.template head<torsion_line>() += force.template head<torsion_line>();
+        for (int node = 0; node < 2; ++node) {
+            const NodalDirector<S>& y = nodes.y[node];
+            forms[node].setZero();
+            for (int k = 0; k < 3; ++k) {
+                forms[node][3 * (tv_a1 + node) + k] = y.inv_nu * y.c[k];
+                forms[node][3 * (tv_g1 + node) + k] = -y.al * y.inv_g * y.c[k];
+            }
+            to_force += force[torsion_line + node] * forms[node];
+        }
+    }
     template <class S>
     static void add_spin_tangent(const TorsionNodes<S>& nodes, const TorsionRow<S>& force,
                                  const TorsionMatrix<S>& K, const Local<S> (&forms)[2],
-                                 LocalMatrix<S>& tangent) noexcept;
-};
-
-/// Where the local coordinates (D, g1, g2, a1, a2) stand among the element's; D takes the second
-/// node's position, the first node's is its negative.
-inline constexpr int torsion_place[torsion_local] = {9,  10, 11, 3, 4,  5,  12, 13,
-                                                     14, 6,  7,  8, 15, 16, 17};
-
-inline void TorsionKernel::set_reference(const Vector<double, 18>& e) noexcept {
-    const TorsionNodes<double> nodes(e);
-    for (TorsionAxialStation& station : axial) {
-        station.reference = 0.0;
-        station.reference = station.strain(station.slope(nodes.vector));
-    }
-    for (TorsionStation& station : stations) {
-        CarriedFrame<double> f;
-        Invariants<double> w;
-        torsion_frame(station.shape, nodes, f, w);
-        station.reference[0] = w.kap;
-        station.reference[1] = w.chi;
-        station.reference[2] = w.om;
-    }
-    for (int node = 0; node < 2; ++node) {
-        const Vec3<double>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
-        holds[node].square = dot(a, a);
-        holds[node].along = dot(a, g);
-    }
-}
-
-template <bool WithTangent, class S, class Before>
-S TorsionKernel::add_axial(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-                           LocalMatrix<S>& tangent) const noexcept {
-    S energy(0.0);
-    for (const TorsionAxialStation& station : axial) {
-        const Vec3<S> p = station.slope(nodes.vector);
-        const S strain = station.strain(p);
-        S stress = station.stiffness * strain;
-        energy += 0.5 * stress * strain;
-        if constexpr (!std::is_same_v<Before, NoState>) {
-            stress = station.stiffness * arrived(station.strain(station.slope(before.vector)));
-        }
-        for (int a = 0; a < 3; ++a)
-            for (int i = 0; i < 3; ++i) force[3 * a + i] += station.p[a] * stress * p[i];
-        if constexpr (WithTangent) {
+                                 LocalMatrix<S>& tangent) noexcept {
+        tangent.template topLeftCorner<torsion_line, torsion_line>() +=
+            K.template topLeftCorner<torsion_line, torsion_line>();
+        for (int node = 0; node < 2; ++node) {
+            const int column = torsion_line + node;
+            Local<S> z = S(0.5) * (K(torsion_line, column) * forms[0] +
+                                   K(torsion_line + 1, column) * forms[1]);
+            for (int i = 0; i < torsion_line; ++i) z[i] += K(i, column);
+            for (const int vector : {tv_g1 + node, tv_a1 + node})  // where the form is not zero
+                for (int j = 3 * vector; j < 3 * vector + 3; ++j)
+                    for (int i = 0; i < torsion_local; ++i) {
+                        const S value = z[i] * forms[node][j];
+                        tangent(i, j) += value;
+                        tangent(j, i) += value;
+                    }
+            Block<S> gg{}, ga{}, aa{};
+            add_nodal_spin(nodes.y[node], force[column], gg, ga, aa);
+            const int g = 3 * (tv_g1 + node), a = 3 * (tv_a1 + node);
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) {
-                    S value = station.stiffness * p[i] * p[j];
-                    if (i == j) value += stress;
-                    for (int a = 0; a < 3; ++a)
-                        for (int b = 0; b < 3; ++b)
-                            tangent(3 * a + i, 3 * b + j) += station.p[a] * station.p[b] * value;
+                    tangent(g + i, g + j) += gg(i, j);
+                    tangent(a + i, a + j) += aa(i, j);
+                    tangent(g + i, a + j) += ga(i, j);
+                    tangent(a + j, g + i) += ga(i, j);
                 }
         }
     }
-    return energy;
-}
-
-template <bool WithTangent, class S, class Before>
-S TorsionKernel::add_holds(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-                           LocalMatrix<S>& tangent) const noexcept {
-    S energy(0.0);
-    for (int node = 0; node < 2; ++node) {
-        const TorsionHold& hold = holds[node];
-        const int g_at = 3 * (tv_g1 + node), a_at = 3 * (tv_a1 + node);
-        const Vec3<S>&g = nodes.vector[tv_g1 + node], &a = nodes.vector[tv_a1 + node];
-        S strain[2], stress[2];
-        hold.stresses(g, a, strain, stress);
-        energy += 0.5 * (stress[0] * strain[0] + stress[1] * strain[1]);
-        if constexpr (!std::is_same_v<Before, NoState>) {
-            Dual<S> earlier[2], of_earlier[2];
-            hold.stresses(before.vector[tv_g1 + node], before.vector[tv_a1 + node], earlier,
-                          of_earlier);
-            predict(of_earlier, stress);
-        }
-        const S N = stress[0], Q = stress[1];
-        for (int i = 0; i < 3; ++i) {
-            force[a_at + i] += N * a[i] + Q * g[i];
-            force[g_at + i] += Q * a[i];
-            if constexpr (WithTangent) {
-                tangent(a_at + i, a_at + i) += N;
-                tangent(a_at + i, g_at + i) += Q;
-                tangent(g_at + i, a_at + i) += Q;
-                for (int j = 0; j < 3; ++j) {
-                    tangent(a_at + i, a_at + j) +=
-                        hold.stretching * a[i] * a[j] + hold.shear * g[i] * g[j];
-                    tangent(a_at + i, g_at + j) += hold.shear * g[i] * a[j];
-                    tangent(g_at + i, a_at + j) += hold.shear * a[i] * g[j];
-                    tangent(g_at + i, g_at + j) += hold.shear * a[i] * a[j];
-                }
-            }
-        }
-    }
-    return energy;
-}
-
-template <class S>
-void TorsionKernel::add_spins(const TorsionNodes<S>& nodes, const TorsionRow<S>& force,
-                              Local<S> (&forms)[2], Local<S>& to_force) noexcept {
-    to_force.template head<torsion_line>() += force.template head<torsion_line>();
-    for (int node = 0; node < 2; ++node) {
-        const NodalDirector<S>& y = nodes.y[node];
-        forms[node].setZero();
-        for (int k = 0; k < 3; ++k) {
-            forms[node][3 * (tv_a1 + node) + k] = y.inv_nu * y.c[k];
-            forms[node][3 * (tv_g1 + node) + k] = -y.al * y.inv_g * y.c[k];
-        }
-        to_force += force[torsion_line + node] * forms[node];
-    }
-}
-
-template <class S>
-void TorsionKernel::add_spin_tangent(const TorsionNodes<S>& nodes, const TorsionRow<S>& force,
-                                     const TorsionMatrix<S>& K, const Local<S> (&forms)[2],
-                                     LocalMatrix<S>& tangent) noexcept {
-    tangent.template topLeftCorner<torsion_line, torsion_line>() +=
-        K.template topLeftCorner<torsion_line, torsion_line>();
-    for (int node = 0; node < 2; ++node) {
-        const int column = torsion_line + node;
-        Local<S> z =
-            S(0.5) * (K(torsion_line, column) * forms[0] + K(torsion_line + 1, column) * forms[1]);
-        for (int i = 0; i < torsion_line; ++i) z[i] += K(i, column);
-        for (const int vector : {tv_g1 + node, tv_a1 + node})  // where the form is not zero
-            for (int j = 3 * vector; j < 3 * vector + 3; ++j)
-                for (int i = 0; i < torsion_local; ++i) {
-                    const S value = z[i] * forms[node][j];
-                    tangent(i, j) += value;
-                    tangent(j, i) += value;
-                }
-        Block<S> gg{}, ga{}, aa{};
-        add_nodal_spin(nodes.y[node], force[column], gg, ga, aa);
-        const int g = 3 * (tv_g1 + node), a = 3 * (tv_a1 + node);
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                tangent(g + i, g + j) += gg(i, j);
-                tangent(a + i, a + j) += aa(i, j);
-                tangent(g + i, a + j) += ga(i, j);
-                tangent(a + j, g + i) += ga(i, j);
-            }
-    }
-}
-
-template <bool WithTangent, class S, class Before>
-S TorsionKernel::walk(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
-                      LocalMatrix<S>& tangent) const noexcept {
-    S energy = add_axial<WithTangent>(nodes, before, force, tangent) +
-               add_holds<WithTangent>(nodes, before, force, tangent);
-    TorsionRow<S> sum = TorsionRow<S>::Zero();
-    [[maybe_unused]] TorsionMatrix<S> K;
-    if constexpr (WithTangent) K.setZero();
-    for (const TorsionStation& station : stations) {
-        TorsionState<S> at;
-        torsion_state(station.shape, nodes, at);
-        S strain[3], U[3];
-        station.stresses(at.w, strain, U);
-        for (int i = 0; i < 3; ++i) energy += 0.5 * U[i] * strain[i];
-        if constexpr (!std::is_same_v<Before, NoState>) {
-            CarriedFrame<Dual<S>> f;
-            Invariants<Dual<S>> w;
-            Dual<S> earlier[3], of_earlier[3];
-            torsion_frame(station.shape, before, f, w);
-            station.stresses(w, earlier, of_earlier);
-            predict(of_earlier, U);
-        }
-        for (int i = 0; i < 3; ++i) sum += U[i] * at.rate[i];
-        if constexpr (WithTangent) {
-            // kap and chi are coupled, om stands alone
-            const TorsionRow<S> moment[3] = {
-                S(station.stiffness[0][0]) * at.rate[0] + S(station.stiffness[0][1]) * at.rate[1],
-                S(station.stiffness[1][0]) * at.rate[0] + S(station.stiffness[1][1]) * at.rate[1],
-                S(station.stiffness[2][2]) * at.rate[2]};
-            for (int i = 0; i < 3; ++i) K += at.rate[i] * moment[i].transpose();
-            // 2 th (U_kap d chi - U_chi d kap) - th^2 (kap U_kap + chi U_chi)
-            const TorsionRow<S> turning =
-                U[0] * at.chi - U[1] * at.kap -
-                S(0.5 * (at.frame.kap * U[0] + at.frame.chi * U[1])) * at.spin;
-            K += at.spin * turning.transpose() + turning * at.spin.transpose();
-            add_torsion_curvature(station.shape, at.frame, U, K);
-        }
-    }
-    Local<S> forms[2];
-    add_spins(nodes, sum, forms, force);
-    if constexpr (WithTangent) add_spin_tangent(nodes, sum, K, forms, tangent);
-    return energy;
-}
+};
 
 template <class S>
 S TorsionKernel::energy(const Vector<S, 18>& e) const noexcept {
@@ -516,41 +519,6 @@ Evaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e) const noexcept
     expand(local, result.force);
     expand(tangent, result.tangent);
     return result;
-}
-
-template <class S>
-MixedEvaluation<S, 18> TorsionKernel::evaluate(const Vector<S, 18>& e, const Vector<S, 18>& before,
-                                               const Vector<S, 18>& change) const noexcept {
-    const TorsionNodes<S> nodes(e);
-    const TorsionNodes<Dual<S>> along(course(before, change));
-    Local<S> local = Local<S>::Zero();
-    LocalMatrix<S> tangent = LocalMatrix<S>::Zero();
-    MixedEvaluation<S, 18> result;
-    result.energy = walk<true>(nodes, along, local, tangent);
-    result.force = force(e);
-    expand(local, result.predicted);
-    expand(tangent, result.tangent);
-    return result;
-}
-
-template <class S>
-void TorsionKernel::expand(const Local<S>& local, Vector<S, 18>& force) noexcept {
-    for (int i = 0; i < torsion_local; ++i) force[torsion_place[i]] = local[i];
-    for (int k = 0; k < 3; ++k) force[k] = -local[k];
-}
-
-template <class S>
-void TorsionKernel::expand(const LocalMatrix<S>& local, Matrix<S, 18>& tangent) noexcept {
-    for (int i = 0; i < torsion_local; ++i)
-        for (int j = 0; j < torsion_local; ++j)
-            tangent(torsion_place[i], torsion_place[j]) = local(i, j);
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < torsion_local; ++i) {
-            tangent(k, torsion_place[i]) = -local(k, i);
-            tangent(torsion_place[i], k) = -local(i, k);
-        }
-        for (int j = 0; j < 3; ++j) tangent(k, j) = local(k, j);
-    }
 }
 
 }  // namespace ancf::detail
