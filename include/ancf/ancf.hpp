@@ -29,6 +29,7 @@
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/damping.hpp>
+#include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/csv.hpp>

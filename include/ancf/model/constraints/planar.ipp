@@ -17,18 +17,18 @@ namespace ancf {
 namespace detail {
 
 /// Returns the slope whose direction counts.
-ANCF_INLINE Field planar_slope(const BasicModel<2>& model, NodeId node,
+ANCF_INLINE Field planar_slope(const char* user, const BasicModel<2>& model, NodeId node,
                                std::optional<Field> slope) {
-    if (slope) require_slope("PlanarWeld", *slope, 2);
+    if (slope) require_slope(user, *slope, 2);
     const bool section = model.layout().index({node, Field::r_y}) >= 0;
     return slope.value_or(section ? Field::r_y : Field::r_x);
 }
 
 /// Returns the angle of a slope, rad.
-ANCF_INLINE double planar_heading(const BasicModel<2>& model, NodeId node, Field slope) {
+ANCF_INLINE double planar_heading(const char* user, const BasicModel<2>& model, NodeId node,
+                                  Field slope) {
     const Vector<double, 2> p = model.value(node, slope);
-    require(span(p) > 0.0, "PlanarWeld: ", to_string(slope), " of node ", node.index,
-            " has no length");
+    require(span(p) > 0.0, user, ": ", to_string(slope), " of node ", node.index, " has no length");
     return std::atan2(p[1], p[0]);
 }
 
@@ -39,15 +39,15 @@ ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, const N
     : a_(a),
       b_(b == nullptr ? a : *b),
       to_space_(b == nullptr),
-      slope_a_(detail::planar_slope(model, a_, slope)),
-      slope_b_(detail::planar_slope(model, b_, slope)),
+      slope_a_(detail::planar_slope("PlanarWeld", model, a_, slope)),
+      slope_b_(detail::planar_slope("PlanarWeld", model, b_, slope)),
       angle_(std::move(angle)) {
     detail::require(to_space_ || a_ != b_, "PlanarWeld: two nodes are joined, got node ", a.index,
                     " twice");
     angle_.check("PlanarWeld");
     if (to_space_) place_ = model.position(a);
-    if (!to_space_) start_ = detail::planar_heading(model, b_, slope_b_);
-    start_ -= detail::planar_heading(model, a_, slope_a_);
+    if (!to_space_) start_ = detail::planar_heading("PlanarWeld", model, b_, slope_b_);
+    start_ -= detail::planar_heading("PlanarWeld", model, a_, slope_a_);
 }
 
 ANCF_INLINE Coupling PlanarWeld::coupling() const {

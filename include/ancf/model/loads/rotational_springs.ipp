@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ancf/error.hpp>
+#include <ancf/model/constraints/frames.hpp>
+#include <ancf/model/loads/rotational_springs.hpp>
+#include <ancf/model/triad.hpp>
+
+#include <cmath>
+#include <complex>
+
+namespace ancf {
+namespace detail {
+
+/// Returns the angle of a sine and a cosine, rad, of complex numbers continued by its derivative.
+[[nodiscard]] inline double angle_of(double s, double c) { return std::atan2(s, c); }
+[[nodiscard]] inline std::complex<double> angle_of(const std::complex<double>& s,
+                                                   const std::complex<double>& c) {
+    return {std::atan2(s.real(), c.real()),
+            (c.real() * s.imag() - s.real() * c.imag()) / (std::norm(c) + std::norm(s))};
+}
+
+ANCF_INLINE HingeAngle::HingeAngle(const char* user, const BasicModel<3>& model, const FrameAt& a,
+                                   const FrameAt* b, const Vector<double, 3>& axis)
+    : a_(JointSide::frame(model, a)),
+      b_(b == nullptr ? JointSide::space(model, a.node) : JointSide::frame(model, *b)) {
+    require(b == nullptr || a.node != b->node, user, ": two nodes are joined, got node ",
+            a.node.index, " twice");
+    const auto [p, n] = normals_of(unit_axis(user, axis));
+    const Vec3<double> p_in_b = turned_back(b_.axes, p);
+    sine_ = outer(turned_back(a_.axes, n), p_in_b);
+    cosine_ = outer(turned_back(a_.axes, p), p_in_b);
+}
+
+ANCF_INLINE Coupling HingeAngle::coupling() const {
+    Coupling all = {{a_.at.node, a_.at.first}, {a_.at.node, a_.at.second}};
+    if (b_.kind != SideKind::space) {
+        all.push_back({b_.at.node, b_.at.first});
+        all.push_back({b_.at.node, b_.at.second});
+    }
+    return all;
+}
+
+template <class Scalar>
+Scalar HingeAngle::value(const DynamicVector<Scalar>& q, DynamicVector<Scalar>& gradient) const {
+    const Triad<Scalar> a = triad_of(a_, q, 0), b = triad_of(b_, q, 6);
+    const FrameForm<Scalar> sine(scaled(Scalar(1.0), sine_), a, b),
+        cosine(scaled(Scalar(1.0), cosine_), a, b);
+    const Scalar s = sine.value, c = cosine.value, square = s * s + c * c;
+    const std::array<Scalar, 12> by_s = sine.gradient(a, b), by_c = cosine.gradient(a, b);
+    gradient.resize(q.size());
+    for (int k = 0; k < q.size(); ++k) gradient[k] = (c * by_s[k] - s * by_c[k]) / square;
+    return angle_of(s, c);
+}
+
+ANCF_INLINE MatrixX HingeAngle::hessian(const VectorX& q) const {
+    const Triad<double> a = triad_of(a_, q, 0), b = triad_of(b_, q, 6);
+    const double s = FrameForm<double>(sine_, a, b).value,
+                 c = FrameForm<double>(cosine_, a, b).value;
+    const FormCourse of_s(sine_, a, b, {}), of_c(cosine_, a, b, {});
+    const auto &s_q = of_s.gradient, &c_q = of_c.gradient;
+    const double square = s * s + c * c;
+    MatrixX h(q.size(), q.size());
+    for (int j = 0; j < q.size(); ++j)
+        for (int i = 0; i < q.size(); ++i) {
+            const double turn = (c * s_q[i] - s * c_q[i]) / square;
+            h(i, j) = (c * of_s.hessian(i, j) - s * of_c.hessian(i, j) + s_q[i] * c_q[j] -
+                       c_q[i] * s_q[j] - 2.0 * turn * (s * s_q[j] + c * c_q[j])) /
+                      square;
+        }
+    return h;
+}
+
+ANCF_INLINE PlanarHingeAngle::PlanarHingeAngle(const char* user, const BasicModel<2>& model,
+                                               NodeId a, const NodeId* b) {
+    require(b == nullptr || a != *b, user, ": two nodes are joined, got node ", a.index, " twice");
+    slopes_.push_back({a, planar_slope(user, model, a, {})});
+    if (b != nullptr) slopes_.push_back({*b, planar_slope(user, model, *b, {})});
+    double sign = -1.0;
+    for (const NodeField& at : slopes_) {
+        start_ += sign * planar_heading(user, model, at.node, at.field);
+        sign = 1.0;
+    }
+}
+
+template <class Scalar>
+Scalar PlanarHingeAngle::value(const DynamicVector<Scalar>& q,
+                               DynamicVector<Scalar>& gradient) const {
+    // of B, which is the x-axis where it is space
+    const bool space = q.size() == 2;
+    const Scalar x = space ? Scalar(1.0) : q[2], y = space ? Scalar(0.0) : q[3];
+    const Scalar s = q[0] * y - q[1] * x, c = q[0] * x + q[1] * y;
+    gradient.resize(q.size());
+    for (int k = 0; k < q.size(); k += 2) {
+        const Scalar square = (k == 0 ? -1.0 : 1.0) * (q[k] * q[k] + q[k + 1] * q[k + 1]);
+        gradient[k] = -q[k + 1] / square;
+        gradient[k + 1] = q[k] / square;
+    }
+    const double sine = std::sin(start_), cosine = std::cos(start_);
+    return angle_of(s * cosine - c * sine, c * cosine + s * sine);
+}
+
+ANCF_INLINE MatrixX PlanarHingeAngle::hessian(const VectorX& q) const {
+    MatrixX h = MatrixX::Zero(q.size(), q.size());
+    for (int k = 0; k < q.size(); k += 2) {
+        const double x = q[k], y = q[k + 1], square = x * x + y * y;
+        const double scale = (k == 0 ? -1.0 : 1.0) / (square * square);
+        h(k, k) = 2.0 * scale * x * y;
+        h(k + 1, k + 1) = -h(k, k);
+        h(k, k + 1) = h(k + 1, k) = scale * (y * y - x * x);
+    }
+    return h;
+}
+
+template <class Angle>
+HingeSpring<Angle>::HingeSpring(Angle angle, double stiffness)
+    : angle_(std::move(angle)), stiffness_(stiffness) {
+    require_not_negative("rotational spring: the stiffness", stiffness);
+}
+
+template <class Angle>
+template <class Scalar>
+DynamicVector<Scalar> HingeSpring<Angle>::force(const DynamicVector<Scalar>& q) const {
+    DynamicVector<Scalar> gradient;
+    const Scalar moment = -stiffness_ * angle_.value(q, gradient);
+    return moment * gradient;
+}
+
+template <class Angle>
+void HingeSpring<Angle>::evaluate(const LoadState& state, LoadResult& out) const {
+    VectorX gradient;
+    const double angle = angle_.value(state.q, gradient);
+    out.force = -stiffness_ * angle * gradient;
+    out.potential = 0.5 * stiffness_ * angle * angle;
+    if (state.derivatives)
+        out.stiffness =
+            -stiffness_ * (gradient * gradient.transpose() + angle * angle_.hessian(state.q));
+}
+
+template <class Angle>
+HingeDamper<Angle>::HingeDamper(Angle angle, double damping)
+    : angle_(std::move(angle)), damping_(damping) {
+    require_not_negative("rotational damper: the damping", damping);
+}
+
+template <class Angle>
+template <class Scalar>
+DynamicVector<Scalar> HingeDamper<Angle>::force(const DynamicVector<Scalar>& q,
+                                                const DynamicVector<Scalar>& v) const {
+    DynamicVector<Scalar> gradient;
+    (void)angle_.value(q, gradient);
+    Scalar rate(0.0);
+    for (int k = 0; k < q.size(); ++k) rate += gradient[k] * v[k];
+    return Scalar(-damping_ * rate) * gradient;
+}
+
+template <class Angle>
+void HingeDamper<Angle>::evaluate(const LoadState& state, LoadResult& out) const {
+    VectorX gradient;
+    (void)angle_.value(state.q, gradient);
+    const double rate = gradient.dot(state.v);
+    out.force = -damping_ * rate * gradient;
+    if (!state.derivatives) return;
+    const MatrixX hessian = angle_.hessian(state.q);
+    const VectorX of_rate = hessian * state.v;
+    out.stiffness = -damping_ * (rate * hessian + gradient * of_rate.transpose());
+    out.damping = -damping_ * gradient * gradient.transpose();
+}
+
+#if defined(ANCF_SOURCE)
+#define ANCF_HINGE_FORCES(Angle, Scalar)                                                          \
+    template DynamicVector<Scalar> HingeSpring<Angle>::force(const DynamicVector<Scalar>&) const; \
+    template DynamicVector<Scalar> HingeDamper<Angle>::force(const DynamicVector<Scalar>&,        \
+                                                             const DynamicVector<Scalar>&) const;
+#define ANCF_HINGE_INSTANCES(Angle)    \
+    template class HingeSpring<Angle>; \
+    template class HingeDamper<Angle>; \
+    ANCF_HINGE_FORCES(Angle, double)   \
+    ANCF_HINGE_FORCES(Angle, std::complex<double>)
+ANCF_HINGE_INSTANCES(HingeAngle)
+ANCF_HINGE_INSTANCES(PlanarHingeAngle)
+#endif
+
+}  // namespace detail
+}  // namespace ancf
