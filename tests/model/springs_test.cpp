@@ -13,6 +13,7 @@
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads/forces.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/model/model.hpp>
@@ -29,6 +30,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <vector>
 
 namespace springs_test {
 
@@ -286,6 +288,34 @@ TEST_CASE("Scene::add_mass: no mass stands beside a beam along a slope that noth
     CHECK(assembled(cable, {0.1, 0.0, 0.0}) == 18);
     CHECK_THROWS_WITH(assembled(beam, {0.0, 0.0, 0.2}), ContainsSubstring("along r_z"));
     CHECK_THROWS_WITH(assembled(cable, {0.0, 0.1, 0.0}), ContainsSubstring("along r_y"));
+}
+
+TEST_CASE("Scene::attach: links between points hold the slopes that a body of masses follows",
+          "[model][springs]") {
+    Model model;
+    const NodeId root = model.add_node({0, 0, 0});
+    model.add_mass(root, 1.0);
+    std::vector<NodeId> body = {root};
+    for (int k = 0; k < 3; ++k) {
+        const NodeId next = model.add_node(Point::Unit(k));
+        model.add_mass(next, 1.0);
+        model.attach(next, root);
+        for (const NodeId other : body)
+            model.add(Distance<3>(other, next, other == root ? 1.0 : std::sqrt(2.0)));
+        body.push_back(next);
+    }
+    model.set_rigid_rates(Point::Zero(), Point(0, 0, 3));
+    DynamicProblem problem(model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.step = 1e-3;
+    Schedule schedule;
+    schedule.end = 0.1;
+    REQUIRE(GeneralizedAlpha(options).integrate(problem, solver, schedule).status ==
+            Status::converged);
+    Point centre = Point::Zero();
+    for (const NodeId node : body) centre += 0.25 * model.position(node);
+    CHECK((model.position(root) - centre).norm() == Approx(std::sqrt(3.0) / 4.0).epsilon(1e-9));
 }
 
 TEST_CASE("Spring: a column held by a spring at mid-height buckles", "[model][springs]") {

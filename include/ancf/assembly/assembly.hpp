@@ -186,10 +186,10 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
-    /// Adds scale times the loads' part of the tangent at q and an instant to a matrix of this
-    /// pattern.
-    void add_load_tangent(const VectorX& q, const Instant& instant, double scale,
-                          SparseMatrix& matrix) const;
+    /// Adds scale (K(q + change) - K(q - change)) of the loads at the factor 0, less its round-off,
+    /// to a matrix of this pattern; K is their part of the tangent.
+    void add_load_tangent_change(const VectorX& q, const VectorX& change, double scale,
+                                 SparseMatrix& matrix) const;
 
     /// Returns the first load, amplitudes aside, whose force is another at other rates; -1 where
     /// there is none. Vectors have an entry per coordinate.

@@ -109,26 +109,29 @@ ANCF_INLINE void Assembly::check_arms() const {
     const Layout& layout = model_.layout();
     const Dependence& dependence = model_.dependence();
     std::vector<char> held(static_cast<std::size_t>(layout.size()));
-    const auto hold = [&](const NodeField& at) {
-        // what holds the end of an arm does not hold its length
-        if (at.field == Field::r) return;
+    const auto hold = [&](const NodeField& at, bool arms) {
+        if (at.field == Field::r && !arms) return;
         const int first = layout.index(at);
         held[first] = 1;
         if (!dependence.attached(first)) return;
         for (const Dependence::Part& part : dependence.parts(first)) held[part.first] = 1;
     };
+    // What holds one position holds no arm's length; what holds two against each other may.
+    const auto hold_all = [&](const Coupling& coupling) {
+        int positions = 0;
+        for (const NodeField& at : coupling) positions += at.field == Field::r ? 1 : 0;
+        for (const NodeField& at : coupling) hold(at, positions > 1);
+    };
     for (const auto& group : model_.groups())
         for (const Connection& connection : group->connections)
             for (int k = 0; k < group->fields().count(); ++k) {
-                hold({connection.first, group->fields().at(k)});
-                hold({connection.second, group->fields().at(k)});
+                hold({connection.first, group->fields().at(k)}, false);
+                hold({connection.second, group->fields().at(k)}, false);
             }
-    for (const Support& support : model_.supports()) hold({support.node, support.field});
-    for (const AnyConstraint& constraint : model_.constraints())
-        for (const NodeField& at : constraint.coupling()) hold(at);
+    for (const Support& support : model_.supports()) hold({support.node, support.field}, false);
+    for (const AnyConstraint& constraint : model_.constraints()) hold_all(constraint.coupling());
     for (const ScaledLoad& load : model_.loads())
-        if (!load.load.constant())
-            for (const NodeField& at : load.load.coupling()) hold(at);
+        if (!load.load.constant()) hold_all(load.load.coupling());
     for (const AttachedVector& attachment : model_.attachments()) {
         if (attachment.vector.field != Field::r) continue;
         for (const Dependence::Part& part : dependence.parts(layout.index(attachment.vector))) {
@@ -534,15 +537,27 @@ ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
     return rate;
 }
 
-ANCF_INLINE void Assembly::add_load_tangent(const VectorX& q, const Instant& instant, double scale,
-                                            SparseMatrix& matrix) const {
-    check_size("add_load_tangent", "coordinates", q);
-    for_each_load(
-        q, VectorX::Zero(q.size()), instant.time, true,
-        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
-            if (result.stiffness.size() > 0)
-                add_matrix(coordinates, -scale * load.scale(instant), result.stiffness, matrix);
-        });
+ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const VectorX& change,
+                                                   double scale, SparseMatrix& matrix) const {
+    check_size("add_load_tangent_change", "coordinates", q);
+    constexpr double round_off = 64.0 * std::numeric_limits<double>::epsilon();
+    const VectorX rest = VectorX::Zero(q.size());
+    SparseMatrix sum = tangent_;
+    for (int k = 0; k < sum.nonZeros(); ++k) sum.valuePtr()[k] = 0.0;
+    SparseMatrix noise = sum;
+    for (const double sign : {-1.0, 1.0})
+        for_each_load(q + sign * change, rest, 0.0, true,
+                      [&](const ScaledLoad& load, const std::vector<int>& coordinates,
+                          const LoadResult& result) {
+                          MatrixX block = -scale * load.scale({0.0, 0.0}) * result.stiffness;
+                          if (block.size() == 0) return;
+                          add_matrix(coordinates, sign, block, sum);
+                          block.setConstant(round_off * block.cwiseAbs().maxCoeff());
+                          add_matrix(coordinates, 1.0, block, noise);
+                      });
+    for (int k = 0; k < sum.nonZeros(); ++k)
+        if (std::abs(sum.valuePtr()[k]) > noise.valuePtr()[k])
+            matrix.valuePtr()[k] += sum.valuePtr()[k];
 }
 
 ANCF_INLINE int Assembly::damping_load(const VectorX& q, const VectorX& v, const VectorX& others,

@@ -59,9 +59,8 @@ public:
             out = assembly_.tangent() - unloaded;
             // what stands from the beginning and bears the load, such as springs, which may be
             // short beside the scene
-            for (const double h : {-0.01 * step, 0.01 * step})
-                assembly_.add_load_tangent(model_.state().q + h * deflection_, {0.0, 0.0}, 0.5 / h,
-                                           out);
+            const double h = 0.01 * step;
+            assembly_.add_load_tangent_change(model_.state().q, h * deflection_, 0.5 / h, out);
             return fault;
         }
         if (const auto fault = evaluate(-step, model_.state().q - step * deflection_)) return fault;

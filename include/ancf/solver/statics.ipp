@@ -347,9 +347,9 @@ private:
         return Status::converged;
     }
 
-    /// The correction of a motion D dx/dt = -R(x), D the diagonal of the tangent, over a time: one
-    /// step of Euler's backward method. The time is such that the correction is neither large nor
-    /// against the force.
+    /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
+    /// D has the magnitudes of the tangent's diagonal, and the largest one where that has a zero.
+    /// The time is such that the correction is neither large nor against the force.
     Status correct_damped(LoadStep& step) {
         constexpr double wanted = 0.5, growth = 4.0, first_time = 1e6, shortest = 1e-3;
         const int free = assembly_.numbering().free_coordinates();
@@ -365,7 +365,7 @@ private:
         for (int k = 0; k < free; ++k)
             stiffest[unit(k)] = std::max(stiffest[unit(k)], viscosity[k]);
         for (int k = 0; k < free; ++k)
-            if (viscosity[k] <= 1e-12 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
+            if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
         time_ = step.corrections.empty()
                     ? first_time
                     : time_ * std::min(growth, wanted / step.corrections.back());

@@ -175,16 +175,18 @@ template <int Dimension>
 Pin(MaterialPoint, Vector<double, Dimension>) -> Pin<Dimension>;
 
 /// A point held on a straight line of space, as a slider on its guide: g_k = n_k . (P - p), m, with
-/// one or, in space, two unit vectors n_k normal to the line.
+/// unit vectors n_k normal to the line. There is no friction.
 ///
-/// Its multipliers are the forces along n_k that the point exerts, N. There is no friction.
+/// In the plane n_1 is the direction turned by 90 degrees. In space, for a direction d of unit
+/// length, n_1 is along d x e, e the axis of d's smallest component or the first of these, and
+/// n_2 = d x n_1. The multipliers are the forces along n_k that the point exerts, N.
 template <int Dimension = 3>
 class PointOnLine {
 public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
     /// @param place      of the line, m.
-    /// @param direction  of the line, of any length.
+    /// @param direction  of the line; its length does not count.
     /// @throws InvalidArgument unless the place is finite and the direction has a length.
     PointOnLine(MaterialPoint point, const VectorArgument<Dimension>& place,
                 const VectorArgument<Dimension>& direction);
