@@ -20,6 +20,7 @@
 
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
+#include <support/load_result.hpp>
 #include <support/random_state.hpp>
 
 #include <cmath>
@@ -37,16 +38,6 @@ using Flat = CrossSectionBeam<2>;
 
 constexpr double tolerance = 1e-12;  // round-off; measured 1e-14
 
-template <class Load>
-LoadResult evaluate(const Load& load, const VectorX& q, const VectorX& v) {
-    LoadResult out;
-    out.force.setZero(q.size());
-    out.stiffness.setZero(q.size(), q.size());
-    out.damping.setZero(q.size(), q.size());
-    load.evaluate({q, v, 0.0}, out);
-    return out;
-}
-
 VectorX local(const Scene& model, const Coupling& coupling) {
     const int dimension = model.dimension();
     VectorX q(dimension * static_cast<int>(coupling.size()));
@@ -60,12 +51,12 @@ template <class Spring, class Damper>
 void check_derivatives(const Scene& model, const Spring& spring, const Damper& damper,
                        test::Random& random) {
     VectorX q = local(model, spring.coupling()), v(q.size());
-    CHECK(evaluate(spring, q, v).force.norm() <= 1e-12);  // at rest where it was made
+    CHECK(test::load_result(spring, q, v).force.norm() <= 1e-12);  // at rest where it was made
     for (Eigen::Index i = 0; i < q.size(); ++i) {
         q[i] += random.uniform(-0.4, 0.4);
         v[i] = random.uniform(-2.0, 2.0);
     }
-    const LoadResult at = evaluate(spring, q, v);
+    const LoadResult at = test::load_result(spring, q, v);
     const auto expected =
         test::complex_step_jacobian([&](const Complex& z) { return spring.force(z); }, q);
     CHECK(test::relative_error(at.stiffness, expected) < tolerance);
@@ -73,20 +64,11 @@ void check_derivatives(const Scene& model, const Spring& spring, const Damper& d
     CHECK(test::relative_error(at.stiffness, at.stiffness.transpose()) < tolerance);
     // Q = -dV/dq, by a central difference
     const double h = 1e-5;
-    const double slope =
-        (evaluate(spring, q + h * v, v).potential - evaluate(spring, q - h * v, v).potential) /
-        (2.0 * h);
+    const double slope = (test::load_result(spring, q + h * v, v).potential -
+                          test::load_result(spring, q - h * v, v).potential) /
+                         (2.0 * h);
     CHECK(slope == Approx(-at.force.dot(v)).epsilon(1e-7).margin(1e-8));
-    const LoadResult drag = evaluate(damper, q, v);
-    const auto by_q = test::complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(z, Complex(v.cast<std::complex<double>>())); },
-        q);
-    const auto by_v = test::complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(Complex(q.cast<std::complex<double>>()), z); },
-        v);
-    CHECK(test::relative_error(drag.stiffness, by_q) < tolerance);
-    CHECK(test::relative_error(drag.damping, by_v) < tolerance);
-    CHECK(test::relative_error(drag.force, damper.force(q, v)) < tolerance);
+    test::check_damper(damper, q, v, tolerance);
 }
 
 /// A hundred times as stiff as steel: bars hardly bend.

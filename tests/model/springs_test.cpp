@@ -24,6 +24,7 @@
 
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
+#include <support/load_result.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
@@ -41,16 +42,6 @@ using Beam3 = CrossSectionBeam<3>;
 
 constexpr double tolerance = 1e-14;  // round-off; measured 4e-16
 
-template <class Load>
-LoadResult evaluate(const Load& load, const VectorX& q, const VectorX& v) {
-    LoadResult out;
-    out.force.setZero(q.size());
-    out.stiffness.setZero(q.size(), q.size());
-    out.damping.setZero(q.size(), q.size());
-    load.evaluate({q, v, 0.0}, out);
-    return out;
-}
-
 template <int Dimension>
 void check_derivatives(const MaterialPoint& a, const MaterialPoint& b, test::Random& random) {
     const auto size = static_cast<int>(Dimension * (a.vectors.size() + b.vectors.size()));
@@ -61,7 +52,7 @@ void check_derivatives(const MaterialPoint& a, const MaterialPoint& b, test::Ran
     }
     for (const double length : {0.0, 0.7}) {
         const Spring<Dimension> spring(a, b, 3.0, length);
-        const LoadResult result = evaluate(spring, q, v);
+        const LoadResult result = test::load_result(spring, q, v);
         const auto expected =
             test::complex_step_jacobian([&](const Complex& z) { return spring.force(z); }, q);
         CHECK(test::relative_error(result.stiffness, expected) < tolerance);
@@ -72,20 +63,11 @@ void check_derivatives(const MaterialPoint& a, const MaterialPoint& b, test::Ran
         const double work =
             (spring.force(q) + 4.0 * spring.force(middle) + spring.force(aside)).dot(aside - q) /
             6.0;
-        CHECK(evaluate(spring, aside, v).potential - result.potential ==
+        CHECK(test::load_result(spring, aside, v).potential - result.potential ==
               Approx(-work).epsilon(1e-9));
     }
     const Damper<Dimension> damper(a, b, 0.3);
-    const LoadResult result = evaluate(damper, q, v);
-    const auto by_q = test::complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(z, Complex(v.cast<std::complex<double>>())); },
-        q);
-    const auto by_v = test::complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(Complex(q.cast<std::complex<double>>()), z); },
-        v);
-    CHECK(test::relative_error(result.stiffness, by_q) < tolerance);
-    CHECK(test::relative_error(result.damping, by_v) < tolerance);
-    CHECK(test::relative_error(result.force, damper.force(q, v)) < tolerance);
+    test::check_damper(damper, q, v, tolerance);
 }
 
 TEST_CASE("Spring, Damper: derivatives equal the complex step's", "[model][springs]") {
