@@ -4,7 +4,6 @@
 /// @file
 /// Springs and dampers of hinges: derivatives, and scenes with a closed form.
 
-#include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
@@ -25,6 +24,7 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
 
 namespace rotational_springs_test {

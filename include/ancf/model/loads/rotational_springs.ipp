@@ -8,8 +8,10 @@
 #include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/triad.hpp>
 
+#include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace ancf {
 namespace detail {
