@@ -109,8 +109,9 @@ private:
         const VectorX inverse = values.head(found).cwiseInverse();
         const auto remove_found = [&](Dense& x) {
             for (int pass = 0; pass < 2; ++pass) {
-                const Dense shares = inverse.asDiagonal() * (image.transpose() * x);
-                x -= modes * shares;
+                Dense shares = transposed_times(image, x);
+                for (Eigen::Index k = 0; k < found; ++k) shares.row(k) *= inverse[k];
+                x -= times(modes, shares);
             }
         };
         Dense added = mixtures(width - found);
@@ -143,9 +144,15 @@ private:
     [[nodiscard]] bool above_round_off(const Dense& x) const {
         constexpr double round_off = std::numeric_limits<double>::epsilon();
         const Dense image = product(A_, x), size = x.cwiseAbs();
-        const double energy = (x.transpose() * image)(0, 0);
-        const double noise = round_off * (size.transpose() * product(magnitude_, size))(0, 0);
+        const double energy = transposed_times(x, image)(0, 0);
+        const double noise = round_off * transposed_times(size, product(magnitude_, size))(0, 0);
         return energy > std::max(4.0 * noise, std::pow(1e-12 * values[0], 2));
+    }
+
+    // One instance each of Eigen's product for all calls: they are most of what this class compiles.
+    [[nodiscard]] static Dense times(const Dense& a, const Dense& b) { return a * b; }
+    [[nodiscard]] static Dense transposed_times(const Dense& a, const Dense& b) {
+        return a.transpose() * b;
     }
 
     [[nodiscard]] Dense product(const SparseMatrix& matrix, const Dense& x) const {
@@ -164,14 +171,14 @@ private:
     [[nodiscard]] bool slides(int free) const {
         Dense size = vectors.leftCols(1).cwiseAbs();
         size.bottomRows(size.rows() - free).setZero();
-        const double magnitude = (size.transpose() * product(magnitude_, size))(0, 0);
+        const double magnitude = transposed_times(size, product(magnitude_, size))(0, 0);
         return std::numeric_limits<double>::epsilon() * magnitude >= 1.0;
     }
 
     // Solves the problem on the span of the vectors; those that add nothing are left out. Returns
     // false where the metric is not positive on the span, or nothing is left.
     [[nodiscard]] bool reduce(int count) {
-        const Dense a = vectors.transpose() * product(A_, vectors);
+        const Dense a = transposed_times(vectors, product(A_, vectors));
         // of unit diagonal: columns differ by the ratio of the eigenvalues
         const VectorX diagonal = a.diagonal();
         if (!(diagonal.minCoeff() > 0.0)) return false;
@@ -185,10 +192,12 @@ private:
         Eigen::Index first = 0;
         while (first < weights.size() && weights[first] <= least) ++first;
         const Eigen::Index rank = weights.size() - first;
-        const Dense basis = vectors * (scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
-                                       weights.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal());
-        const Dense b = basis.transpose() * product(B_, basis);
-        const Eigen::SelfAdjointEigenSolver<Dense> reduced(0.5 * (b + b.transpose()));
+        const Dense combination = scale.asDiagonal() * metric.eigenvectors().rightCols(rank) *
+                                  weights.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+        const Dense basis = times(vectors, combination);
+        const Dense b = transposed_times(basis, product(B_, basis));
+        const Dense symmetric = 0.5 * (b + b.transpose());
+        const Eigen::SelfAdjointEigenSolver<Dense> reduced(symmetric);
         std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
         std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
@@ -201,7 +210,7 @@ private:
             values[k] = reduced.eigenvalues()[from];
             sorted.col(k) = reduced.eigenvectors().col(from);
         }
-        vectors = basis * sorted;
+        vectors = times(basis, sorted);
         return rank >= std::min<Eigen::Index>(count, 1);
     }
 
