@@ -141,7 +141,7 @@ TEST_CASE("a hinge with a spring turns by the moment over its stiffness, about a
 
 TEST_CASE(
     "a bar on a hinge with a spring and a damper swings as the closed form, in plane and space",
-    "[model][springs][dynamics]") {
+    "[model][springs][dynamics][long]") {
     // J phi'' + c phi' + k phi = 0 about the hinge, J = m L^2/3.
     constexpr double stiffness = 30.0, damping = 0.15, start = 0.2;
     const double inertia =
@@ -195,7 +195,7 @@ TEST_CASE(
 }
 
 TEST_CASE("EnergyMomentum keeps the energy of a hinge with a spring",
-          "[model][springs][dynamics]") {
+          "[model][springs][dynamics][long]") {
     Model model;
     const Point axis = Point(0.1, 0.3, 1.0).normalized();
     const auto first = bar(model, {0, 0, 0}, {0.5, 0, 0}),
