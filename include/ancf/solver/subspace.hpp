@@ -149,7 +149,7 @@ private:
         return energy > std::max(4.0 * noise, std::pow(1e-12 * values[0], 2));
     }
 
-    // One instance each of Eigen's product for all calls: they are most of what this class compiles.
+    // One instance of each product for all calls: they are most of what this class compiles.
     [[nodiscard]] static Dense times(const Dense& a, const Dense& b) { return a * b; }
     [[nodiscard]] static Dense transposed_times(const Dense& a, const Dense& b) {
         return a.transpose() * b;
