@@ -55,7 +55,7 @@ public:
                 report_.message = driven_turn_text(constraints_, turn, from, next);
                 break;
             }
-            const LoadStep& result = solve_at(next);
+            const LoadStep& result = advance(next);
             report_.status = result.status;
             going = result.status == Status::converged ? go_on(result, next == wanted)
                                                        : try_again(result, next - from, turn.angle);
@@ -102,12 +102,6 @@ private:
             next = done + (next - done) / parts;
         }
         return next;
-    }
-
-    /// Solves at a load factor in the way that has its turn.
-    [[nodiscard]] const LoadStep& solve_at(double factor) {
-        if (way_ == Way::usual) return advance(factor);
-        return attempt(factor, way_ == Way::plain ? NewtonKind::plain : newton_, way_);
     }
 
     /// Moves on after a step, or a part of one, that converged; returns whether the run goes on.
@@ -191,9 +185,10 @@ private:
         return far ? 0.25 : 0.5;
     }
 
-    /// Solves at a load factor from the model's state; keeps the state where that fails.
-    const LoadStep& advance(double factor) {
-        const LoadStep& step = attempt(factor, newton_);
+    /// Solves at a load factor from the model's state, in the way that has its turn; keeps the
+    /// state where that fails.
+    [[nodiscard]] const LoadStep& advance(double factor) {
+        const LoadStep& step = attempt(factor, way_ == Way::plain ? NewtonKind::plain : newton_);
         if (step.status == Status::converged || newton_ == NewtonKind::plain ||
             newton_ == NewtonKind::automatic)
             return step;
@@ -226,7 +221,7 @@ private:
         return exchange_ == nullptr ? own : exchange_->largest(own ? 1.0 : 0.0) > 0.0;
     }
 
-    const LoadStep& attempt(double factor, NewtonKind newton, Way way = Way::usual) {
+    [[nodiscard]] const LoadStep& attempt(double factor, NewtonKind newton) {
         // whatever ends the iteration, an exception of a user's function too
         struct Keep {
             State& state;
@@ -244,7 +239,7 @@ private:
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
-        step.damped = way == Way::damped;
+        step.damped = way_ == Way::damped;
         instant_ = {factor, factor};
         step.status = iterate(step);
         if (step.status == Status::converged && !followed(step)) step.status = Status::diverged;
