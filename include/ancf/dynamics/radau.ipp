@@ -238,7 +238,8 @@ private:
             // stresses
             const double wanted = std::min(
                 newton_tolerance_,
-                std::max({of_error, of_accelerations_ * h * h * scaled(Y_.back()), 1e-13}));
+                std::max({of_error, of_accelerations_ * h * h * problem_.largest_ratio(Y_.back()),
+                          1e-13}));
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, round_off);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
@@ -290,7 +291,7 @@ private:
         for (std::size_t i = 0; i < stages_; ++i) {
             Y_[i] += change_[i];
             lambda_[i] += lambda_change_[i];
-            const double size = h * h * scaled(change_[i]);
+            const double size = h * h * problem_.largest_ratio(change_[i]);
             if (!(size <= largest)) largest = size;
         }
         return largest;
@@ -395,7 +396,8 @@ private:
         }
         rates *= tau;
         accelerations *= tau * tau;
-        const double size = scaled(system_.filter(rates, accelerations)) / options_.tolerance;
+        const double size =
+            problem_.largest_ratio(system_.filter(rates, accelerations)) / options_.tolerance;
         return std::isfinite(size) ? size : 1e10;
     }
 
@@ -467,10 +469,6 @@ private:
         }
         place_stages(half);
         return true;
-    }
-
-    [[nodiscard]] double scaled(const VectorX& q) const {
-        return largest_ratio(q, problem_.scales());
     }
 
     const RadauOptions& options_;
