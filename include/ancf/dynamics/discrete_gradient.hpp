@@ -131,8 +131,7 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
             const auto of = static_cast<std::size_t>(m);
             const double* const by_turn = turn_rate + 3 * (dimension * m + j);
             double* const column = tangent + dofs * (dimension * m + j);
-            Vector<double, 3> unit = Vector<double, 3>::Zero();
-            unit[j] = 1.0;
+            const Vector<double, 3> unit = Vector<double, 3>::Unit(j);
             const Vector<double, 3> back = step.back(unit);
             double rate[most];  // of g
             for (int i = 0; i < dofs; ++i) {

@@ -96,8 +96,7 @@ public:
             if (vector.position) left -= shift;
             for (int i = 0; i < dimension_; ++i) {
                 // one vector alone changes, by d
-                Vector<double, 3> d = Vector<double, 3>::Zero();
-                d[i] = 1.0;
+                const Vector<double, 3> d = Vector<double, 3>::Unit(i);
                 const Vector<double, 3> kept = d - 0.5 * cross(turn, d);
                 const Vector<double, 3> moment =
                     vector.weight * (cross(vector.value, kept) + 0.5 * cross(d, left));
@@ -154,8 +153,7 @@ public:
             for (int i = 0; i < dimension_; ++i) {
                 // one vector alone changes, by d: what is left of (I - Y/2) d, the turn of C d/2
                 const NodalVector& vector = vectors_[k];
-                Vector<double, 3> d = Vector<double, 3>::Zero();
-                d[i] = 1.0;
+                const Vector<double, 3> d = Vector<double, 3>::Unit(i);
                 const Vector<double, 3> kept = d - 0.5 * cross(y, d);
                 const Vector<double, 3> moment = vector.weight * cross(vector.value, kept) +
                                                  0.5 * vector.weight * cross(d, component(rest, k));
@@ -252,8 +250,7 @@ public:
 
     /// Returns dX/dy_b v.
     [[nodiscard]] Vector<double, 3> skew_rate(int b, const Vector<double, 3>& v) const {
-        Vector<double, 3> axis = Vector<double, 3>::Zero();
-        axis[b] = 1.0;
+        const Vector<double, 3> axis = Vector<double, 3>::Unit(b);
         return 0.5 * over_ * (cross(axis, v) - half_[b] * skew(v));
     }
 
