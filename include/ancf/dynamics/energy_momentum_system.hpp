@@ -174,19 +174,24 @@ private:
         return true;
     }
 
+    /// Returns what a load gives in a local state.
+    [[nodiscard]] static LoadResult result_of(const AnyLoad& load, const LoadState& state) {
+        const Eigen::Index size = state.q.size();
+        LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size), MatrixX::Zero(size, size)};
+        load.evaluate(state, out);
+        return out;
+    }
+
     [[nodiscard]] bool is_invariant(const AnyLoad& load, const LocalLoad& local) const {
         const double time = problem_.model().state().time;
-        return !load.constant() &&
-               is_invariant(local, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
-                   const Eigen::Index size = q.size();
-                   LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size),
-                                  MatrixX::Zero(size, size)};
-                   load.evaluate({1.1 * q, VectorX::Zero(size), time, false}, out);
-                   // a spring that is not stretched shows nothing
-                   const double none = std::numeric_limits<double>::quiet_NaN();
-                   values.setConstant(1, out.potential != 0.0 ? out.potential : none);
-                   gradients = -out.force.transpose();
-               });
+        if (load.constant()) return false;
+        return is_invariant(local, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
+            const LoadResult out = result_of(load, {1.1 * q, VectorX::Zero(q.size()), time, false});
+            // a spring that is not stretched shows nothing
+            const double none = std::numeric_limits<double>::quiet_NaN();
+            values.setConstant(1, out.potential != 0.0 ? out.potential : none);
+            gradients = -out.force.transpose();
+        });
     }
 
     [[nodiscard]] bool is_invariant(const AnyConstraint& constraint, const LocalLoad& local) const {
@@ -225,14 +230,6 @@ private:
         const Scene& model = problem_.model();
         const Instant middle{t0_ + 0.5 * h_, 1.0};
         force_ -= model.gravity_scale(middle) * gravity_;
-        const auto evaluate = [&](const ScaledLoad& load, const VectorX& q, const VectorX& v,
-                                  bool derivatives) {
-            const Eigen::Index size = q.size();
-            LoadResult out{VectorX::Zero(size), MatrixX::Zero(size, size),
-                           MatrixX::Zero(size, size), 0.0};
-            load.load.evaluate({q, v, middle.time, derivatives}, out);
-            return out;
-        };
         for (std::size_t k = 0; k < loads_.size(); ++k) {
             const ScaledLoad& load = model.loads()[k];
             const LocalLoad& place = loads_[k];
@@ -240,13 +237,14 @@ private:
             gather(change_, place.at.read(), change);
             gather(middle_, place.at.read(), middle_q);
             const VectorX rate = change / h_;
-            LoadResult result = evaluate(load, middle_q, rate, matrix);
+            LoadResult result = result_of(load.load, {middle_q, rate, middle.time, matrix});
             if (result.potential != 0.0 || result.period > 0.0) {
                 // a conservative load does the work by which its potential falls
-                gather(q1, place.at.read(), end);
-                const double later = evaluate(load, end, rate, false).potential;
-                gather(q0_, place.at.read(), end);
-                const double earlier = evaluate(load, end, rate, false).potential;
+                const auto potential = [&](const VectorX& q) {
+                    gather(q, place.at.read(), end);
+                    return result_of(load.load, {end, rate, middle.time, false}).potential;
+                };
+                const double later = potential(q1), earlier = potential(q0_);
                 const double work = result.force.dot(change);
                 double fall = earlier - later;
                 if (result.period > 0.0)  // an angle that passes pi
