@@ -83,15 +83,10 @@ public:
 private:
     static constexpr bool real = std::is_same_v<Scalar, double>;
 
-    struct FreeSymbolic {
-        void operator()(void* symbolic) const noexcept {
-            real ? umfpack_di_free_symbolic(&symbolic) : umfpack_zi_free_symbolic(&symbolic);
-        }
-    };
-    struct FreeNumeric {
-        void operator()(void* numeric) const noexcept {
-            real ? umfpack_di_free_numeric(&numeric) : umfpack_zi_free_numeric(&numeric);
-        }
+    // Frees what UMFPACK allocated.
+    template <auto OfReal, auto OfComplex>
+    struct Free {
+        void operator()(void* object) const noexcept { (real ? OfReal : OfComplex)(&object); }
     };
 
     // Throws what a status of UMFPACK asks for; the warning of a singular matrix is none.
@@ -102,8 +97,8 @@ private:
 
     std::array<double, UMFPACK_CONTROL> control_;
     mutable Equilibrated<Scalar> matrix_;  // UMFPACK only reads it
-    std::unique_ptr<void, FreeSymbolic> symbolic_;
-    std::unique_ptr<void, FreeNumeric> numeric_;
+    std::unique_ptr<void, Free<umfpack_di_free_symbolic, umfpack_zi_free_symbolic>> symbolic_;
+    std::unique_ptr<void, Free<umfpack_di_free_numeric, umfpack_zi_free_numeric>> numeric_;
 };
 
 }  // namespace detail
