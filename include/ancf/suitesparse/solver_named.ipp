@@ -27,13 +27,10 @@ ANCF_LAZY std::unique_ptr<LinearSolver> solver_named(std::string_view name, doub
         options.singular_rcond = singular_rcond;
         return std::make_unique<Cholmod>(options);
     }
-    if (name == "klu" || name == "bordered-chain") {
-        KluOptions options;
-        options.singular_rcond = singular_rcond;
-        if (name == "bordered-chain")
-            return std::make_unique<BorderedChain>(Klu(options), singular_rcond);
-        return std::make_unique<Klu>(options);
-    }
+    KluOptions klu;
+    klu.singular_rcond = singular_rcond;
+    if (name == "klu") return std::make_unique<Klu>(klu);
+    if (name == "bordered-chain") return std::make_unique<BorderedChain>(Klu(klu), singular_rcond);
     if (name == "umfpack") {
         UmfpackOptions options;
         options.singular_rcond = singular_rcond;
