@@ -13,7 +13,6 @@
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
-#include <memory>
 #include <string_view>
 
 namespace ancf::suitesparse {

@@ -97,59 +97,51 @@ ANCF_INLINE void configure(const CholmodOptions& options, cholmod_common& common
 /// The state of CHOLMOD: parameters, factor and the workspace of solve.
 class Cholmod::Session {
 public:
-    Session()
-        : common_(new cholmod_common),
-          factor_(nullptr, Free{common_.get()}),
-          x_(nullptr, Free{common_.get()}),
-          y_(nullptr, Free{common_.get()}),
-          e_(nullptr, Free{common_.get()}) {
-        cholmod_start(common_.get());
+    explicit Session(const CholmodOptions& options) {
+        cholmod_start(&common_);
+        detail::configure(options, common_);
+    }
+    ~Session() {
+        cholmod_free_factor(&factor_, &common_);
+        for (cholmod_dense** const dense : {&x_, &y_, &e_}) cholmod_free_dense(dense, &common_);
+        cholmod_finish(&common_);
+    }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// Returns the factor; null before analyze.
+    [[nodiscard]] const cholmod_factor* factor() const noexcept { return factor_; }
+
+    /// Called once.
+    void analyze(cholmod_sparse matrix) {
+        factor_ = cholmod_analyze(&matrix, &common_);
+        check();
     }
 
-    [[nodiscard]] cholmod_common& common() noexcept { return *common_; }
-    [[nodiscard]] cholmod_factor* factor() noexcept { return factor_.get(); }
-    void reset_factor(cholmod_factor* factor) noexcept { factor_.reset(factor); }
-
-    /// Throws what the last call's status asks for: bad_alloc, or InvalidArgument.
-    void check() const {
-        const int status = common_->status;
-        if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-        ancf::detail::require(status >= CHOLMOD_OK, "cholmod refused the matrix, status ", status,
-                              status == CHOLMOD_TOO_LARGE ? ": too large for 32-bit indices" : "");
+    void factorize(cholmod_sparse matrix) {
+        cholmod_factorize(&matrix, factor_, &common_);
+        check();
     }
 
     /// Solves with the factor; returns the solution, owned by the session.
     const double* solve(cholmod_dense& b) {
-        cholmod_dense* x = x_.release();
-        cholmod_dense* y = y_.release();
-        cholmod_dense* e = e_.release();
-        cholmod_solve2(CHOLMOD_A, factor_.get(), &b, nullptr, &x, nullptr, &y, &e, common_.get());
-        x_.reset(x);
-        y_.reset(y);
-        e_.reset(e);
+        cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &x_, nullptr, &y_, &e_, &common_);
         check();
         return static_cast<const double*>(x_->x);
     }
 
 private:
-    struct Finish {
-        void operator()(cholmod_common* common) const noexcept {
-            cholmod_finish(common);
-            delete common;
-        }
-    };
-    struct Free {
-        cholmod_common* common;
-        void operator()(cholmod_factor* factor) const noexcept {
-            cholmod_free_factor(&factor, common);
-        }
-        void operator()(cholmod_dense* dense) const noexcept { cholmod_free_dense(&dense, common); }
-    };
-    using Dense = std::unique_ptr<cholmod_dense, Free>;
+    // Throws what the last call's status asks for: bad_alloc, or InvalidArgument.
+    void check() const {
+        const int status = common_.status;
+        if (status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+        ancf::detail::require(status >= CHOLMOD_OK, "cholmod refused the matrix, status ", status,
+                              status == CHOLMOD_TOO_LARGE ? ": too large for 32-bit indices" : "");
+    }
 
-    std::unique_ptr<cholmod_common, Finish> common_;  // declared first, destroyed last
-    std::unique_ptr<cholmod_factor, Free> factor_;
-    Dense x_, y_, e_;
+    cholmod_common common_;
+    cholmod_factor* factor_ = nullptr;
+    cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;
 };
 
 ANCF_INLINE bool Cholmod::supernodal() const noexcept {
@@ -157,18 +149,13 @@ ANCF_INLINE bool Cholmod::supernodal() const noexcept {
 }
 
 ANCF_INLINE void Cholmod::analyze_pattern(const SparseMatrix& lower) {
-    session_ = ancf::detail::hidden<Session>();
-    detail::configure(options_, session_->common());
-    cholmod_sparse matrix = detail::view(lower);
-    session_->reset_factor(cholmod_analyze(&matrix, &session_->common()));
-    session_->check();
+    session_ = ancf::detail::hidden<Session>(options_);
+    session_->analyze(detail::view(lower));
 }
 
 ANCF_INLINE FactorReport Cholmod::factorize_values(const SparseMatrix& lower) {
     const detail::Unthreaded unthreaded(!options_.threads);
-    cholmod_sparse matrix = detail::view(lower);
-    cholmod_factorize(&matrix, session_->factor(), &session_->common());
-    session_->check();
+    session_->factorize(detail::view(lower));
     const cholmod_factor& factor = *session_->factor();
     FactorReport report;
     if (factor.minor < factor.n)
