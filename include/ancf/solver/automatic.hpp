@@ -73,7 +73,6 @@ private:
     [[nodiscard]] const LinearSolver& chosen() const noexcept {
         return is_chain() ? static_cast<const LinearSolver&>(chain_) : *general_;
     }
-    void explain(const SparseMatrix& lower);
 
     BlockTridiagonal chain_;
     std::unique_ptr<LinearSolver> general_;

@@ -22,23 +22,9 @@ ANCF_INLINE Automatic::Automatic(std::unique_ptr<LinearSolver> general, BlockTri
 
 ANCF_INLINE void Automatic::analyze(const SparseMatrix& lower) {
     detail::require_storage("automatic", lower, storage());
-    is_chain_ = BlockTridiagonal::accepts(lower);
-    if (is_chain()) {
-        chain_.analyze(lower);
-    } else {
-        general_->analyze(lower);
-    }
-    explain(lower);
-}
-
-ANCF_INLINE FactorReport Automatic::factorize(const SparseMatrix& lower) {
-    return is_chain() ? chain_.factorize(lower) : general_->factorize(lower);
-}
-
-ANCF_INLINE void Automatic::solve(const VectorX& b, VectorX& x) const { chosen().solve(b, x); }
-
-ANCF_INLINE void Automatic::explain(const SparseMatrix& lower) {
     const int widest = detail::widest_block(detail::chain_starts(lower));
+    is_chain_ = widest <= BlockTridiagonal::max_block;
+    is_chain() ? chain_.analyze(lower) : general_->analyze(lower);
     explanation_ =
         is_chain()
             ? detail::joined({name(), ": a chain of ", chain_.blocks(), " blocks of up to ", widest,
@@ -46,5 +32,11 @@ ANCF_INLINE void Automatic::explain(const SparseMatrix& lower) {
             : detail::joined({name(), ": no chain, it would take a block of ", widest,
                               " unknowns, and ", BlockTridiagonal::max_block, " are the most"});
 }
+
+ANCF_INLINE FactorReport Automatic::factorize(const SparseMatrix& lower) {
+    return is_chain() ? chain_.factorize(lower) : general_->factorize(lower);
+}
+
+ANCF_INLINE void Automatic::solve(const VectorX& b, VectorX& x) const { chosen().solve(b, x); }
 
 }  // namespace ancf
