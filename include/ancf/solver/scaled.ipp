@@ -16,19 +16,6 @@ namespace ancf {
 
 namespace detail {
 
-/// Returns the diagonal of S: powers of two near 1/sqrt|a_ii|, so that scaled diagonal entries lie
-/// in [1, 4). A row without a diagonal, a constraint's, is scaled to a largest entry of about 1.
-[[nodiscard]] ANCF_INLINE VectorX symmetric_scale(const SparseMatrix& matrix) {
-    VectorX scale;
-    symmetric_roots(matrix, scale);
-    for (double& root : scale) {
-        int exponent = 1;
-        if (std::isfinite(root)) std::frexp(root, &exponent);
-        root = power_of_two(1 - exponent);
-    }
-    return scale;
-}
-
 /// A sum that keeps its round-off: value and what it lacks.
 struct TwiceSum {
     double high = 0.0;
@@ -99,7 +86,14 @@ ANCF_INLINE void Scaled::analyze(const SparseMatrix& matrix) {
 
 ANCF_INLINE FactorReport Scaled::factorize(const SparseMatrix& matrix) {
     stage_.begin_factorisation(name(), matrix);
-    scale_ = detail::symmetric_scale(matrix);
+    // powers of two near 1/sqrt|a_ii|, so that scaled diagonal entries lie in [1, 4); a row without
+    // a diagonal, a constraint's, is scaled to a largest entry of about 1
+    detail::symmetric_roots(matrix, scale_);
+    for (double& root : scale_) {
+        int exponent = 1;
+        if (std::isfinite(root)) std::frexp(root, &exponent);
+        root = detail::power_of_two(1 - exponent);
+    }
     for (int column = 0; column < matrix.outerSize(); ++column)
         for (int slot = matrix.outerIndexPtr()[column]; slot < matrix.outerIndexPtr()[column + 1];
              ++slot)
