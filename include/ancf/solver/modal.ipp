@@ -17,14 +17,6 @@ namespace ancf {
 
 namespace detail {
 
-/// Whether the tangent of every element of a model can be taken at given stresses.
-[[nodiscard]] ANCF_INLINE bool takes_stresses(const Scene& model) {
-    const auto& groups = model.groups();
-    return std::all_of(groups.begin(), groups.end(), [](const auto& group) {
-        return group->evaluates_mixed() || group->size() == 0;
-    });
-}
-
 /// The tangent of a scene that a load deflects linearly.
 class Deflected {
 public:
@@ -53,7 +45,11 @@ public:
         // central, so that the extension due to linearly added rotations, of even order, drops out;
         // the step leaves the difference ten digits of the tangent
         const double step = 1e-5 / std::max(size_, std::numeric_limits<double>::min());
-        if (takes_stresses(model_)) {
+        const auto& groups = model_.groups();
+        const bool takes_stresses = std::all_of(
+            groups.begin(), groups.end(),
+            [](const auto& group) { return group->evaluates_mixed() || group->size() == 0; });
+        if (takes_stresses) {
             const Correction stresses{model_.state().q, deflection_};
             const auto fault = evaluate(1.0, model_.state().q, &stresses);
             out = assembly_.tangent() - unloaded;
