@@ -109,12 +109,8 @@ bool BorderedFactors<Scalar>::scale(const Scalar* values) {
         scales_[row] = std::max(scales_[row], size(slot) / scales_[column]);
     };
     const auto n = static_cast<std::size_t>(chain_);
-    for (const Entry& entry : across_)
-        couple(n + static_cast<std::size_t>(entry.row), static_cast<std::size_t>(entry.column),
-               entry.slot);
-    for (const Entry& entry : corner_)
-        couple(n + static_cast<std::size_t>(entry.row), n + static_cast<std::size_t>(entry.column),
-               entry.slot);
+    for (const Entry& entry : across_) couple(n + entry.row, entry.column, entry.slot);
+    for (const Entry& entry : corner_) couple(n + entry.row, n + entry.column, entry.slot);
     for (double& root : scales_) {
         root = 1.0 / root;
         if (!std::isfinite(root)) return false;
@@ -138,18 +134,14 @@ bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
     const auto m = static_cast<std::size_t>(border_), n = static_cast<std::size_t>(chain_);
     std::fill(columns_.begin(), columns_.end(), Scalar(0.0));
     std::fill(small_.begin(), small_.end(), Scalar(0.0));
-    for (const Entry& entry : across_)
-        columns_[static_cast<std::size_t>(entry.row) * n + static_cast<std::size_t>(entry.column)] =
-            values[entry.slot];
+    for (const Entry& entry : across_) columns_[entry.row * n + entry.column] = values[entry.slot];
     for (std::size_t k = 0; k < m; ++k)
         solve_chain(layout_, panels_.data(), columns_.data() + k * n);
-    for (const Entry& entry : corner_)
-        small_[static_cast<std::size_t>(entry.row) * m + static_cast<std::size_t>(entry.column)] +=
-            values[entry.slot];
+    for (const Entry& entry : corner_) small_[entry.row * m + entry.column] += values[entry.slot];
     for (const Entry& entry : across_)
         for (std::size_t k = 0; k < m; ++k)
-            small_[static_cast<std::size_t>(entry.row) * m + k] -= product(
-                values[entry.slot], columns_[k * n + static_cast<std::size_t>(entry.column)]);
+            small_[entry.row * m + k] -=
+                product(values[entry.slot], columns_[k * n + entry.column]);
     for (std::size_t k = 0; k < m; ++k) {
         std::size_t pivot = k;
         for (std::size_t i = k + 1; i < m; ++i)
