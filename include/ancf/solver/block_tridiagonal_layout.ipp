@@ -58,12 +58,8 @@ ANCF_INLINE int widest_block(const std::vector<int>& starts) {
 ANCF_INLINE std::vector<int> joined_blocks(const std::vector<int>& starts, int width) {
     std::vector<int> joined = {0};
     for (std::size_t k = 1; k < starts.size(); ++k) {
-        const bool fits = joined.size() > 1 && starts[k] - joined[joined.size() - 2] <= width;
-        if (fits) {
-            joined.back() = starts[k];
-        } else {
-            joined.push_back(starts[k]);
-        }
+        if (joined.size() > 1 && starts[k] - joined[joined.size() - 2] <= width) joined.pop_back();
+        joined.push_back(starts[k]);
     }
     return joined;
 }

@@ -132,11 +132,7 @@ ANCF_INLINE FactorReport DirectSolver::factorize(const SparseMatrix& matrix) {
 
 ANCF_INLINE void DirectSolver::solve(const VectorX& b, VectorX& x) const {
     stage_.require_solvable(name(), b);
-    if (b.size() > 0) {
-        substitute(b, x);
-    } else {
-        x = b;
-    }
+    b.size() > 0 ? substitute(b, x) : x.resize(0);
 }
 
 }  // namespace ancf::detail
