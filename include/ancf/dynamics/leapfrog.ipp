@@ -388,9 +388,8 @@ ANCF_INLINE void LeapfrogOptions::check() const {
 
 ANCF_INLINE LeapfrogReport Leapfrog::integrate(DynamicProblem& problem,
                                                const Schedule& schedule) const {
-    detail::require_motion(problem);
+    detail::require_motion(problem, schedule);
     const double from = problem.model().state().time;
-    schedule.check(from);
     if (options().step > 0.0 && schedule.end > from)
         detail::require_resolved(options().step, from, schedule.end);
     LeapfrogReport report;

@@ -25,17 +25,16 @@
 
 namespace ancf::detail {
 
-/// Throws where nothing can move, and for a part of a scene unless `takes_parts`.
-void require_motion(const DynamicProblem& problem, bool takes_parts = false);
+/// Throws where nothing can move, for a part of a scene unless `takes_parts`, and for a schedule
+/// that does not fit the model's time.
+void require_motion(const DynamicProblem& problem, const Schedule& schedule,
+                    bool takes_parts = false);
 
 /// Returns the width at which steps begin to vanish in the round-off of time, s.
 [[nodiscard]] double time_resolution(double start, double end) noexcept;
 
 /// Throws for steps that vanish in the round-off of time.
 void require_resolved(double step, double start, double end);
-
-/// Throws unless the problem was set up for the storage of the solver.
-void require_same_storage(const LinearSolver& solver, const DynamicProblem& problem);
 
 /// A point of a motion: free coordinates, rates and multipliers at a time.
 struct MotionPoint {
@@ -98,7 +97,6 @@ private:
     // pass.
     void inspect(const MotionPoint& point);
     [[nodiscard]] bool goes_on(double time);
-    void store(const MotionPoint& end);
     void observe(const MotionPoint& from, const MotionPoint& to, double slack,
                  const Between& between);
     [[nodiscard]] static MotionPoint cubic(const MotionPoint& from, const MotionPoint& to,

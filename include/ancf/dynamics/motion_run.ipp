@@ -12,11 +12,13 @@
 
 namespace ancf::detail {
 
-ANCF_INLINE void require_motion(const DynamicProblem& problem, bool takes_parts) {
+ANCF_INLINE void require_motion(const DynamicProblem& problem, const Schedule& schedule,
+                                bool takes_parts) {
     require(takes_parts || problem.model().exchange() == nullptr,
             "a part of a scene is moved by GeneralizedAlpha alone, in all processes at once");
     require(problem.can_move(),
             "the scene has no free coordinate: there is no motion to integrate");
+    schedule.check(problem.model().state().time);
 }
 
 ANCF_INLINE double time_resolution(double start, double end) noexcept {
@@ -27,12 +29,6 @@ ANCF_INLINE void require_resolved(double step, double start, double end) {
     const double least = time_resolution(start, end);
     require(step > least, "a step of ", step, " s is below the resolution of time at ", end, " s, ",
             least, " s");
-}
-
-ANCF_INLINE void require_same_storage(const LinearSolver& solver, const DynamicProblem& problem) {
-    require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
-            solver.storage() == Storage::lower ? "the lower half" : "full storage",
-            "; set ProblemOptions::storage to match it");
 }
 
 /// Returns the larger number; not a number where one of them is not.
@@ -122,7 +118,23 @@ ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {
     if (report_.status == Status::converged)
         observe(point, point, std::max(0.0, schedule_.end - point.time), {});
-    store(point);
+    inspect(point);
+    const auto add = [&](const std::string& text) {
+        if (!report_.message.empty() && !text.empty()) report_.message += "; ";
+        report_.message += text;
+    };
+    add(report_.left_range);
+    VectorX q = point.q;
+    VectorX v = point.v;
+    if (!problem_.project(point.time, q, v))
+        add("the last state could not be brought onto the constraints");
+    VectorX acceleration, lambda = point.lambda;
+    if (solves_multipliers_) (void)problem_.accelerations(point.time, q, v, acceleration, lambda);
+    if (report_.status == Status::converged && !all_finite(lambda)) {
+        report_.status = Status::not_finite;
+        add("the multipliers at the end are not finite");
+    }
+    problem_.store(point.time, q, v, lambda);
     report_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
@@ -197,26 +209,6 @@ ANCF_INLINE bool Recorder::goes_on(double time) {
     report_.status = Status::stopped;
     report_.message = "the progress callback asked to stop";
     return false;
-}
-
-ANCF_INLINE void Recorder::store(const MotionPoint& end) {
-    inspect(end);
-    const auto add = [&](const std::string& text) {
-        if (!report_.message.empty() && !text.empty()) report_.message += "; ";
-        report_.message += text;
-    };
-    add(report_.left_range);
-    VectorX q = end.q;
-    VectorX v = end.v;
-    if (!problem_.project(end.time, q, v))
-        add("the last state could not be brought onto the constraints");
-    VectorX acceleration, lambda = end.lambda;
-    if (solves_multipliers_) (void)problem_.accelerations(end.time, q, v, acceleration, lambda);
-    if (report_.status == Status::converged && !all_finite(lambda)) {
-        report_.status = Status::not_finite;
-        add("the multipliers at the end are not finite");
-    }
-    problem_.store(end.time, q, v, lambda);
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,
@@ -363,10 +355,11 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
       control_(control),
       recorder_(problem, schedule, report_, follow_energy),
       grid_{0.0, control.is_adaptive() ? std::min(control.first, control.most) : control.first} {
-    require_same_storage(solver, problem);
-    require_motion(problem, takes_parts);
+    require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
+            solver.storage() == Storage::lower ? "the lower half" : "full storage",
+            "; set ProblemOptions::storage to match it");
+    require_motion(problem, schedule, takes_parts);
     const double time = problem.model().state().time;
-    schedule.check(time);
     require_resolved(control.first, time, schedule.end);
     control_.least = std::max(control.least, time_resolution(time, schedule.end));
     start_ = start_run(problem, report_);

@@ -380,9 +380,8 @@ ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
         problem.multipliers(),
         " multipliers, which ARKODE's methods do not take; integrate by Leapfrog, RadauIIA or Ida, "
         "or join by supports, by polyline and by Scene::attach, which have no multipliers");
-    ancf::detail::require_motion(problem);
+    ancf::detail::require_motion(problem, schedule);
     const double from = problem.model().state().time;
-    schedule.check(from);
     if (options().step > 0.0 && schedule.end > from)
         ancf::detail::require_resolved(options().step, from, schedule.end);
     return detail::ExplicitRun(problem, schedule, options()).run();

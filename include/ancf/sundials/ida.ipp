@@ -353,8 +353,7 @@ ANCF_INLINE void IdaOptions::check() const {
 ANCF_INLINE IdaReport Ida::integrate(DynamicProblem& problem, const Schedule& schedule) const {
     ancf::detail::require(problem.assembly().pattern().storage() == Storage::full,
                           "Ida: the problem must have full storage: set ProblemOptions::storage");
-    ancf::detail::require_motion(problem);
-    schedule.check(problem.model().state().time);
+    ancf::detail::require_motion(problem, schedule);
     return detail::IdaRun(problem, schedule, options()).run();
 }
 
