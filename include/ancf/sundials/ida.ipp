@@ -74,24 +74,6 @@ public:
     }
 
 private:
-    struct Scales {
-        double length, velocity, force;
-    };
-
-    [[nodiscard]] Scales scales() {
-        Scales s{options_.length_scale, options_.velocity_scale, options_.force_scale};
-        if (s.length == 0.0) s.length = problem_.length_scale();
-        if (s.velocity == 0.0) s.velocity = velocity_scale(s.length, slow_frequency_);
-        if (s.force == 0.0) s.force = problem_.force_scale(start_);
-        if (s.force == 0.0) {
-            const VectorX sizes = problem_.scales() / problem_.length_scale();
-            const double mass =
-                problem_.compact_mass().diagonal().cwiseProduct(sizes.cwiseAbs2()).maxCoeff();
-            s.force = mass * s.velocity * s.velocity / s.length;
-        }
-        return s;
-    }
-
     [[nodiscard]] int order_limit() {
         if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
         // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are
@@ -160,24 +142,35 @@ private:
 
     // The absolute tolerances, in the units of the scene.
     void fill_tolerances(Eigen::Map<VectorX>& absolute) {
-        const Scales s = scales();
+        double length = options_.length_scale;
+        if (length == 0.0) length = problem_.length_scale();
+        double velocity = options_.velocity_scale;
+        if (velocity == 0.0) velocity = velocity_scale(length, slow_frequency_);
+        double force = options_.force_scale;
+        if (force == 0.0) force = problem_.force_scale(start_);
+        if (force == 0.0) {
+            const VectorX sizes = problem_.scales() / problem_.length_scale();
+            const double mass =
+                problem_.compact_mass().diagonal().cwiseProduct(sizes.cwiseAbs2()).maxCoeff();
+            force = mass * velocity * velocity / length;
+        }
         VectorX sizes;
-        problem_.numbering().gather_free(problem_.scales_of(s.length), sizes);
+        problem_.numbering().gather_free(problem_.scales_of(length), sizes);
         system_.q(absolute) = options_.tolerance * sizes;
-        system_.v(absolute) = options_.tolerance * s.velocity / s.length * sizes;
+        system_.v(absolute) = options_.tolerance * velocity / length * sizes;
         // Newton's method cannot bring multipliers below the round-off of the forces they balance,
         // of which it sees a part. Where that hides the forces themselves, step() ends the run.
         const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
-        hides_forces_ = !(round_off < s.force);
+        hides_forces_ = !(round_off < force);
         const double resolved = hides_forces_ ? 0.0 : round_off;
         // a multiplier has the unit of a force where its equation is a length, else another one
-        const VectorX arms = problem_.assembly().violation_scale(s.length) / s.length;
-        const auto measured = [&](double force, auto&& multipliers) {
+        const VectorX arms = problem_.assembly().violation_scale(length) / length;
+        const auto measured = [&](double least, auto&& multipliers) {
             for (Eigen::Index i = 0; i < multipliers.size(); ++i)
-                multipliers[i] = arms[i] > 0.0 ? force / arms[i] : force;
+                multipliers[i] = arms[i] > 0.0 ? least / arms[i] : least;
         };
-        measured(std::max(options_.tolerance * s.force, resolved), system_.lambda(absolute));
-        measured(options_.tolerance * s.force * s.length / s.velocity, system_.mu(absolute));
+        measured(std::max(options_.tolerance * force, resolved), system_.lambda(absolute));
+        measured(options_.tolerance * force * length / velocity, system_.mu(absolute));
     }
 
     // The error test sees positions, and rates where the form holds them on the constraints.
