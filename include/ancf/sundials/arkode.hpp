@@ -16,7 +16,6 @@
 
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 
 namespace ancf::sundials::detail {
@@ -77,8 +76,7 @@ using ArkodeOwner = std::unique_ptr<void, Destroy<Arkode::free>>;  ///< owns the
 /// Returns an object of ERKStep whose messages go to the context.
 [[nodiscard]] inline ArkodeOwner make_erk(Context& context, ARKRhsFn rate, double time,
                                           N_Vector start) {
-    ArkodeOwner erk(ERKStepCreate(rate, time, start, context.get()));
-    if (!erk) throw std::bad_alloc();
+    ArkodeOwner erk(made(ERKStepCreate(rate, time, start, context.get())));
 #if SUNDIALS_VERSION_MAJOR < 7
     ERKStepSetErrHandlerFn(erk.get(), &Context::take, &context);
 #endif

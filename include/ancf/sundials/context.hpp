@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <new>
 #include <string>
 #include <type_traits>
 
@@ -55,9 +56,6 @@ public:
     /// Forgets it.
     void forget_message() noexcept { message_.clear(); }
 
-    /// Turns the messages of an IDA object to this context.
-    void silence(void* ida) noexcept;
-
     /// Keeps a message, as one of SUNDIALS.
     void remember(const char* message) noexcept;
 #if SUNDIALS_VERSION_MAJOR < 7
@@ -86,6 +84,13 @@ template <class Index = sunindextype>
                                     static_cast<int>(8 * sizeof(Index)), " bits and takes at most ",
                                     most});
     return static_cast<Index>(count);
+}
+
+/// Passes a new object on, or throws where SUNDIALS returned none.
+template <class Handle>
+Handle made(Handle handle) {
+    if (handle == nullptr) throw std::bad_alloc();
+    return handle;
 }
 
 /// Frees an object by a function that takes its handle, or the address of that.

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 namespace ancf::sundials {
 namespace detail {
@@ -188,8 +187,7 @@ private:
     // step measures its own rate. Otherwise it is IDA's test, but a first correction ends a step
     // below 1e-4 of what is allowed, not below 1e-8.
     void measure_rate() {
-        newton_.reset(SUNNonlinSol_Newton(y_.get(), context_.get()));
-        if (newton_ == nullptr) throw std::bad_alloc();
+        newton_.reset(made(SUNNonlinSol_Newton(y_.get(), context_.get())));
         call(IDASetNonlinearSolver(ida_.get(), newton_.get()));
         const auto test = [](SUNNonlinearSolver newton, N_Vector, N_Vector correction,
                              sunrealtype allowed, N_Vector weights, void* run) {
