@@ -84,8 +84,6 @@ public:
     [[nodiscard]] Rows rows(const Scene& part, const Numbering& numbering) const;
 
 private:
-    void connect();
-
     const Scene& whole_;
     MPI_Comm comm_;
     ancf::detail::Division division_;

@@ -75,12 +75,6 @@ ANCF_INLINE Partition::Partition(const Scene& whole, MPI_Comm comm, const std::s
       rank_(Session::rank(comm)),
       held_(division_.held(whole, rank_)) {
     const QuietErrors quiet;
-    connect();
-}
-
-ANCF_INLINE Partition::~Partition() = default;
-
-ANCF_INLINE void Partition::connect() {
     const Layout& layout = whole_.layout();
     const int ranks = Session::ranks(comm_);
     std::vector<PetscInt> count(ranks, 0);  // coordinates that each process owns
@@ -99,6 +93,8 @@ ANCF_INLINE void Partition::connect() {
     check(PetscSFSetGraph(shared_, count[rank_], static_cast<PetscInt>(roots.size()), nullptr,
                           PETSC_COPY_VALUES, roots.data(), PETSC_COPY_VALUES));
 }
+
+ANCF_INLINE Partition::~Partition() = default;
 
 ANCF_INLINE int Partition::number_in_part(const ElementGroup& group, int element) const {
     std::size_t k = 0;

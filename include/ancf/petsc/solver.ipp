@@ -193,11 +193,12 @@ struct SolverRun {
         if (largest(ancf::detail::all_finite(from) ? 0 : 1) > 0) return Status::not_finite;
         if (size > 0) failure = refusal();
         if (!failure.empty()) return Status::diverged;
-        if (!set_values(from)) {
+        if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) {
             failure = "the slope r_x of a member's end has no stiffness";
             return Status::singular;
         }
         if (size == 0) return Status::converged;
+        check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
         if (!factorises) set_rigid_motions();
         check(KSPSetOperators(ksp, matrix, matrix));
         check(KSPSetUp(ksp));
@@ -214,13 +215,6 @@ struct SolverRun {
         const bool pivot =
             reason == PC_FACTOR_NUMERIC_ZEROPIVOT || reason == PC_FACTOR_STRUCT_ZEROPIVOT;
         return pivot ? Status::singular : Status::diverged;
-    }
-
-    /// Hands over the condensed values; false where the condensation failed in some process.
-    [[nodiscard]] bool set_values(const SparseMatrix& from) {
-        if (largest(condensation.reduce(from, values.data()) ? 0 : 1) > 0) return false;
-        if (size > 0) check(MatSetValuesCOO(matrix, values.data(), INSERT_VALUES));
-        return true;
     }
 
     /// Returns the largest of the numbers that the processes give.
