@@ -305,7 +305,7 @@ private:
     void add(const VectorX& force, double scale, VectorX& x) const {
         for (std::size_t j = 0; j < active_.size(); ++j) {
             const double factor = scale * force.data()[j];
-            const double* const column = columns_.data() + static_cast<Eigen::Index>(j) * x.size();
+            const double* const column = columns_.data() + j * x.size();
             for (int i = first_[j]; i < last_[j]; ++i) x.data()[i] += factor * column[i];
         }
     }

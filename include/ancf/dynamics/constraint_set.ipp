@@ -26,8 +26,7 @@ void ConstraintSet::for_each_entry(const Visitor& visit) const {
             const int equation = assembly_.numbering().equation(at[j]);
             if (equation < 0) continue;
             for (int i = 0; i < result.jacobian.rows(); ++i)
-                if (!left_out(first + i))
-                    visit(first + i, equation, result.jacobian(i, static_cast<Eigen::Index>(j)));
+                if (!left_out(first + i)) visit(first + i, equation, result.jacobian(i, j));
         }
     });
 }
@@ -161,7 +160,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
             // with one multiplier 1 the stiffness is the Hessian of that equation
             local.multipliers.setZero(equations);
             local.multipliers[e] = 1.0;
-            result.reset(equations, static_cast<Eigen::Index>(read.size()));
+            result.reset(equations, read.size());
             constraint.evaluate(local, result);
             VectorX row = multiply(result.stiffness, local.v);
             coordinates.carry(row);
@@ -192,7 +191,7 @@ ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
             for (std::size_t j = 0; j < at.size(); ++j)
                 if (const int row = assembly_.numbering().equation(at[j]); row >= 0)
                     values[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()] +=
-                        result.jacobian(i, static_cast<Eigen::Index>(j));
+                        result.jacobian(i, j);
         }
     });
     columns.finalize();

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -81,10 +80,9 @@ struct TurnedStep {
 inline void turned_force(TurnedStep& step, StepForce& out) {
     Vector<double, 3> moment = Vector<double, 3>::Zero();
     for (int k = 0; k < step.vectors(); ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        step.gradient[at] = step.vector(out.force, k);
-        const Vector<double, 3> turned = step.half.symmetric(step.gradient[at]);
-        moment -= 0.5 * cross(step.arm[at], turned);
+        step.gradient[k] = step.vector(out.force, k);
+        const Vector<double, 3> turned = step.half.symmetric(step.gradient[k]);
+        moment -= 0.5 * cross(step.arm[k], turned);
         for (int i = 0; i < step.dimension; ++i) out.force[step.dimension * k + i] = turned[i];
     }
     step.spin = out.modes.spin_of(moment);
@@ -109,8 +107,7 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
     for (int b = first_axis; b < 3; ++b) {
         moment_rate[b].setZero();
         for (int k = 0; k < vectors; ++k) {
-            const auto at = static_cast<std::size_t>(k);
-            const Vector<double, 3>&x = step.at[at], &d = step.by[at], &g = step.gradient[at];
+            const Vector<double, 3>&x = step.at[k], &d = step.by[k], &g = step.gradient[k];
             const Vector<double, 3> mean =
                 step.half.symmetric_rate(b, x) - step.half.skew_rate(b, d);
             for (int j = 0; j < dimension; ++j)
@@ -128,7 +125,6 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
     double tangent[most * most];
     for (int m = 0; m < vectors; ++m)
         for (int j = 0; j < dimension; ++j) {
-            const auto of = static_cast<std::size_t>(m);
             const double* const by_turn = turn_rate + 3 * (dimension * m + j);
             double* const column = tangent + dofs * (dimension * m + j);
             const Vector<double, 3> unit = Vector<double, 3>::Unit(j);
@@ -141,7 +137,7 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
                 for (int b = first_axis; b < 3; ++b) rate[i] += gradient_rate[b][i] * by_turn[b];
             }
             Vector<double, 3> moment =
-                -0.5 * cross(step.half.skew(back), step.half.symmetric(step.gradient[of]));
+                -0.5 * cross(step.half.skew(back), step.half.symmetric(step.gradient[m]));
             for (int b = first_axis; b < 3; ++b) moment += by_turn[b] * moment_rate[b];
             for (int k = 0; k < vectors; ++k) {
                 Vector<double, 3> turned = step.half.symmetric(step.vector(rate, k));
@@ -152,7 +148,7 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
             }
             // x moves by half a unit: the inertia and the arms with it
             const double weight = out.modes.weight_of(m);
-            const Vector<double, 3>& x = step.at[of];
+            const Vector<double, 3>& x = step.at[m];
             const Vector<double, 3> arm = 0.5 * weight * cross(step.spin, unit);
             moment -= 0.5 * weight * cross(unit, cross(step.spin, x)) + cross(x, arm);
             const Vector<double, 3> spin = out.modes.spin_of(moment);
@@ -208,13 +204,12 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
     TurnedStep step{dofs, dimension, HalfTurn(turn), {}, {}, {}, {}, {}};
     const Vector<double, 3> shift = 0.5 * out.modes.shift_of(change);
     for (int k = 0; k < step.vectors(); ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        Vector<double, 3>&x = step.at[at], &d = step.by[at];
+        Vector<double, 3>&x = step.at[k], &d = step.by[k];
         x = out.modes.vector(k);
         d = 0.5 * step.vector(change, k);
         if (out.modes.is_position(k)) d -= shift;
         Vector<double, 3> mean;
-        step.half.middle(x, d, mean, step.arm[at]);
+        step.half.middle(x, d, mean, step.arm[k]);
         step.add(middle, k, mean - x);
     }
     out.energy = group.energy(prototype, e1);

@@ -256,7 +256,7 @@ private:
             const double scale = load.scale(middle);
             const std::vector<int>& read = place.at.read();
             for (std::size_t i = 0; i < read.size(); ++i)
-                force_[read[i]] -= scale * result.force[static_cast<Eigen::Index>(i)];
+                force_[read[i]] -= scale * result.force[i];
             if (!matrix) continue;
             place.at.carry(result.stiffness);
             place.at.carry(result.damping);
@@ -277,8 +277,7 @@ private:
             const auto equations = static_cast<int>(end.violation.size());
             for (std::size_t j = 0; j < read.size(); ++j)
                 for (int i = 0; i < equations; ++i)
-                    force_[read[j]] +=
-                        middle.jacobian(i, static_cast<Eigen::Index>(j)) * lambda[first + i];
+                    force_[read[j]] += middle.jacobian(i, j) * lambda[first + i];
             for (int i = 0; i < equations; ++i)
                 violation_[first + i] = problem_.constraints().left_out(first + i)
                                             ? lambda[first + i]

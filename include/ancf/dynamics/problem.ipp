@@ -538,8 +538,7 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
                                                       const VectorX& q) {
     time_ = t;
     full_v_.setZero();
-    for (std::size_t j = 0; j < active.size(); ++j)
-        full_q_[active[j]] = q[static_cast<Eigen::Index>(j)];
+    for (std::size_t j = 0; j < active.size(); ++j) full_q_[active[j]] = q[j];
     if (!driven_.empty() || !numbering().dependence().empty()) {
         VectorX free;
         numbering().gather_free(full_q_, free);

@@ -136,7 +136,7 @@ public:
     void without(const double* change, double* rest) const {
         const Vector<double, 3> shift = shift_of(change);
         const Vector<double, 3> turn = turn_of(change);
-        std::copy_n(change, static_cast<std::size_t>(dimension_) * vectors_.size(), rest);
+        std::copy_n(change, dimension_ * vectors_.size(), rest);
         for (std::size_t k = 0; k < vectors_.size(); ++k) subtract(k, turn, shift, rest);
     }
 
@@ -148,7 +148,7 @@ public:
     /// @param out  square, by columns.
     void derivative_of_without(const double* change, const double* rest, double* out) const {
         const Vector<double, 3> y = turn_of(change);
-        const std::size_t size = static_cast<std::size_t>(dimension_) * vectors_.size();
+        const std::size_t size = dimension_ * vectors_.size();
         for (std::size_t k = 0; k < vectors_.size(); ++k)
             for (int i = 0; i < dimension_; ++i) {
                 // one vector alone changes, by d: what is left of (I - Y/2) d, the turn of C d/2
@@ -161,9 +161,7 @@ public:
                 Vector<double, 3> shift = Vector<double, 3>::Zero();
                 if (vector.position) shift = kept / positions_;
                 std::fill_n(out, size, 0.0);
-                for (int j = 0; j < dimension_; ++j)
-                    out[static_cast<std::size_t>(dimension_) * k + static_cast<std::size_t>(j)] =
-                        kept[j];
+                for (int j = 0; j < dimension_; ++j) out[dimension_ * k + j] = kept[j];
                 for (std::size_t j = 0; j < vectors_.size(); ++j) subtract(j, turn, shift, out);
                 out += size;
             }
@@ -177,7 +175,7 @@ private:
     };
 
     [[nodiscard]] Vector<double, 3> component(const double* x, std::size_t k) const {
-        const double* const at = x + static_cast<std::size_t>(dimension_) * k;
+        const double* const at = x + dimension_ * k;
         return {at[0], at[1], dimension_ == 3 ? at[2] : 0.0};
     }
 
@@ -191,7 +189,7 @@ private:
     // Writes a vector of x without the motion of a turn and a shift.
     void subtract(std::size_t k, const Vector<double, 3>& turn, const Vector<double, 3>& shift,
                   double* x) const {
-        double* const at = x + static_cast<std::size_t>(dimension_) * k;
+        double* const at = x + dimension_ * k;
         const Vector<double, 3> turned = cross(turn, vectors_[k].value);
         for (int i = 0; i < dimension_; ++i) {
             at[i] -= turned[i];

@@ -131,17 +131,15 @@ ANCF_INLINE bool ConvergenceMonitor::at_round_off(const Assembly& assembly,
     // Held coordinates have no column in the tangent: each free one is counted with held ones of
     // the size of its node's position and an element.
     VectorX sizes = q, at,
-            reach = VectorX::Constant(static_cast<Eigen::Index>(numbering_.block_sizes().size()),
-                                      element_size_);
+            reach = VectorX::Constant(numbering_.block_sizes().size(), element_size_);
     const auto node = [&](std::size_t k) { return numbering_.block(static_cast<int>(k)); };
     for (std::size_t k = 0; k < power_.size(); ++k) {
-        double& size = sizes[static_cast<Eigen::Index>(k)];
+        double& size = sizes[k];
         size = std::abs(size);
         if (power_[k] > 0) reach[node(k)] = std::max(reach[node(k)], size + element_size_);
     }
     for (std::size_t k = 0; k < power_.size(); ++k)
-        sizes[static_cast<Eigen::Index>(k)] +=
-            reach[node(k)] * std::pow(element_size_, power_[k] - 1);
+        sizes[k] += reach[node(k)] * std::pow(element_size_, power_[k] - 1);
     numbering_.gather_free(sizes, at);
     VectorX floor = VectorX::Zero(numbering_.unknowns());
     const bool lower = assembly.pattern().storage() == Storage::lower;

@@ -15,7 +15,7 @@ ANCF_INLINE SparseMatrix compressed(int size, const Records<MatrixEntry>& entrie
     // sorted by row, then by column: two passes that keep the order of equals
     const auto sorted = [size](const Records<MatrixEntry>& from, int MatrixEntry::*key) {
         Records<std::size_t> next(static_cast<std::size_t>(size) + 1, 0);
-        for (const MatrixEntry& entry : from) ++next[static_cast<std::size_t>(entry.*key) + 1];
+        for (const MatrixEntry& entry : from) ++next[entry.*key + 1];
         for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
         Records<MatrixEntry> to(from.size());
         for (const MatrixEntry& entry : from) to[next[entry.*key]++] = entry;
@@ -47,8 +47,7 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
     std::vector<int> blocks;
     const std::vector<int>& sizes = numbering.block_sizes();
     for (std::size_t block = 0; block < sizes.size(); ++block)
-        blocks.insert(blocks.end(), static_cast<std::size_t>(sizes[block]),
-                      static_cast<int>(block));
+        blocks.insert(blocks.end(), sizes[block], static_cast<int>(block));
     blocks.resize(static_cast<std::size_t>(equations));
     return blocks;
 }
@@ -58,9 +57,8 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
 [[nodiscard]] ANCF_INLINE std::vector<int> minimum_degree(
     std::vector<std::vector<int>> neighbours) {
     const auto count = static_cast<int>(neighbours.size());
-    const auto at = [](int k) { return static_cast<std::size_t>(k); };
     std::vector<std::vector<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
-    for (int k = count - 1; k >= 0; --k) waiting[neighbours[at(k)].size()].push_back(k);
+    for (int k = count - 1; k >= 0; --k) waiting[neighbours[k].size()].push_back(k);
     std::vector<int> seen(neighbours.size(), -1);
     Records<char> gone(neighbours.size(), 0);
     std::vector<int> order;
@@ -73,22 +71,22 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
         }
         const int block = waiting[degree].back();
         waiting[degree].pop_back();
-        if (gone[at(block)] != 0 || neighbours[at(block)].size() != degree) continue;
-        gone[at(block)] = 1;
+        if (gone[block] != 0 || neighbours[block].size() != degree) continue;
+        gone[block] = 1;
         order.push_back(block);
-        const std::vector<int> clique = std::exchange(neighbours[at(block)], {});
+        const std::vector<int> clique = std::exchange(neighbours[block], {});
         for (const int one : clique) {
-            std::vector<int>& own = neighbours[at(one)];
-            seen[at(one)] = seen[at(block)] = ++stamp;
+            std::vector<int>& own = neighbours[one];
+            seen[one] = seen[block] = ++stamp;
             std::size_t kept = 0;
             for (const int other : own) {
                 if (other == block) continue;
-                seen[at(other)] = stamp;
+                seen[other] = stamp;
                 own[kept++] = other;
             }
             own.resize(kept);
             for (const int other : clique)
-                if (seen[at(other)] != stamp) own.push_back(other);
+                if (seen[other] != stamp) own.push_back(other);
             waiting[own.size()].push_back(one);
             degree = std::min(degree, own.size());
         }
@@ -154,8 +152,7 @@ ANCF_INLINE int SparseLdlt::take_values(const double* values) {
 ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
     std::vector<std::vector<int>> neighbours = coupled_blocks(lower, blocks_);
     Records<char> waits(neighbours.size(), 0);
-    for (std::size_t row = blocks_.size() - static_cast<std::size_t>(last_); row < blocks_.size();
-         ++row)
+    for (std::size_t row = blocks_.size() - last_; row < blocks_.size(); ++row)
         waits[blocks_[row]] = 1;
     const auto is_last = [&](int block) { return waits[block] != 0; };
     for (std::size_t block = 0; last_ > 0 && block < neighbours.size(); ++block) {

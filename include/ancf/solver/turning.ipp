@@ -455,8 +455,7 @@ ANCF_INLINE std::vector<double> Turning::chord_forces(const VectorX& residual) c
                 pull[i] = residual[numbering_.equation(layout_.first(node) + component)];
         if (of.count > 0) of.factors.solve(pull);
         for (std::size_t c = 0; c < chords_.size(); ++c)
-            forces[3 * c + static_cast<std::size_t>(component)] =
-                at(chords_[c][1]) - at(chords_[c][0]);
+            forces[3 * c + component] = at(chords_[c][1]) - at(chords_[c][0]);
     }
     return forces;
 }
@@ -515,7 +514,7 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     factorize();
     // wanted: how far each chord ends from where the linear sum ends it
     std::vector<double> wanted;
-    wanted.reserve(chords_.size() * static_cast<std::size_t>(dimension_));
+    wanted.reserve(chords_.size() * dimension_);
     for (const auto& chord : chords_) {
         const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
         double old[3] = {}, step[3] = {}, moved[3];
@@ -558,8 +557,7 @@ ANCF_INLINE void Turning::shift(int component, const std::vector<double>& wanted
     for (std::size_t c = 0; c < chords_.size(); ++c) {
         const int i = of.unknown[chords_[c][0]];
         const int j = of.unknown[chords_[c][1]];
-        const double by =
-            wanted[c * static_cast<std::size_t>(dimension_) + static_cast<std::size_t>(component)];
+        const double by = wanted[c * dimension_ + component];
         if (i >= 0) pull[i] -= by;
         if (j >= 0) pull[j] += by;
     }

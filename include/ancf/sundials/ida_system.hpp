@@ -120,9 +120,8 @@ public:
         if (!stabilised_) return;
         const double* level = parts.velocity_level->valuePtr();
         for (int j = 0; j < static_cast<int>(pattern.cols()); ++j)
-            for (int at = pattern.outerIndexPtr()[j]; at < pattern.outerIndexPtr()[j + 1]; ++at) {
-                const auto k = static_cast<std::size_t>(at);
-                const bool inertia = j < n_ && pattern.innerIndexPtr()[at] < n_;
+            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
+                const bool inertia = j < n_ && pattern.innerIndexPtr()[k] < n_;
                 const bool of_q = j < n_;
                 values[kinematic_[k]] =
                     of_q ? level[k] + (inertia ? c * mass[k] : 0.0) : tangent[k];
