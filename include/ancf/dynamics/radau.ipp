@@ -100,7 +100,6 @@ private:
 
     void recall_run(const Memory& memory) {
         const int n = problem_.size();
-        const auto stages = static_cast<Eigen::Index>(stages_);
         const VectorX& values = recall("RadauIIA", "radau", memory, 11);
         require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ",
                 values[13], " stages, the options have ", options_.stages);
@@ -109,8 +108,8 @@ private:
         static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
         require_continuation("RadauIIA", memory, problem_, start_point(), now_);
         now_.acceleration = memory.get("acceleration", n);
-        part_stages(memory.get("stage_accelerations", n * stages), acceleration_before_);
-        part_stages(memory.get("stage_multipliers", problem_.multipliers() * stages),
+        part_stages(memory.get("stage_accelerations", n * options_.stages), acceleration_before_);
+        part_stages(memory.get("stage_multipliers", problem_.multipliers() * options_.stages),
                     lambda_before_);
         width_before_ = values[4];
         contraction_ = values[7];

@@ -82,8 +82,7 @@ using Stages = std::vector<VectorX>;
     // of (4), each coefficient over that of the highest power
     std::vector<double> coefficients(static_cast<std::size_t>(stages) + 1, 1.0);
     for (int j = stages - 1; j >= 0; --j)  // ratio of the coefficients of j and j + 1
-        coefficients[j] = -coefficients[static_cast<std::size_t>(j) + 1] * (j + 1) *
-                          (2 * stages - 1 - j) / (stages - j);
+        coefficients[j] = -coefficients[j + 1] * (j + 1) * (2 * stages - 1 - j) / (stages - j);
     std::vector<Complex> zeros;
     for (int k = 0; k < stages; ++k) zeros.push_back(2.0 * stages * std::pow(Complex(0.4, 0.9), k));
     for (int iteration = 0; iteration < 500; ++iteration) {  // of Durand and Kerner
@@ -186,7 +185,6 @@ template <class Scalar>
     using Complex = std::complex<double>;
     RadauTableau tableau;
     tableau.nodes = radau_nodes(stages);
-    const auto size = static_cast<std::size_t>(stages);
     const auto W = differentiation(tableau.nodes);
     const auto A = small_inverse(W);
     const auto squared = [&](const std::vector<std::vector<double>>& a) {
@@ -205,7 +203,7 @@ template <class Scalar>
     tableau.eigenvalues = radau_eigenvalues(stages);
     tableau.to_modes.resize(stages, stages);
     tableau.from_modes.resize(stages, stages);
-    std::vector<std::vector<Complex>> T(size);  // the kept columns, each before its conjugate
+    std::vector<std::vector<Complex>> T(stages);  // the kept columns, each before its conjugate
     int at = 0;
     for (const Complex& eigenvalue : tableau.eigenvalues) {
         const bool real = eigenvalue.imag() == 0.0;
