@@ -193,11 +193,11 @@ private:
     /// Evaluates at next_ and, where asked, builds and factorises the matrix there.
     [[nodiscard]] Status evaluate(double h, bool matrix) {
         set_rates(h);
-        full_next_ = problem_.raw_state(next_.time, next_.q, next_.v);
+        const State full = problem_.raw_state(next_.time, next_.q, next_.v);
         ++report_.evaluations;
         report_.fault.reset();
-        if (!system_.evaluate(full_next_.q, full_next_.v, next_.lambda, matrix, rhs_)) {
-            report_.fault = problem_.assembly().inspect(full_next_.q);
+        if (!system_.evaluate(full.q, full.v, next_.lambda, matrix, rhs_)) {
+            report_.fault = problem_.assembly().inspect(full.q);
             if (!report_.fault)  // a load or a constraint
                 report_.fault =
                     problem_.evaluate(next_.time, next_.q, next_.v, next_.lambda, Request::force);
@@ -260,7 +260,7 @@ private:
     VectorX acceleration_;  // mean of the last step: the prediction of the next
     MotionPoint linearised_from_, linearised_to_;  // the step that the matrix was evaluated in
     double linearised_width_ = 0.0;                // 0: there is no matrix
-    State full_now_, full_next_;
+    State full_now_;
     VectorX increment_;  // q_1 - q_0, free of the round-off of q
     VectorX rhs_, solution_;
 };
