@@ -54,20 +54,14 @@ ANCF_INLINE int widest_block(const std::vector<int>& starts) {
     return widest;
 }
 
-/// Joins neighbouring blocks as long as they fit into panels of the given width.
-ANCF_INLINE std::vector<int> joined_blocks(const std::vector<int>& starts, int width) {
-    std::vector<int> joined = {0};
+ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vector<int>& starts,
+                                     int width) {
+    BlockLayout layout;
+    std::vector<int>& joined = layout.starts;  // neighbours, as long as they fit into a panel
     for (std::size_t k = 1; k < starts.size(); ++k) {
         if (joined.size() > 1 && starts[k] - joined[joined.size() - 2] <= width) joined.pop_back();
         joined.push_back(starts[k]);
     }
-    return joined;
-}
-
-ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vector<int>& starts,
-                                     int width) {
-    BlockLayout layout;
-    layout.starts = joined_blocks(starts, width);
     layout.width = width;
     layout.dense.assign(static_cast<std::size_t>(layout.blocks()), 0);
     const int* outer = lower.outerIndexPtr();
