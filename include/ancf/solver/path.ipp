@@ -295,7 +295,9 @@ private:
     // Moves a point behind the last load factor onto it; fails where that leaves the step.
     [[nodiscard]] Outcome land(const Point& from, int iterations, Point& point) {
         const double whole = std::abs(length(from, point));
-        Outcome outcome = advance(from, to_factor(*options_.last_factor - point.factor), point);
+        const double change = *options_.last_factor - point.factor;
+        const VectorX none = VectorX::Zero(numbering_.unknowns());
+        Outcome outcome = advance(from, {true, none, 1.0, change, none, change}, point);
         if (outcome.failed()) return outcome;
         if (std::abs(length(from, point)) > (1.0 + options_.correction_tolerance) * whole)
             return Outcome::of(Status::diverged);
@@ -367,11 +369,6 @@ private:
                 "PathOptions: direction moves no coordinate that is free");
         mode /= std::sqrt(product(mode, mode));
         return {true, weights_.cwiseProduct(mode), 0.0, step_, step_ * mode, 0.0};
-    }
-
-    [[nodiscard]] Control to_factor(double change) const {
-        return {true,   VectorX::Zero(numbering_.unknowns()), 1.0,
-                change, VectorX::Zero(numbering_.unknowns()), change};
     }
 
     // Newton's method on the bordered system from `point`, the last one.
