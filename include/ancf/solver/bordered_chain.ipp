@@ -93,7 +93,7 @@ ANCF_INLINE FactorReport BorderedChain::factorize(const SparseMatrix& matrix) {
         detail::report_condition(
             matrix, singular_rcond_,
             [this](const VectorX& b, VectorX& x) {
-                if (&x != &b) x = b;
+                x = b;
                 factors_.solve(x.data());
             },
             report);
