@@ -66,22 +66,6 @@ private:
     return view;
 }
 
-/// Sets what the options say; nothing is printed, no handler called.
-ANCF_INLINE void configure(const CholmodOptions& options, cholmod_common& common) {
-    common.print = 0;
-    common.error_handler = nullptr;
-    switch (options.mode) {
-        case CholmodMode::automatic: common.supernodal = CHOLMOD_AUTO; break;
-        case CholmodMode::simplicial: common.supernodal = CHOLMOD_SIMPLICIAL; break;
-        case CholmodMode::supernodal: common.supernodal = CHOLMOD_SUPERNODAL; break;
-    }
-    if (options.ordering == CholmodOrdering::automatic) return;
-    const bool natural = options.ordering == CholmodOrdering::natural;
-    common.nmethods = 1;
-    common.method[0].ordering = natural ? CHOLMOD_NATURAL : CHOLMOD_AMD;
-    common.postorder = natural ? 0 : 1;
-}
-
 /// Returns the number of negative entries of D; none in L L^T.
 [[nodiscard]] ANCF_INLINE int negative_pivots(const cholmod_factor& factor) noexcept {
     if (factor.is_ll != 0) return 0;
@@ -97,9 +81,21 @@ ANCF_INLINE void configure(const CholmodOptions& options, cholmod_common& common
 /// The state of CHOLMOD: parameters, factor and the workspace of solve.
 class Cholmod::Session {
 public:
+    /// Nothing is printed, no handler called.
     explicit Session(const CholmodOptions& options) {
         cholmod_start(&common_);
-        detail::configure(options, common_);
+        common_.print = 0;
+        common_.error_handler = nullptr;
+        switch (options.mode) {
+            case CholmodMode::automatic: common_.supernodal = CHOLMOD_AUTO; break;
+            case CholmodMode::simplicial: common_.supernodal = CHOLMOD_SIMPLICIAL; break;
+            case CholmodMode::supernodal: common_.supernodal = CHOLMOD_SUPERNODAL; break;
+        }
+        if (options.ordering == CholmodOrdering::automatic) return;
+        const bool natural = options.ordering == CholmodOrdering::natural;
+        common_.nmethods = 1;
+        common_.method[0].ordering = natural ? CHOLMOD_NATURAL : CHOLMOD_AMD;
+        common_.postorder = natural ? 0 : 1;
     }
     ~Session() {
         cholmod_free_factor(&factor_, &common_);
