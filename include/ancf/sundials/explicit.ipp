@@ -160,8 +160,8 @@ private:
         void* erk = erk_.get();
         call(Arkode::set_user_data(erk, &system_));
         call(ERKStepSetTableNum(erk, table_id(options_.table)));
-        call(Arkode::set_degree(erk,
-                                3));  // of what gives the accelerations; more asks for more forces
+        // of what gives the accelerations; more asks for more forces
+        call(Arkode::set_degree(erk, 3));
 #if SUNDIALS_VERSION_MAJOR < 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR < 1)
         // Before 7.1 every table whose last stage is at the step's end has it taken for the first
         // one of the next step, which lowers the order to three; after a step that was processed it
@@ -197,8 +197,8 @@ private:
         }
         call(Arkode::set_stability(erk, &ExplicitSystem::stability, &system_));
         call(Arkode::set_stable_share(erk, options_.stable_share));
-        call(
-            Arkode::set_kept_steps(erk, 1.0, 1.0));  // a step just below the stable one grows to it
+        // a step just below the stable one grows to it
+        call(Arkode::set_kept_steps(erk, 1.0, 1.0));
         double first = options_.first_step;
         if (first == 0.0) first = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
         first = std::min(first, options_.stable_share * system_.stable_step());

@@ -307,8 +307,7 @@ private:
             problem_.multipliers() > 0)
             message +=
                 "; in very short steps the multipliers of index 3 are round-off: if that is so "
-                "here, a "
-                "larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
+                "here, a larger first_step or tolerance, or gear_gupta_leimkuhler, may pass";
         return false;
     }
 
