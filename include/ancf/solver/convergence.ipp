@@ -42,7 +42,8 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
     : numbering_(numbering), exchange_(model.exchange()) {
     const Layout& layout = model.layout();
     for (int k = 0; k < layout.size(); ++k) power_.push_back(length_power(layout.field_of(k)));
-    double length = 0.0, count = 0.0;
+    double sums[2] = {};
+    auto& [length, count] = sums;  // of all elements
     for (const auto& group : model.groups()) {
         if (group->one_node()) continue;
         for (const Connection& connection : group->connections) {
@@ -50,12 +51,7 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
             count += 1.0;
         }
     }
-    if (exchange_ != nullptr) {
-        double sums[2] = {length, count};
-        exchange_->sum(sums, 2);
-        length = sums[0];
-        count = sums[1];
-    }
+    if (exchange_ != nullptr) exchange_->sum(sums, 2);
     const VectorX& q = model.state().q;
     detail::require(q.size() == layout.size(), "the state has ", q.size(),
                     " coordinates, the model has ", layout.size());
@@ -69,19 +65,16 @@ ANCF_INLINE ConvergenceMonitor::ConvergenceMonitor(const Scene& model, const Num
 
 template <class Entry>
 ConvergenceMonitor::Norms ConvergenceMonitor::norms(const Entry& entry) const {
-    Norms sums;
+    double sums[2] = {};
+    auto& [force, moment] = sums;
     for (std::size_t k = 0; k < power_.size(); ++k) {
         if (exchange_ != nullptr && !exchange_->owns(static_cast<int>(k))) continue;
         double value = entry(static_cast<int>(k));
         if (power_[k] < 0) value /= element_size_;
-        (power_[k] > 0 ? sums.force : sums.moment) += value * value;
+        (power_[k] > 0 ? force : moment) += value * value;
     }
-    if (exchange_ != nullptr) {
-        double both[2] = {sums.force, sums.moment};
-        exchange_->sum(both, 2);
-        sums = {both[0], both[1]};
-    }
-    return {std::sqrt(sums.force), std::sqrt(sums.moment)};
+    if (exchange_ != nullptr) exchange_->sum(sums, 2);
+    return {std::sqrt(force), std::sqrt(moment)};
 }
 
 ANCF_INLINE ConvergenceMonitor::Norms ConvergenceMonitor::unbalanced(
