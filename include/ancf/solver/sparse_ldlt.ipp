@@ -56,9 +56,9 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
 /// the fewest neighbours, the last one that came to have so few.
 [[nodiscard]] ANCF_INLINE std::vector<int> minimum_degree(
     std::vector<std::vector<int>> neighbours) {
-    const auto count = static_cast<int>(neighbours.size());
     std::vector<std::vector<int>> waiting(neighbours.size() + 1);  // by degree, some out of date
-    for (int k = count - 1; k >= 0; --k) waiting[neighbours[k].size()].push_back(k);
+    for (int k = static_cast<int>(neighbours.size()) - 1; k >= 0; --k)
+        waiting[neighbours[k].size()].push_back(k);
     std::vector<int> seen(neighbours.size(), -1);
     Records<char> gone(neighbours.size(), 0);
     std::vector<int> order;
@@ -99,8 +99,7 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
     const SparseMatrix& matrix, const std::vector<int>& blocks) {
     const int count = blocks.empty() ? 0 : *std::max_element(blocks.begin(), blocks.end()) + 1;
     std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(count));
-    const auto size = static_cast<int>(matrix.cols());
-    for (int j = 0; j < size; ++j)
+    for (int j = 0; j < matrix.cols(); ++j)
         for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
             const int a = blocks[matrix.innerIndexPtr()[k]];
             const int b = blocks[j];
