@@ -497,6 +497,37 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         const double length = model.position(rod.last())[1] - model.position(mass)[1];
         CHECK(length == Approx(0.5 + 9.81 / 200.0).epsilon(1e-9));
     }
+    SECTION("masses alone hang on a spring, on links, below and beside them") {
+        // unit of length, m: whatever it is
+        const double unit = GENERATE(1.0, 1e-9, 1e9), angle = GENERATE(0.0, 0.1, 1.5);
+        const bool links = GENERATE(false, true);
+        CAPTURE(unit, angle, links);
+        const double weight = 3.0 * 9.81 * unit, stiffness = links ? 0.0 : 1000.0;
+        const double x = std::sin(angle) * unit, y = -std::cos(angle) * unit;
+        ancf::PlanarModel model;
+        const auto mass = model.add_node({x, y});
+        model.add_mass(mass, 3.0);
+        if (links) {
+            const auto second = model.add_node({2.0 * x, 2.0 * y});
+            model.add_mass(second, 1.0);
+            model.add(ancf::Distance<2>(mass, {0.0, 0.0}, unit));
+            model.add(ancf::Distance<2>(second, mass, unit));
+        } else {
+            const auto hook = model.add_node({0.0, 0.0});
+            model.add_mass(hook, 1.0);
+            model.pin(hook);
+            model.add(ancf::Spring<2>(mass, hook, stiffness, unit));
+        }
+        model.set_gravity({0.0, -9.81 * unit});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        if (links) CHECK(report.held_by_loads);  // a spring may hold by round-off
+        CHECK(report.stability == ancf::Stability::stable);
+        const double length = unit + (links ? 0.0 : weight / stiffness);
+        CHECK(model.position(mass)[1] == Approx(-length).epsilon(1e-9));
+        CHECK(std::abs(model.position(mass)[0]) < 1e-6 * unit);
+    }
     SECTION("what no load holds stays singular") {
         ancf::PlanarModel model;
         const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);

@@ -26,22 +26,27 @@ namespace detail {
 /// it holds. Where that has negative stiffness alone, its magnitude counts.
 /// @param tangent   of full storage: its last columns hold the constraints' gradients
 /// @param diagonal  of the tangent; grows with the springs
-/// @return false where one of them holds nothing that has a stiffness.
+/// @return false where nothing has a stiffness.
 ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
     const VectorX held = diagonal;
+    const double largest = held.cwiseAbs().maxCoeff();
     const int* const row = tangent.innerIndexPtr();
     const double* const g = tangent.valuePtr();
     const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };
     for (auto column = static_cast<int>(held.size()); column < tangent.cols(); ++column) {
         const int first = tangent.outerIndexPtr()[column];
         const int last = tangent.outerIndexPtr()[column + 1];
-        double flexibility = 0.0, of_negative = 0.0;
-        for (int k = first; k < last; ++k)
-            if (counts(k) && held[row[k]] != 0.0)
+        double flexibility = 0.0, of_negative = 0.0, square = 0.0;
+        for (int k = first; k < last; ++k) {
+            if (!counts(k)) continue;
+            square += g[k] * g[k];
+            if (held[row[k]] != 0.0)
                 (held[row[k]] > 0.0 ? flexibility : of_negative) += g[k] * g[k] / held[row[k]];
+        }
         if (!(flexibility > 0.0)) flexibility = -of_negative;
+        if (!(flexibility > 0.0) && largest > 0.0) flexibility = square / largest;
         if (!(flexibility > 0.0)) return false;
         const double spring = stiffness / flexibility;
         for (int a = first; a < last; ++a)

@@ -33,8 +33,10 @@ public:
           turning_(model, assembly_.numbering()),
           exchange_(model.exchange()),
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
-          without_sections_(
-              !some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
+          masses_alone_(!some([](const ElementGroup&) { return true; })),
+          without_sections_(!masses_alone_ && !some([](const ElementGroup& of) {
+              return of.fields().contains(Field::r_y);
+          })),
           newton_(possible(options.newton)) {
         solver_.analyze(assembly_.tangent());
     }
@@ -141,7 +143,7 @@ private:
             return true;
         }
         part_size_ = share_after(failed) * size;
-        const bool stuck = failed.status == Status::singular && failed.iterations == 0;
+        const bool stuck = is_stuck(failed);
         if (!jumped_ && newton_ == NewtonKind::automatic &&
             (stuck || (report_.factor != options_.first_factor && wanders(failed)))) {
             unheld_ = stuck;
@@ -155,6 +157,13 @@ private:
         way_ = Way::plain;  // what a run without cuts would have tried
         part_size_ = equal_;
         return true;
+    }
+
+    /// Whether a step could not begin: its first tangent is singular, of masses alone to round-off.
+    [[nodiscard]] bool is_stuck(const LoadStep& failed) const {
+        constexpr double beyond_reason = 1e10;
+        if (failed.iterations == 0) return failed.status == Status::singular;
+        return masses_alone_ && failed.corrections.front() > beyond_reason;
     }
 
     /// Whether the next step may be longer. After a failed one, two have to succeed.
@@ -196,8 +205,8 @@ private:
     }
 
     /// Returns the iteration asked for, or what the scene has of it. Without mixed elements `mixed`
-    /// becomes plain, and `automatic` too unless there are sections to turn. In a part of a scene
-    /// `automatic` becomes mixed.
+    /// becomes plain, and `automatic` too unless there are sections to turn, or masses alone that
+    /// loads may have to hold. In a part of a scene `automatic` becomes mixed.
     [[nodiscard]] NewtonKind possible(NewtonKind wanted) const {
         if (wanted == NewtonKind::plain || wanted == NewtonKind::turned) return wanted;
         if (some([](const ElementGroup& of) { return of.evaluates_mixed(); }))
@@ -343,10 +352,12 @@ private:
     }
 
     /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
-    /// D has the magnitudes of the tangent's diagonal, and the largest one where that has a zero.
-    /// The time is such that the correction is neither large nor against the force.
+    /// D has the magnitudes of the tangent's diagonal, the largest one where that has a zero, and
+    /// the largest force over the scene's size where it has none, as of masses on links. The time
+    /// is such that the correction is neither large nor against the force.
     Status correct_damped(LoadStep& step) {
         constexpr double wanted = 0.5, growth = 4.0, first_time = 1e6, shortest = 1e-3;
+        constexpr double nothing = 1e-12;  // a correction of the multipliers alone
         const int free = assembly_.numbering().free_coordinates();
         double* const values = assembly_.tangent_values();
         const std::vector<int> at = diagonal_places(assembly_.tangent());
@@ -354,11 +365,14 @@ private:
         for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
         // what has no stiffness of its own is as viscous as the stiffest of its unit
         VectorX viscosity = diagonal.cwiseAbs();
-        double stiffest[3] = {};
+        double stiffest[3] = {}, force = 0.0;
         const std::vector<int> all = free_coordinates(assembly_.numbering());
         const auto unit = [&](int k) { return length_power(model_.layout().field_of(all[k])) + 1; };
-        for (int k = 0; k < free; ++k)
+        for (int k = 0; k < free; ++k) {
             stiffest[unit(k)] = std::max(stiffest[unit(k)], viscosity[k]);
+            force = std::max(force, std::abs(residual_[k]));
+        }
+        if (!(viscosity.maxCoeff() > 0.0)) viscosity.setConstant(force / monitor_.size());
         for (int k = 0; k < free; ++k)
             if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
         time_ = step.corrections.empty()
@@ -370,10 +384,11 @@ private:
                 time_ /= growth;
                 continue;
             }
-            double work = 0.0;
-            for (int k = 0; k < free; ++k) work -= residual_[k] * correction_[k];
+            double work = 0.0;  // of forces on the correction, without what closes constraints
+            for (int k = 0; k < assembly_.numbering().unknowns(); ++k)
+                work += (k < free ? -1.0 : 1.0) * residual_[k] * correction_[k];
             const double size = monitor_.correction(correction_);
-            if (work > 0.0 && size <= 2.0 * wanted) return Status::converged;
+            if (size <= nothing || (work > 0.0 && size <= 2.0 * wanted)) return Status::converged;
             time_ *= std::min(1.0 / growth, std::max(wanted / size, 1e-2));
         }
         return Status::max_iterations;
@@ -601,7 +616,8 @@ private:
     Turning turning_;
     const detail::Exchange* exchange_;               // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
-    bool without_sections_;                          // no element has r_y
+    bool masses_alone_;                              // no elements
+    bool without_sections_;                          // elements, and none has r_y
     NewtonKind newton_;
     static constexpr int none_failed = 2;
     int successes_ = none_failed;  // steps that converged since one failed
