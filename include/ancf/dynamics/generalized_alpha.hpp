@@ -37,7 +37,9 @@ struct GeneralizedAlphaOptions {
     double max_step = std::numeric_limits<double>::infinity();
     double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
     int max_iterations = 12;          ///< of Newton's method in a step
-    bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
+    /// Report the energy drift, and end as diverged where steps gain energy: one evaluation of the
+    /// force a step.
+    bool follow_energy = true;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
     void check() const;

@@ -48,6 +48,8 @@ public:
         if (!has_started()) return std::move(report_);
         memory.empty() ? begin_anew() : recall_run(memory);
         next_ = now_;
+        if (!control_.is_adaptive())
+            recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02));
         recorder_.start(now_);
         while (goes_on(now_) && advance()) {
             std::swap(now_, next_);

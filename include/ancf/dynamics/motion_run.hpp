@@ -71,6 +71,11 @@ public:
     /// integrator.
     void solve_multipliers(bool solves) noexcept { solves_multipliers_ = solves; }
 
+    /// Ends a run, where energies are followed, that has a fifth of its kinetic and strain energy
+    /// from nothing, once a step has turned the scene further than this.
+    /// @param turn  rad
+    void forbid_gain(double turn) noexcept { most_turn_ = turn; }
+
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point);
 
@@ -88,7 +93,10 @@ private:
     // Takes what a step left into the report, before any projection: constraints and, where it is
     // followed, energy by an evaluation of its own. It inspects at about every 24 evaluations of
     // the forces, or every 12 steps where those are not counted yet.
-    void note(const MotionPoint& point);
+    // @param width  of the step, s
+    void note(const MotionPoint& point, double width = 0.0);
+    // Adds what the step gave kinetic and strain energy beyond the work of loads and drives.
+    void check_gain(const MotionPoint& point, double width, const Energies& energies);
     // Ends a run in which the rate of a constraint is not finite.
     void check_rates(double time);
     // Ends a run in which an equation that was left out no longer follows from the others.
@@ -107,6 +115,10 @@ private:
     DynamicsReport& report_;
     bool energies_;
     bool solves_multipliers_ = false;
+    double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
+    double largest_turn_ = 0.0;                                   // rad, likewise
+    double held_ = 0.0, power_ = 0.0;  // kinetic and strain energy, J, and power, W, one step ago
+    double most_held_ = 0.0, gain_ = 0.0;  // J
     std::chrono::steady_clock::time_point begin_;
     std::size_t next_ = 0;
 };

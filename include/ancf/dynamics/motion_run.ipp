@@ -110,7 +110,7 @@ ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
     ++report_.steps;
     report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
     report_.largest_step = std::max(report_.largest_step, width);
-    note(to);
+    note(to, width);
     observe(from, to, 1e-9 * width, between);
     return goes_on(to.time);
 }
@@ -183,7 +183,7 @@ ANCF_INLINE void Recorder::check_left_out(double time) {
         6);
 }
 
-ANCF_INLINE void Recorder::note(const MotionPoint& point) {
+ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
     const long in_a_step = std::max(2L, report_.evaluations / std::max(1L, report_.steps));
     if (report_.steps % std::max(1L, 24 / in_a_step) == 0) inspect(point);
     if (problem_.multipliers() > 0) {
@@ -201,6 +201,28 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point) {
     report_.energy_drift =
         larger(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
     report_.kinetic_largest = larger(report_.kinetic_largest, energies.kinetic);
+    check_gain(point, width, energies);
+}
+
+ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
+                                      const Energies& energies) {
+    if (!std::isfinite(most_turn_)) return;
+    const double held = std::exchange(held_, energies.kinetic + energies.strain);
+    const double power = std::exchange(power_, energies.load_power + energies.constraint_power);
+    most_held_ = std::max(most_held_, held_);
+    if (report_.steps == 0) return;
+    gain_ += held_ - held - 0.5 * width * (power + power_);
+    largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
+    if (largest_turn_ <= most_turn_ || !(gain_ > 0.2 * most_held_) ||
+        report_.status != Status::converged)
+        return;
+    report_.status = Status::diverged;
+    report_.message = joined({"the scene has gained ", gain_,
+                              " J that neither loads nor drives gave it, by steps that turn it by ",
+                              largest_turn_, " rad, at ", point.time,
+                              " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
+                              "may pass"},
+                             6);
 }
 
 ANCF_INLINE bool Recorder::goes_on(double time) {
