@@ -72,7 +72,8 @@ public:
     void solve_multipliers(bool solves) noexcept { solves_multipliers_ = solves; }
 
     /// Ends a run, where energies are followed, that has a fifth of its kinetic and strain energy
-    /// from nothing, once a step has turned the scene further than this.
+    /// from nothing, once a step has turned the scene further than this; not one that may pass
+    /// elements that are no beam, whose energy tells nothing.
     /// @param turn  rad
     void forbid_gain(double turn) noexcept { most_turn_ = turn; }
 
@@ -95,7 +96,9 @@ private:
     // the forces, or every 12 steps where those are not counted yet.
     // @param width  of the step, s
     void note(const MotionPoint& point, double width = 0.0);
-    // Adds what the step gave kinetic and strain energy beyond the work of loads and drives.
+    // Adds what the step gave kinetic and strain energy beyond the work of loads and drives, and
+    // the total energy beyond that of drives: where steps do not resolve a load that has a
+    // potential, such as a stiff spring, the second is right.
     void check_gain(const MotionPoint& point, double width, const Energies& energies);
     // Ends a run in which the rate of a constraint is not finite.
     void check_rates(double time);
@@ -117,8 +120,9 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
-    double held_ = 0.0, power_ = 0.0;  // kinetic and strain energy, J, and power, W, one step ago
-    double most_held_ = 0.0, gain_ = 0.0;  // J
+    Energies before_;                                             // one step ago
+    double most_held_ = 0.0;                                      // kinetic and strain energy, J
+    double gain_ = 0.0, excess_ = 0.0;  // J: beyond the work of loads and drives; of drives alone
     std::chrono::steady_clock::time_point begin_;
     std::size_t next_ = 0;
 };

@@ -206,18 +206,22 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
 
 ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
                                       const Energies& energies) {
-    if (!std::isfinite(most_turn_)) return;
-    const double held = std::exchange(held_, energies.kinetic + energies.strain);
-    const double power = std::exchange(power_, energies.load_power + energies.constraint_power);
-    most_held_ = std::max(most_held_, held_);
+    if (!std::isfinite(most_turn_) || schedule_.pass_degenerate) return;
+    const Energies before = std::exchange(before_, energies);
+    const auto held = [](const Energies& of) { return of.kinetic + of.strain; };
+    const auto work = [width](double first, double last) { return 0.5 * width * (first + last); };
+    most_held_ = std::max(most_held_, held(energies));
     if (report_.steps == 0) return;
-    gain_ += held_ - held - 0.5 * width * (power + power_);
+    const double driven = work(before.constraint_power, energies.constraint_power);
+    gain_ += held(energies) - held(before) - driven - work(before.load_power, energies.load_power);
+    excess_ += energies.total() - before.total() - driven;
     largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
-    if (largest_turn_ <= most_turn_ || !(gain_ > 0.2 * most_held_) ||
+    const double gain = std::min(gain_, excess_);
+    if (largest_turn_ <= most_turn_ || !(gain > 0.2 * most_held_) ||
         report_.status != Status::converged)
         return;
     report_.status = Status::diverged;
-    report_.message = joined({"the scene has gained ", gain_,
+    report_.message = joined({"the scene has gained ", gain,
                               " J that neither loads nor drives gave it, by steps that turn it by ",
                               largest_turn_, " rad, at ", point.time,
                               " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
