@@ -4,6 +4,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/frequency.hpp>
 #include <ancf/dynamics/kkt.hpp>
+#include <ancf/solver/redundancy.hpp>
 
 #include <support/catch.hpp>
 #include <support/dense.hpp>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <ancf/dynamics/constraint_set.hpp>
-#include <ancf/error.hpp>
+#include <ancf/solver/redundancy.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -199,10 +199,7 @@ ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
 }
 
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
-    const auto next = std::upper_bound(first_.begin(), first_.end(), equation);
-    const std::ptrdiff_t constraint = next - first_.begin() - 1;
-    return joined({"constraint ", constraint, " (", constraints_[constraint].name(), "), equation ",
-                   equation - first_[constraint]});
+    return describe_equation(constraints_, equation);
 }
 
 }  // namespace ancf::detail

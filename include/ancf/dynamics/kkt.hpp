@@ -73,19 +73,6 @@ private:
     SparseLdlt ldlt_;
 };
 
-/// Returns the rows of G that depend on the rows before them, ascending.
-///
-/// Each row is measured with the coordinates scaled and against its own length: a row is dependent
-/// when what remains of it off the span of the earlier ones is not longer than the tolerance,
-/// relative. The triangle of G^T = Q R is built by rotations, without Q (George and Heath, Linear
-/// Algebra and its Applications 34, 1980); where its diagonal vanishes, the rest of that row goes
-/// back into it.
-/// @param columns    G^T, compressed.
-/// @param scales     sizes of the coordinates, one for each row of G^T, positive.
-/// @param tolerance  from 0 to 1.
-[[nodiscard]] std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
-                                              double tolerance);
-
 }  // namespace ancf::detail
 
 #if !defined(ANCF_COMPILED)

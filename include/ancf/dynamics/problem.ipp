@@ -8,6 +8,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/redundancy.hpp>
 
 #include <algorithm>
 #include <cmath>

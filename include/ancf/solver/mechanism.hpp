@@ -11,7 +11,9 @@
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
+#include <ancf/model/scene.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/redundancy.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
@@ -84,11 +86,14 @@ namespace ancf::detail {
 /// Returns in words why a tangent cannot be factorised; empty where that does not show.
 ///
 /// Weak springs at every coordinate make a tangent regular whose singular motions no constraint
-/// holds; the softest one is then sought. Where springs do not help, constraints repeat each other.
+/// holds; the softest one is then sought. Where constraints repeat each other springs do not help.
 /// @param solver  analysed for the matrix; it is left with another factorisation.
-[[nodiscard]] inline std::string singular_cause(const Layout& layout, const Numbering& numbering,
+[[nodiscard]] inline std::string singular_cause(const Scene& model, const Numbering& numbering,
                                                 const SparseMatrix& tangent, LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
+    std::string repeated = repeated_constraints(model, numbering, tangent, solver.storage());
+    if (!repeated.empty()) return repeated;
+    const Layout& layout = model.layout();
     const std::vector<int> all = free_coordinates(numbering);
     for (const double part : {1e-12, 1e-9, 1e-6}) {
         SparseMatrix firm = copied(tangent);

@@ -143,7 +143,7 @@ with_cause(ModalReport report, const Scene& model, const Assembly& assembly, con
            LinearSolver& solver, const char* otherwise = "the matrix is not positive definite") {
     std::string& message = report.message;
     if (report.status == Status::singular) {
-        message = singular_cause(model.layout(), assembly.numbering(), A, solver);
+        message = singular_cause(model, assembly.numbering(), A, solver);
         if (message.empty()) message = otherwise;
     } else if (report.status == Status::max_iterations) {
         message = joined({"modes are left to converge after ", report.iterations, " iterations"});

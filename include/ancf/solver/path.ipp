@@ -566,7 +566,7 @@ private:
         if (report_.fault) return text + assembly_.describe(*report_.fault);
         std::string found;
         if (status == Status::singular && report_.points.empty())
-            found = singular_cause(model_.layout(), numbering_, assembly_.tangent(), solver_);
+            found = singular_cause(model_, numbering_, assembly_.tangent(), solver_);
         if (found.empty() && status == Status::singular && idle_)
             found = controlled_ >= 0 ? "the load does not move the coordinate that is controlled"
                                      : "the load moves nothing";

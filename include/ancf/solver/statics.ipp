@@ -8,6 +8,7 @@
 #include <ancf/model/constraint.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/mechanism.hpp>
+#include <ancf/solver/redundancy.hpp>
 #include <ancf/solver/statics.hpp>
 #include <ancf/solver/turning.hpp>
 
@@ -323,6 +324,8 @@ private:
             if (step.iterations >= most_iterations(step) || hopeless(step))
                 return Status::max_iterations;
 
+            // not every factorisation sees it through the round-off
+            if (step.iterations == 0 && repeats()) return Status::singular;
             assembly_.residual(residual_);
             if (step.newton == NewtonKind::automatic &&
                 (step.corrections.empty() || correction > small_turn))
@@ -335,6 +338,16 @@ private:
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
         }
+    }
+
+    /// Whether constraints repeat each other or a support, by the first tangent of the run.
+    [[nodiscard]] bool repeats() {
+        if (!repeats_)
+            repeats_ = exchange_ == nullptr && !solver_.iterative() &&
+                       !repeated_constraints(model_, assembly_.numbering(), assembly_.tangent(),
+                                             solver_.storage())
+                            .empty();
+        return *repeats_;
     }
 
     /// Solves for the correction.
@@ -594,8 +607,7 @@ private:
             report_.stability = stability(assembly_);
         for (const int k : numbering.held()) report_.reactions[k] = assembly_.unbalanced(k);
         if (report_.status == Status::singular && alone) {
-            std::string found =
-                singular_cause(model_.layout(), numbering, assembly_.tangent(), solver_);
+            std::string found = singular_cause(model_, numbering, assembly_.tangent(), solver_);
             if (!found.empty()) report_.message = std::move(found);
         }
         VectorX outer =
@@ -636,6 +648,7 @@ private:
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
+    std::optional<bool> repeats_;       // see repeats()
     std::optional<Stability> reached_;  // at the end of the last attempt, where it was judged
     VectorX residual_, correction_;
     Correction last_;        // of the attempt that runs
