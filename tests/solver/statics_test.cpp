@@ -15,6 +15,7 @@
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/path.hpp>
 #include <ancf/solver/solver_named.hpp>
 
 #include <support/bar.hpp>
@@ -695,6 +696,7 @@ TEST_CASE("statics: a link more than a point needs is seen through round-off", "
         CHECK(report.status == Status::singular);
         CHECK_THAT(report.message,
                    ContainsSubstring("constraints repeat each other or a support: constraint 3"));
+        CHECK(ancf::follow_path(model, solver).status == Status::singular);
     }
 }
 

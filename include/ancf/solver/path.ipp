@@ -8,6 +8,7 @@
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/path.hpp>
+#include <ancf/solver/redundancy.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,9 @@ private:
             outcome = prepare_start(here);
         }
         if (outcome.failed()) return outcome;
+        if (!repeated_constraints(model_, numbering_, assembly_.tangent(), solver_.storage())
+                 .empty())
+            return Outcome::of(Status::singular);
         report_.bifurcations_sought = options_.critical_points;
         step_ = branching_ ? options_.branch_step : first_step(here);
         first_ = std::abs(step_);
