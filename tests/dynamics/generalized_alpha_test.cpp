@@ -7,6 +7,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/springs.hpp>
 #include <ancf/output/state_file.hpp>
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -526,6 +527,43 @@ TEST_CASE("generalized-alpha: steps that turn a stiff body too far do not end as
     CHECK(report.energy_drift < limit * report.energy_start);
     if (report.status == Status::diverged)
         CHECK_THAT(report.message, ContainsSubstring("neither loads nor drives"));
+}
+
+/// A force of constant size across the line from the origin: it has no potential.
+struct Across {
+    static constexpr int dimension = 2;
+    NodeId node;
+    double size;
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
+        const double x = at.q[0], y = at.q[1], l = std::hypot(x, y), cube = l * l * l;
+        out.force << -size * y / l, size * x / l;
+        out.stiffness << size * x * y / cube, size * y * y / cube - size / l,
+            size / l - size * x * x / cube, -size * x * y / cube;
+    }
+};
+
+TEST_CASE("generalized-alpha: what loads give is no gain, however stiff or short they are",
+          "[dynamics]") {
+    const bool pulse = GENERATE(false, true);
+    CAPTURE(pulse);
+    ancf::PlanarModel model;
+    const NodeId mass = model.add_node({1.01, 0.0});
+    model.add_mass(mass, 3.0);
+    if (pulse) {  // at an end within the first step
+        model.add(ancf::Force<2>(mass, {15000.0, 0.0}), [](double t) { return t < 0.004; });
+    } else {  // spins a spring that vibrates many times in a step
+        model.add(ancf::Spring<2>(mass, {0.0, 0.0}, 1e6, 1.0));
+        model.add(Across{mass, 15.0});
+    }
+    ancf::DynamicProblem problem(model);
+    ancf::EigenLu solver;
+    Schedule schedule;
+    schedule.end = 3.0;
+    const auto report = GeneralizedAlpha(fixed(0.01)).integrate(problem, solver, schedule);
+    INFO(report.message);
+    CHECK(report.status == Status::converged);
+    if (!pulse) CHECK(model.state().v.norm() == Approx(15.0).epsilon(0.02));
 }
 
 TEST_CASE("generalized-alpha: options that cannot be meant are refused", "[dynamics]") {

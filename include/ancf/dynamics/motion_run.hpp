@@ -96,9 +96,8 @@ private:
     // the forces, or every 12 steps where those are not counted yet.
     // @param width  of the step, s
     void note(const MotionPoint& point, double width = 0.0);
-    // Adds what the step gave kinetic and strain energy beyond the work of loads and drives, and
-    // the total energy beyond that of drives: where steps do not resolve a load that has a
-    // potential, such as a stiff spring, the second is right.
+    // Adds what the step gave kinetic and strain energy beyond the work of loads and drives. Loads
+    // work by their forces on the coordinates: their power tells nothing of a stiff spring.
     void check_gain(const MotionPoint& point, double width, const Energies& energies);
     // Ends a run in which the rate of a constraint is not finite.
     void check_rates(double time);
@@ -121,8 +120,9 @@ private:
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
     Energies before_;                                             // one step ago
-    double most_held_ = 0.0;                                      // kinetic and strain energy, J
-    double gain_ = 0.0, excess_ = 0.0;  // J: beyond the work of loads and drives; of drives alone
+    VectorX force_before_, q_before_;  // one step ago, of all coordinates
+    double most_held_ = 0.0;           // kinetic and strain energy, J
+    double gain_ = 0.0;                // J: beyond the work of loads and drives
     std::chrono::steady_clock::time_point begin_;
     std::size_t next_ = 0;
 };

@@ -207,26 +207,32 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
 ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
                                       const Energies& energies) {
     if (!std::isfinite(most_turn_) || schedule_.pass_degenerate) return;
-    const Energies before = std::exchange(before_, energies);
-    const auto held = [](const Energies& of) { return of.kinetic + of.strain; };
-    const auto work = [width](double first, double last) { return 0.5 * width * (first + last); };
-    most_held_ = std::max(most_held_, held(energies));
-    if (report_.steps == 0) return;
-    const double driven = work(before.constraint_power, energies.constraint_power);
-    gain_ += held(energies) - held(before) - driven - work(before.load_power, energies.load_power);
-    excess_ += energies.total() - before.total() - driven;
-    largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
-    const double gain = std::min(gain_, excess_);
-    if (largest_turn_ <= most_turn_ || !(gain > 0.2 * most_held_) ||
+    const VectorX force = problem_.assembly().external_force();
+    const VectorX q = problem_.raw_state(point.time, point.q, point.v).q;
+    const double held = energies.kinetic + energies.strain;
+    most_held_ = std::max(most_held_, held);
+    if (report_.steps > 0) {
+        const double driven = 0.5 * width * (before_.constraint_power + energies.constraint_power);
+        const double work =
+            0.5 * problem_.sum_of_parts(problem_.own_dot(force_before_ + force, q - q_before_));
+        gain_ += held - before_.kinetic - before_.strain - driven - work;
+        largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
+    }
+    before_ = energies;
+    force_before_ = force;
+    q_before_ = q;
+    if (largest_turn_ <= most_turn_ || !(gain_ > 0.2 * most_held_) ||
         report_.status != Status::converged)
         return;
     report_.status = Status::diverged;
-    report_.message = joined({"the scene has gained ", gain,
-                              " J that neither loads nor drives gave it, by steps that turn it by ",
-                              largest_turn_, " rad, at ", point.time,
-                              " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
-                              "may pass"},
-                             6);
+    report_.message =
+        joined({"the scene has gained ", gain_,
+                " J that neither loads nor drives gave it, by steps that turn it by up "
+                "to ",
+                largest_turn_, " rad, at ", point.time,
+                " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
+                "may pass"},
+               6);
 }
 
 ANCF_INLINE bool Recorder::goes_on(double time) {

@@ -280,6 +280,8 @@ public:
 
     /// Returns a sum over all parts of a scene; of a whole one the number itself.
     [[nodiscard]] double sum_of_parts(double value) const;
+    /// Returns x.y over all coordinates that this part answers for.
+    [[nodiscard]] double own_dot(const VectorX& x, const VectorX& y) const;
 
     /// Returns the typical size of every coordinate, held ones too, for a scene of the given size:
     /// that of positions, 1 of slopes, one over it of r_xx.
@@ -326,8 +328,6 @@ private:
     [[nodiscard]] double largest_of_parts(double value) const;
     // Replaces forces of free coordinates by their sums over all parts.
     void add_parts(VectorX& forces) const;
-    // Returns x.y over all coordinates that this part answers for.
-    [[nodiscard]] double own_dot(const VectorX& x, const VectorX& y) const;
     void check_sizes() const;
     void list_driven();
     void measure();

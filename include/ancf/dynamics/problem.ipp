@@ -253,7 +253,7 @@ ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
     const std::vector<int> dependent = detail::dependent_rows(
-        constraints_.transposed_jacobian(), scales_, options_.redundancy_tolerance);
+        constraints_.transposed_jacobian(), 0, scales_, options_.redundancy_tolerance);
     if (dependent.empty()) return;
     if (options_.redundancy == Redundancy::minimum_norm) {
         left_out_ = dependent;
