@@ -38,6 +38,18 @@ using Scene = ancf::Model;
 
 constexpr double axial_stiffness = 100.0;
 
+/// Pulls to the origin; not a number below y = 0.5 m.
+struct NaNBelow {
+    static constexpr int dimension = 2;
+    ancf::NodeId node;
+    [[nodiscard]] ancf::Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
+        out.force = -at.q;
+        if (at.q[1] < 0.5) out.force[1] = std::numeric_limits<double>::quiet_NaN();
+        out.stiffness(0, 0) = out.stiffness(1, 1) = -1.0;
+    }
+};
+
 /// Two bars in a row along X, held sideways; the far end is node 2.
 Chain make_chain() {
     Chain chain;
@@ -582,6 +594,16 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         const auto report = solve(chain);
         REQUIRE(report.status == Status::singular);
         CHECK_THAT(report.message, ContainsSubstring(expected));
+    }
+    SECTION("a load of masses alone that is not a number after the first correction") {
+        ancf::PlanarModel model;
+        const auto mass = model.add_node({0.0, 1.0});
+        model.add_mass(mass, 1.0);
+        model.add(NaNBelow{mass});
+        ancf::EigenLu solver;
+        const auto report = ancf::solve_statics(model, solver);
+        CHECK(report.status == Status::not_finite);
+        CHECK(report.message == "the force of load 0 is not finite");
     }
     SECTION("a load that is not a number") {
         Chain chain = make_chain();

@@ -164,7 +164,8 @@ private:
     [[nodiscard]] bool is_stuck(const LoadStep& failed) const {
         constexpr double beyond_reason = 1e10;
         if (failed.iterations == 0) return failed.status == Status::singular;
-        return masses_alone_ && failed.corrections.front() > beyond_reason;
+        return masses_alone_ && !failed.corrections.empty() &&
+               failed.corrections.front() > beyond_reason;
     }
 
     /// Whether the next step may be longer. After a failed one, two have to succeed.
