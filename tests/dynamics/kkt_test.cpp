@@ -221,26 +221,26 @@ TEST_CASE("dependent_rows: those that follow from the rows before them, and no o
         }
         INFO("excess " << excess);
         const MatrixX columns = rows.transpose();
-        CHECK(dependent_rows(columns.sparseView(), scales, 1e-10) == expected);
+        CHECK(dependent_rows(columns.sparseView(), 0, scales, 1e-10) == expected);
         SparseMatrix with_zeros(coordinates, rows.rows());
         for (int j = 0; j < columns.cols(); ++j)
             for (int i = 0; i < coordinates; ++i) with_zeros.insert(i, j) = columns(i, j);
         with_zeros.makeCompressed();
-        CHECK(dependent_rows(with_zeros, scales, 1e-10) == expected);
+        CHECK(dependent_rows(with_zeros, 0, scales, 1e-10) == expected);
     }
-    CHECK(dependent_rows(SparseMatrix(3, 0), VectorX::Ones(3), 1e-10).empty());
+    CHECK(dependent_rows(SparseMatrix(3, 0), 0, VectorX::Ones(3), 1e-10).empty());
 }
 
 TEST_CASE("dependent_rows: the scales of the coordinates count", "[dynamics][kkt]") {
     MatrixX columns(2, 2);  // rows (1, 0) and (1, 1)
     columns << 1, 1, 0, 1;
     const VectorX alike = VectorX::Ones(2), apart = Vector<double, 2>(1.0, 1e-12);
-    CHECK(dependent_rows(columns.sparseView(), alike, 1e-10).empty());
-    CHECK(dependent_rows(columns.sparseView(), apart, 1e-10) == std::vector<int>{1});
+    CHECK(dependent_rows(columns.sparseView(), 0, alike, 1e-10).empty());
+    CHECK(dependent_rows(columns.sparseView(), 0, apart, 1e-10) == std::vector<int>{1});
     // more rows than coordinates: the last follows from both, in any scales
     MatrixX wide(2, 3);
     wide << 1, 1, 3, 0, 1, -2;
-    CHECK(dependent_rows(wide.sparseView(), alike, 1e-10) == std::vector<int>{2});
+    CHECK(dependent_rows(wide.sparseView(), 0, alike, 1e-10) == std::vector<int>{2});
 }
 
 TEST_CASE("dependent_rows: a long closed chain has one dependent row, at no great cost",
@@ -254,7 +254,7 @@ TEST_CASE("dependent_rows: a long closed chain has one dependent row, at no grea
         columns.insert(place(k + 1), k) = -1.0;
     }
     columns.makeCompressed();
-    CHECK(dependent_rows(columns, VectorX::Ones(links), 1e-10) == std::vector<int>{links - 1});
+    CHECK(dependent_rows(columns, 0, VectorX::Ones(links), 1e-10) == std::vector<int>{links - 1});
 }
 
 TEST_CASE("algebra: the largest distance is the largest ratio of the difference", "[algebra]") {

@@ -24,11 +24,11 @@ namespace ancf::detail {
 /// relative. The triangle of G^T = Q R is built by rotations, without Q (George and Heath, Linear
 /// Algebra and its Applications 34, 1980); where its diagonal vanishes, the rest of that row goes
 /// back into it.
-/// @param columns    G^T, compressed.
+/// @param matrix     compressed; G^T stands in its first rows, from column `first` on.
 /// @param scales     sizes of the coordinates, one for each row of G^T, positive.
 /// @param tolerance  from 0 to 1.
-[[nodiscard]] std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
-                                              double tolerance);
+[[nodiscard]] std::vector<int> dependent_rows(const SparseMatrix& matrix, int first,
+                                              const VectorX& scales, double tolerance);
 
 /// Returns an equation in words: the constraint, its name, and which of its equations it is.
 [[nodiscard]] std::string describe_equation(const std::vector<AnyConstraint>& constraints,

@@ -4,92 +4,91 @@
 #pragma once
 
 #include <ancf/error.hpp>
+#include <ancf/records.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/redundancy.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 namespace ancf::detail {
 
-/// A row of a sparse triangular factor, columns ascending.
-struct SparseRow {
-    std::vector<int> columns;
-    std::vector<double> values;
+/// An entry of a row of a sparse triangular factor.
+struct RowEntry {
+    int column;
+    double value;
 };
+
+/// Such a row, columns ascending.
+using SparseRow = Records<RowEntry>;
+
+ANCF_INLINE void drop_first(SparseRow& row) {
+    std::copy(row.begin() + 1, row.end(), row.begin());
+    row.resize(row.size() - 1);
+}
 
 /// Rotates two rows that begin in the same column so that the second one loses it.
 ANCF_INLINE void rotate(SparseRow& upper, SparseRow& lower) {
-    const double length = std::hypot(upper.values[0], lower.values[0]);
-    const double c = upper.values[0] / length, s = lower.values[0] / length;
+    const double length = std::hypot(upper[0].value, lower[0].value);
+    const double c = upper[0].value / length, s = lower[0].value / length;
     SparseRow turned, rest;
-    std::size_t i = 0, j = 0;
-    while (i < upper.columns.size() || j < lower.columns.size()) {
-        const bool from_upper = j == lower.columns.size() ||
-                                (i < upper.columns.size() && upper.columns[i] <= lower.columns[j]);
-        const bool from_lower = i == upper.columns.size() ||
-                                (j < lower.columns.size() && lower.columns[j] <= upper.columns[i]);
-        const int column = from_upper ? upper.columns[i] : lower.columns[j];
-        const double a = from_upper ? upper.values[i++] : 0.0;
-        const double b = from_lower ? lower.values[j++] : 0.0;
-        turned.columns.push_back(column);
-        turned.values.push_back(c * a + s * b);
-        if (turned.columns.size() == 1) continue;
-        rest.columns.push_back(column);
-        rest.values.push_back(c * b - s * a);
+    const RowEntry *a = upper.begin(), *b = lower.begin();
+    while (a != upper.end() || b != lower.end()) {
+        const bool both = a != upper.end() && b != lower.end();
+        const bool from_upper = both ? a->column <= b->column : a != upper.end();
+        const bool from_lower = both ? b->column <= a->column : b != lower.end();
+        const int column = from_upper ? a->column : b->column;
+        const double u = from_upper ? (a++)->value : 0.0, l = from_lower ? (b++)->value : 0.0;
+        turned.push_back({column, c * u + s * l});
+        if (turned.size() > 1) rest.push_back({column, c * l - s * u});
     }
-    std::swap(upper, turned);
-    std::swap(lower, rest);
+    upper = std::move(turned);
+    lower = std::move(rest);
 }
 
 /// Turns a row into a triangular factor whose row j, where there is one, begins in column j.
-ANCF_INLINE void insert(std::vector<SparseRow>& factor, SparseRow row) {
-    while (!row.columns.empty()) {
-        SparseRow& upper = factor[row.columns[0]];
-        if (upper.columns.empty()) {
-            std::swap(upper, row);
-        } else if (row.values[0] == 0.0) {
-            row.columns.erase(row.columns.begin());
-            row.values.erase(row.values.begin());
+ANCF_INLINE void insert(std::vector<SparseRow>& factor, SparseRow& row) {
+    while (!row.empty()) {
+        SparseRow& upper = factor[row[0].column];
+        if (upper.empty()) {
+            upper = std::move(row);  // exchanges them
+        } else if (row[0].value == 0.0) {
+            drop_first(row);
         } else {
             rotate(upper, row);
         }
     }
 }
 
-ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& columns, const VectorX& scales,
-                                            double tolerance) {
-    const auto equations = static_cast<int>(columns.cols());
-    std::vector<SparseRow> coordinates(static_cast<std::size_t>(columns.rows()));
+ANCF_INLINE std::vector<int> dependent_rows(const SparseMatrix& matrix, int first,
+                                            const VectorX& scales, double tolerance) {
+    const auto equations = static_cast<int>(matrix.cols()) - first;
+    const int *const start = matrix.outerIndexPtr() + first, *const row = matrix.innerIndexPtr();
+    std::vector<SparseRow> coordinates(static_cast<std::size_t>(scales.size()));
     for (int j = 0; j < equations; ++j) {
         double square = 0.0;
-        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry)
-            square += std::pow(entry.value() * scales[entry.row()], 2);
-        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
-            const double value = entry.value() * scales[entry.row()] / std::sqrt(square);
-            if (entry.value() == 0.0) continue;
-            coordinates[entry.row()].columns.push_back(j);
-            coordinates[entry.row()].values.push_back(value);
-        }
+        for (int k = start[j]; k < start[j + 1] && row[k] < scales.size(); ++k)
+            square += std::pow(matrix.valuePtr()[k] * scales[row[k]], 2);
+        for (int k = start[j]; k < start[j + 1] && row[k] < scales.size(); ++k)
+            if (const double value = matrix.valuePtr()[k]; value != 0.0)
+                coordinates[row[k]].push_back({j, value * scales[row[k]] / std::sqrt(square)});
     }
     // in the order of their first equations: a row then ends soon in an empty row of the factor
     std::vector<SparseRow> factor(static_cast<std::size_t>(equations));
     for (int j = 0; j < equations; ++j)
-        for (SparseMatrix::InnerIterator entry(columns, j); entry; ++entry) {
-            SparseRow& row = coordinates[entry.row()];
-            if (!row.columns.empty() && row.columns[0] == j) insert(factor, std::exchange(row, {}));
-        }
+        for (int k = start[j]; k < start[j + 1] && row[k] < scales.size(); ++k)
+            if (SparseRow& own = coordinates[row[k]]; !own.empty() && own[0].column == j)
+                insert(factor, own);
     std::vector<int> dependent;
     for (int j = 0; j < equations; ++j) {
-        SparseRow& row = factor[j];
-        if (!row.columns.empty() && std::abs(row.values[0]) > tolerance) continue;
+        if (!factor[j].empty() && std::abs(factor[j][0].value) > tolerance) continue;
         dependent.push_back(j);
-        if (row.columns.empty()) continue;
-        SparseRow rest = std::exchange(row, {});
-        rest.columns.erase(rest.columns.begin());
-        rest.values.erase(rest.values.begin());
-        insert(factor, std::move(rest));
+        SparseRow rest = std::move(factor[j]);
+        if (rest.empty()) continue;
+        drop_first(rest);
+        insert(factor, rest);
     }
     return dependent;
 }
@@ -103,16 +102,8 @@ ANCF_INLINE std::string describe_equation(const std::vector<AnyConstraint>& cons
 
 ANCF_INLINE std::string repeated_constraints(const Scene& model, const Numbering& numbering,
                                              const SparseMatrix& tangent, Storage storage) {
-    const int free = numbering.free_coordinates(), equations = numbering.multipliers();
-    if (equations == 0 || storage == Storage::lower) return {};
-    SparseMatrix columns(free, equations);
-    for (int j = 0; j < equations; ++j) {
-        columns.startVec(j);
-        for (SparseMatrix::InnerIterator entry(tangent, free + j); entry && entry.row() < free;
-             ++entry)
-            columns.insertBack(entry.row(), j) = entry.value();
-    }
-    columns.finalize();
+    const int free = numbering.free_coordinates();
+    if (numbering.multipliers() == 0 || storage == Storage::lower) return {};
     const Layout& layout = model.layout();
     const double diagonal = diagonal_of(layout, model.dimension(), model.state().q, nullptr);
     const double length = diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
@@ -122,7 +113,7 @@ ANCF_INLINE std::string repeated_constraints(const Scene& model, const Numbering
             scales[row] = std::pow(length, length_power(layout.field_of(k)));
     std::string text;
     constexpr double tolerance = 1e-10;  // as ProblemOptions::redundancy_tolerance
-    for (const int row : dependent_rows(columns, scales, tolerance)) {
+    for (const int row : dependent_rows(tangent, free, scales, tolerance)) {
         text += text.empty() ? "constraints repeat each other or a support: " : "; ";
         text += describe_equation(model.constraints(), row);
     }
