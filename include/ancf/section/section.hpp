@@ -105,6 +105,7 @@ public:
 
 private:
     friend Section polygon(const std::vector<SectionPoint>& points, SectionPoint origin);
+    friend Section rectangle(double width, double height);
     friend Section offset(const Section& section, double dy, double dz);
 
     Section(const Moments& moments, detail::Records<SectionPoint> outline)

@@ -160,10 +160,11 @@ ANCF_INLINE Section Section::with_outline(detail::Records<SectionPoint> outline)
 
 ANCF_INLINE Section rectangle(double width, double height) {
     const double torsion = rectangle_torsion_constant(width, height);
-    return Section::from_moments(detail::rectangle_moments(width, height))
-        .with_shear_correction(5.0 / 6.0, 5.0 / 6.0)
-        .with_torsion_constant(torsion)
-        .with_outline(detail::rectangle_outline(width, height));
+    Section section = Section::from_moments(detail::rectangle_moments(width, height));
+    section.shear_correction_ = {5.0 / 6.0, 5.0 / 6.0};
+    section.torsion_constant_ = torsion;
+    section.outline_ = detail::rectangle_outline(width, height);
+    return section;
 }
 
 ANCF_INLINE Section circle(double radius) {
