@@ -225,14 +225,12 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
         report_.status != Status::converged)
         return;
     report_.status = Status::diverged;
-    report_.message =
-        joined({"the scene has gained ", gain_,
-                " J that neither loads nor drives gave it, by steps that turn it by up "
-                "to ",
-                largest_turn_, " rad, at ", point.time,
-                " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
-                "may pass"},
-               6);
+    report_.message = joined({"the scene has gained ", gain_,
+                              " J that neither loads nor drives gave it, by steps of up to ",
+                              largest_turn_, " rad, at ", point.time,
+                              " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
+                              "may pass"},
+                             6);
 }
 
 ANCF_INLINE bool Recorder::goes_on(double time) {

@@ -91,7 +91,7 @@ namespace ancf::detail {
 [[nodiscard]] inline std::string singular_cause(const Scene& model, const Numbering& numbering,
                                                 const SparseMatrix& tangent, LinearSolver& solver) {
     if (!all_finite(tangent)) return "";
-    std::string repeated = repeated_constraints(model, numbering, tangent, solver.storage());
+    std::string repeated = repeated_constraints(model, numbering, tangent);
     if (!repeated.empty()) return repeated;
     const Layout& layout = model.layout();
     const std::vector<int> all = free_coordinates(numbering);

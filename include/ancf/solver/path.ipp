@@ -192,8 +192,8 @@ private:
             outcome = prepare_start(here);
         }
         if (outcome.failed()) return outcome;
-        if (!repeated_constraints(model_, numbering_, assembly_.tangent(), solver_.storage())
-                 .empty())
+        if (!solver_.iterative() &&
+            !repeated_constraints(model_, numbering_, assembly_.tangent()).empty())
             return Outcome::of(Status::singular);
         report_.bifurcations_sought = options_.critical_points;
         step_ = branching_ ? options_.branch_step : first_step(here);

@@ -35,9 +35,10 @@ namespace ancf::detail {
                                             int equation);
 
 /// Returns in words which constraints of a scene follow from others or from supports, by the G in
-/// its tangent; empty where none does, and of a lower half.
+/// its tangent; empty where none does, and for more than 200 equations: where these come in any
+/// order the comparison may take longer than all else.
 [[nodiscard]] std::string repeated_constraints(const Scene& model, const Numbering& numbering,
-                                               const SparseMatrix& tangent, Storage storage);
+                                               const SparseMatrix& tangent);
 
 }  // namespace ancf::detail
 

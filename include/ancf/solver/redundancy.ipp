@@ -101,9 +101,9 @@ ANCF_INLINE std::string describe_equation(const std::vector<AnyConstraint>& cons
 }
 
 ANCF_INLINE std::string repeated_constraints(const Scene& model, const Numbering& numbering,
-                                             const SparseMatrix& tangent, Storage storage) {
+                                             const SparseMatrix& tangent) {
     const int free = numbering.free_coordinates();
-    if (numbering.multipliers() == 0 || storage == Storage::lower) return {};
+    if (numbering.multipliers() == 0 || numbering.multipliers() > 200) return {};
     const Layout& layout = model.layout();
     const double diagonal = diagonal_of(layout, model.dimension(), model.state().q, nullptr);
     const double length = diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;

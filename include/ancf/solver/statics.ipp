@@ -344,10 +344,9 @@ private:
     /// Whether constraints repeat each other or a support, by the first tangent of the run.
     [[nodiscard]] bool repeats() {
         if (!repeats_)
-            repeats_ = exchange_ == nullptr && !solver_.iterative() &&
-                       !repeated_constraints(model_, assembly_.numbering(), assembly_.tangent(),
-                                             solver_.storage())
-                            .empty();
+            repeats_ =
+                exchange_ == nullptr && !solver_.iterative() &&
+                !repeated_constraints(model_, assembly_.numbering(), assembly_.tangent()).empty();
         return *repeats_;
     }
 
