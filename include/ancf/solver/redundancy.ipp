@@ -3,12 +3,13 @@
 
 #pragma once
 
+#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
+#include <ancf/model/layout.hpp>
 #include <ancf/records.hpp>
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/redundancy.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -25,8 +26,9 @@ struct RowEntry {
 using SparseRow = Records<RowEntry>;
 
 ANCF_INLINE void drop_first(SparseRow& row) {
-    std::copy(row.begin() + 1, row.end(), row.begin());
-    row.resize(row.size() - 1);
+    SparseRow rest;
+    for (std::size_t k = 1; k < row.size(); ++k) rest.push_back(row[k]);
+    row = std::move(rest);
 }
 
 /// Rotates two rows that begin in the same column so that the second one loses it.

@@ -31,7 +31,7 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
     const VectorX held = diagonal;
-    const double largest = held.cwiseAbs().maxCoeff();
+    const double largest = largest_magnitude(held);
     const int* const row = tangent.innerIndexPtr();
     const double* const g = tangent.valuePtr();
     const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };

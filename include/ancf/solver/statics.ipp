@@ -385,7 +385,7 @@ private:
             stiffest[unit(k)] = std::max(stiffest[unit(k)], viscosity[k]);
             force = std::max(force, std::abs(residual_[k]));
         }
-        if (!(viscosity.maxCoeff() > 0.0)) viscosity.setConstant(force / monitor_.size());
+        if (!(largest_magnitude(viscosity) > 0.0)) viscosity.setConstant(force / monitor_.size());
         for (int k = 0; k < free; ++k)
             if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
         time_ = step.corrections.empty()
