@@ -5,6 +5,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/motion_run.hpp>
+#include <ancf/dynamics/nodal_turns.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/dynamics/radau_system.hpp>
 #include <ancf/error.hpp>
@@ -48,6 +49,7 @@ public:
           tableau_(radau_tableau(options.stages)),
           stages_(static_cast<std::size_t>(options.stages)),
           system_(problem, solver, tableau_),
+          nodes_(problem.model(), problem.numbering()),
           newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
                             : options.tolerance > 0.0
                                 ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
@@ -100,11 +102,12 @@ private:
 
     void recall_run(const Memory& memory) {
         const int n = problem_.size();
-        const VectorX& values = recall("RadauIIA", "radau", memory, 11);
+        const VectorX& values = recall("RadauIIA", "radau", memory, 12);
         require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ",
                 values[13], " stages, the options have ", options_.stages);
         error_before_ = values[14];
-        problem_.set_length_scale(values[15]);
+        turns_ = values[15] != 0.0;
+        problem_.set_length_scale(values[16]);
         static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
         require_continuation("RadauIIA", memory, problem_, start_point(), now_);
         now_.acceleration = memory.get("acceleration", n);
@@ -135,7 +138,7 @@ private:
         remember("radau", now_,
                  {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_,
                   most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
-                  static_cast<double>(stages_), error_before_});
+                  static_cast<double>(stages_), error_before_, turns_ ? 1.0 : 0.0});
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
         report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
@@ -198,15 +201,18 @@ private:
         return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
     }
 
-    /// Solves one step by Newton's method, again with a new tangent where the old one fails.
+    /// Solves one step by Newton's method, again with a new tangent where the old one fails, and
+    /// from the first failure of the run on in frames that turn with the nodes.
     [[nodiscard]] Status newton(double h) {
         if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
             return Status::converged;
+        const Status status = iterate(h, true);
+        if (status == Status::converged || turns_) return status;
+        turns_ = true;
         return iterate(h, true);
     }
 
-    /// Iterates from the prediction, with a new tangent of the middle stage or the matrices at
-    /// hand.
+    /// Iterates from the prediction, with a new tangent or the matrices at hand.
     [[nodiscard]] Status iterate(double h, bool renew) {
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
         constexpr double nothing = epsilon * epsilon;  // of a correction, relative to the scene
@@ -220,6 +226,8 @@ private:
         // a share of the step's own error, as the last step tells it
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
         const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
+        const double energy = turns_ ? newton_tolerance_ * newton_tolerance_ * typical_energy(h)
+                                     : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
             if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -239,6 +247,8 @@ private:
                 newton_tolerance_,
                 std::max({of_error, of_accelerations_ * h * h * problem_.largest_ratio(Y_.back()),
                           1e-13}));
+            const double excess = std::max(
+                change / wanted, change > round_off ? std::sqrt(correction_energy_ / energy) : 0.0);
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, round_off);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
@@ -253,14 +263,14 @@ private:
                 contraction_ = contraction;
                 if (contraction_ >= 0.99) return Status::diverged;
                 eta_ = contraction_ / (1.0 - contraction_);
-                const double left = eta_ * change;
+                const double left = eta_ * excess;
                 const int rest = options_.max_iterations - iterations_;
-                renew = left > wanted && left * std::pow(contraction_, rest) > wanted;
+                renew = left > 1.0 && left * std::pow(contraction_, rest) > 1.0;
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
             }
             // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
             if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
-                eta_ * change <= wanted)
+                eta_ * excess <= 1.0)
                 break;
             before = change;
             ratio_before = ratio;
@@ -282,12 +292,32 @@ private:
                iterations_ == options_.max_iterations;
     }
 
+    /// Returns a typical energy of the step, J: the kinetic one of the start, or of what its
+    /// accelerations move.
+    [[nodiscard]] double typical_energy(double h) const {
+        const auto product = [this](const VectorX& x) {
+            VectorX momentum = VectorX::Zero(x.size());
+            problem_.add_mass_product(0.5, x, momentum);
+            return momentum.dot(x);
+        };
+        return std::max(product(now_.v), h * h * product(now_.acceleration));
+    }
+
     /// Solves for one correction and adds it; returns its size.
     [[nodiscard]] double correct(double h) {
+        if (turns_)
+            for (std::size_t i = 0; i < stages_; ++i)
+                nodes_.turn(stage_[i].q, linearised_.q, force_[i]);
         system_.solve(h, force_, lengths_, change_, lambda_change_);
         ++report_.iterations;
         double largest = 0.0;
+        correction_energy_ = 0.0;
         for (std::size_t i = 0; i < stages_; ++i) {
+            if (turns_) {
+                const double energy = h * h * std::abs(change_[i].dot(force_[i]));
+                correction_energy_ = std::max(correction_energy_, energy);
+                nodes_.turn(linearised_.q, stage_[i].q, change_[i]);
+            }
             Y_[i] += change_[i];
             lambda_[i] += lambda_change_[i];
             const double size = h * h * problem_.largest_ratio(change_[i]);
@@ -296,26 +326,29 @@ private:
         return largest;
     }
 
-    /// Evaluates the residuals of all stages, of the middle one with the tangent where it is
-    /// renewed.
+    /// Evaluates the residuals of all stages, and where it is renewed the tangent: of the middle
+    /// stage, or in frames that turn of the start, which no prediction strains.
     [[nodiscard]] Status evaluate_stages(const Span& step, bool renew) {
         place_stages(step);
+        const auto linearise = [&](const MotionPoint& at) {
+            Status status = evaluate(at, Request::tangent_and_damping);
+            if (status != Status::converged) return status;
+            ++report_.jacobians;
+            linearised_ = at;
+            return system_.factorise(step.width, report_.factorisations);
+        };
+        if (renew && turns_)
+            if (const Status status = linearise(step.from); status != Status::converged)
+                return status;
         const std::size_t middle = stages_ / 2;
         for (std::size_t k = 0; k < stages_; ++k) {
             const std::size_t i = (middle + k) % stages_;
-            const bool tangent = renew && i == middle;
-            if (const Status status =
-                    evaluate(stage_[i], tangent ? Request::tangent_and_damping : Request::force);
-                status != Status::converged)
-                return status;
+            const bool tangent = renew && !turns_ && i == middle;
+            const Status status =
+                tangent ? linearise(stage_[i]) : evaluate(stage_[i], Request::force);
+            if (status != Status::converged) return status;
             force_[i] = problem_.force();
             lengths_[i] = problem_.constraint_residual();
-            if (!tangent) continue;
-            ++report_.jacobians;
-            linearised_ = stage_[i];
-            if (const Status status = system_.factorise(step.width, report_.factorisations);
-                status != Status::converged)
-                return status;
         }
         stages_ == 3 ? add_inertia<3>() : add_inertia<5>();
         return Status::converged;
@@ -395,8 +428,12 @@ private:
         }
         rates *= tau;
         accelerations *= tau * tau;
-        const double size =
-            problem_.largest_ratio(system_.filter(rates, accelerations)) / options_.tolerance;
+        const VectorX& q = stage_[stages_ / 2].q;
+        if (turns_)
+            for (VectorX* x : {&rates, &accelerations}) nodes_.turn(q, linearised_.q, *x);
+        VectorX error = system_.filter(rates, accelerations);
+        if (turns_) nodes_.turn(linearised_.q, q, error);
+        const double size = problem_.largest_ratio(error) / options_.tolerance;
         return std::isfinite(size) ? size : 1e10;
     }
 
@@ -474,6 +511,7 @@ private:
     const RadauTableau tableau_;
     const std::size_t stages_;
     RadauSystem system_;
+    const NodalTurns nodes_;
     const double newton_tolerance_;
     const double of_accelerations_;       // the same, of what they move in a step
     const std::vector<double> at_start_;  // l_i(0)
@@ -490,12 +528,14 @@ private:
     double error_before_ = 0.0;  // relative to the scene
 
     // what Newton's method and the choice of steps keep
-    MotionPoint linearised_;    // where the tangent of the matrices at hand was evaluated
-    bool renew_ = true;         // whether the next step takes a new tangent
-    double contraction_ = 0.0;  // by which corrections shrank in the last step that told it
-    double fresh_ = 0.0;        // the same of the last step by a tangent of its own
-    double eta_ = 1.0;          // what is left after a correction, over the correction
-    int iterations_ = 0;        // of the last step
+    MotionPoint linearised_;          // where the tangent of the matrices at hand was evaluated
+    bool renew_ = true;               // whether the next step takes a new tangent
+    bool turns_ = false;              // whether corrections are solved in frames that turn
+    double correction_energy_ = 0.0;  // of the last correction, J; 0 where they do not turn
+    double contraction_ = 0.0;        // by which corrections shrank in the last step that told it
+    double fresh_ = 0.0;              // the same of the last step by a tangent of its own
+    double eta_ = 1.0;                // what is left after a correction, over the correction
+    int iterations_ = 0;              // of the last step
     double most_growth_ = largest_growth;
     bool rejected_ = false,
          failed_ = false;  // the last attempt, by its error or in Newton's method
