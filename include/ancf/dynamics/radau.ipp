@@ -97,17 +97,17 @@ private:
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
+    static constexpr double trial_steps = 20.0;       // of frames that turn
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
     void recall_run(const Memory& memory) {
         const int n = problem_.size();
-        const VectorX& values = recall("RadauIIA", "radau", memory, 12);
+        const VectorX& values = recall("RadauIIA", "radau", memory, 11);
         require(values[13] == static_cast<double>(stages_), "RadauIIA: the memory is of ",
                 values[13], " stages, the options have ", options_.stages);
         error_before_ = values[14];
-        turns_ = values[15] != 0.0;
-        problem_.set_length_scale(values[16]);
+        problem_.set_length_scale(values[15]);
         static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
         require_continuation("RadauIIA", memory, problem_, start_point(), now_);
         now_.acceleration = memory.get("acceleration", n);
@@ -121,6 +121,14 @@ private:
         most_growth_ = values[10];
         rejected_ = values[11] != 0.0;
         failed_ = values[12] != 0.0;
+        const VectorX& frames = memory.get("frames", 7);
+        turns_ = frames[0] != 0.0;
+        failures_ = frames[1];
+        patience_ = frames[2];
+        trial_ = frames[3];
+        work_ = frames[4];
+        time_ = frames[5];
+        rate_ = frames[6];
         if (problem_.multipliers() > 0 && was_cut(values, width_before_)) {
             static_cast<MotionPoint&>(now_) = start_point();
             now_.acceleration = start_.acceleration;
@@ -138,7 +146,10 @@ private:
         remember("radau", now_,
                  {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_,
                   most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
-                  static_cast<double>(stages_), error_before_, turns_ ? 1.0 : 0.0});
+                  static_cast<double>(stages_), error_before_});
+        VectorX frames(7);
+        frames << (turns_ ? 1.0 : 0.0), failures_, patience_, trial_, work_, time_, rate_;
+        report_.memory.put("frames", frames);
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
         report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
@@ -170,6 +181,8 @@ private:
         rejected_ = failed_ = false;
         grid_.take(step);
         rests_ = error < resting;
+        time_ += step.width;
+        if (trial_ > 0.0 && --trial_ == 0.0 && work_ > rate_ * time_) turn_frames(false);
         error_before_ = error * options_.tolerance;
         if (!control_.is_adaptive() || step.width != grid_.width) return;
         double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
@@ -201,15 +214,28 @@ private:
         return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
     }
 
-    /// Solves one step by Newton's method, again with a new tangent where the old one fails, and
-    /// from the first failure of the run on in frames that turn with the nodes.
+    /// Solves one step by Newton's method, again with a new tangent where the old one fails, and in
+    /// frames that turn once it fails often, or in a fixed step.
     [[nodiscard]] Status newton(double h) {
         if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
             return Status::converged;
         const Status status = iterate(h, true);
         if (status == Status::converged || turns_) return status;
-        turns_ = true;
+        if (control_.is_adaptive() && ++failures_ < patience_) return status;
+        turn_frames(true);
         return iterate(h, true);
+    }
+
+    /// Turns the frames from now on or no longer. An adaptive run turns them on trial, for good
+    /// only where that takes less work in a second than before.
+    void turn_frames(bool turn) {
+        turns_ = turn;
+        failures_ = 0.0;
+        if (!turn) patience_ *= 2.0;
+        trial_ = turn && control_.is_adaptive() ? trial_steps : 0.0;
+        rate_ = time_ > 0.0 ? work_ / time_ : std::numeric_limits<double>::max();
+        work_ = time_ = 0.0;
+        renew_ = true;
     }
 
     /// Iterates from the prediction, with a new tangent or the matrices at hand.
@@ -226,7 +252,7 @@ private:
         // a share of the step's own error, as the last step tells it
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
         const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
-        const double energy = turns_ ? newton_tolerance_ * newton_tolerance_ * typical_energy(h)
+        const double energy = turns_ ? std::pow(0.03 * newton_tolerance_, 2) * typical_energy(h)
                                      : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
@@ -235,6 +261,7 @@ private:
                 return status;
             if (renew) {
                 ++tangents;
+                ++work_;
                 since = 0;
                 renew = false;
             }
@@ -310,6 +337,7 @@ private:
                 nodes_.turn(stage_[i].q, linearised_.q, force_[i]);
         system_.solve(h, force_, lengths_, change_, lambda_change_);
         ++report_.iterations;
+        ++work_;
         double largest = 0.0;
         correction_energy_ = 0.0;
         for (std::size_t i = 0; i < stages_; ++i) {
@@ -528,9 +556,15 @@ private:
     double error_before_ = 0.0;  // relative to the scene
 
     // what Newton's method and the choice of steps keep
-    MotionPoint linearised_;          // where the tangent of the matrices at hand was evaluated
-    bool renew_ = true;               // whether the next step takes a new tangent
-    bool turns_ = false;              // whether corrections are solved in frames that turn
+    MotionPoint linearised_;  // where the tangent of the matrices at hand was evaluated
+    bool renew_ = true;       // whether the next step takes a new tangent
+    bool turns_ = false;      // whether corrections are solved in frames that turn with the nodes
+    double failures_ = 0.0;   // of Newton's method in frames that do not
+    double patience_ = 3.0;   // after how many failures they turn
+    double trial_ = 0.0;      // steps left of the trial
+    double work_ = 0.0;       // corrections and tangents since they turn or do not
+    double time_ = 0.0;       // s, of the steps since then
+    double rate_ = 0.0;       // work in a second before
     double correction_energy_ = 0.0;  // of the last correction, J; 0 where they do not turn
     double contraction_ = 0.0;        // by which corrections shrank in the last step that told it
     double fresh_ = 0.0;              // the same of the last step by a tangent of its own
