@@ -560,7 +560,7 @@ private:
     bool renew_ = true;       // whether the next step takes a new tangent
     bool turns_ = false;      // whether corrections are solved in frames that turn with the nodes
     double failures_ = 0.0;   // of Newton's method in frames that do not
-    double patience_ = 3.0;   // after how many failures they turn
+    double patience_ = 4.0;   // after how many failures they turn
     double trial_ = 0.0;      // steps left of the trial
     double work_ = 0.0;       // corrections and tangents since they turn or do not
     double time_ = 0.0;       // s, of the steps since then
