@@ -6,8 +6,8 @@
 
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
-#include <ancf/dynamics/nodal_turns.hpp>
 #include <ancf/dynamics/radau.hpp>
+#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
@@ -312,11 +312,11 @@ void check_turn(double angle) {
         turned[k] = c * q[k] - s * q[k + 1];
         turned[k + 1] = s * q[k] + c * q[k + 1];
     }
-    const detail::NodalTurns nodes(model, problem.numbering());
+    const detail::TurningFrames frames(model, problem.numbering());
     VectorX x = q;
-    nodes.turn(q, turned, x);
+    frames.carry(q, turned, x);
     CHECK((x - turned).norm() <= 1e-14);
-    nodes.turn(turned, q, x);
+    frames.carry(turned, q, x);
     CHECK((x - q).norm() <= 1e-14);
 }
 

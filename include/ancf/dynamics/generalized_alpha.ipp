@@ -6,6 +6,7 @@
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/motion_run.hpp>
+#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
@@ -31,6 +32,7 @@ public:
           af_(options.rho / (options.rho + 1.0)),
           gamma_(0.5 + af_ - am_),
           offset_(am_ - af_),
+          frames_(problem.model(), problem.numbering()),
           system_(problem.mass()),
           stiff_(static_cast<std::size_t>(detail::entries(system_))) {
         beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
@@ -73,6 +75,7 @@ private:
         double told = 0.0;         // 0: none
     };
 
+    static constexpr double few_steps = 4.0;    // of a matrix that fails too early
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
     static constexpr double round_off = 4e-16;  // of corrections, at least
 
@@ -147,6 +150,7 @@ private:
         now_.algorithmic = memory.get("algorithmic", problem_.size());
         width_ = values[4];
         linearised_width_ = values[6];
+        frames_.recall(memory);
         if (linearised_width_ > 0.0)
             static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
         return was_cut(values, width_);
@@ -171,6 +175,7 @@ private:
                   matrix_.contraction, matrix_.told});
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("algorithmic", now_.algorithmic);
+        report_.memory.put("frames", frames_.memory());
         if (linearised_width_ > 0.0) remember("linearised_", linearised_);
     }
 
@@ -190,6 +195,7 @@ private:
             const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
             if (status == Status::converged && error <= 1.0) {
                 grid_.take(step);
+                frames_.end_step(step.width);
                 rests_ = error < resting;
                 // a step keeps its width, and the matrix, unless a change is worth it
                 if (control_.is_adaptive() && step.width == grid_.width &&
@@ -220,8 +226,14 @@ private:
     /// the scene moves far in it.
     [[nodiscard]] Status newton(double h) {
         predict(h);
-        if (linearised_width_ == h && iterate(h, false) == Status::converged)
-            return Status::converged;
+        if (linearised_width_ == h) {
+            const long matrices = report_.factorisations;
+            const bool served = matrix_.steps > few_steps;
+            const Status status = iterate(h, false);
+            const bool failed = status != Status::converged || report_.factorisations > matrices;
+            if (failed && !served) (void)frames_.fail();
+            if (status == Status::converged) return status;
+        }
         predict(h);
         const Status status = iterate(h, true);
         if (status == Status::converged || moves_far(now_, h)) return status;
@@ -253,13 +265,17 @@ private:
             }
             product_ = -problem_.force();
             problem_.add_mass_product(-1.0, next_.acceleration, product_);
+            if (frames_.turn()) frames_.carry(next_.q, linearised_.q, product_);
             rhs_.head(n) = product_;
             rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
             solve_with(solver_, rhs_, solution_);
             ++report_.iterations;
-            add(h, solution_.head(n));
+            frames_.add_correction();
+            change_ = solution_.head(n);
+            if (frames_.turn()) frames_.carry(linearised_.q, next_.q, change_);
+            add(h, change_);
             next_.lambda += solution_.tail(m);
-            const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
+            const double change = h * h * beta_hat_ * problem_.largest_ratio(change_);
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
@@ -301,6 +317,7 @@ private:
                 mass[k] + (stiff[k] != 0 ? share : 1.0) * tangent[k] + h * gamma_hat_ * damping[k];
         ++report_.jacobians;
         ++report_.factorisations;
+        frames_.add_tangent();
         const Status status = solver_.factorize(system_).status;
         linearised_ = next_;
         linearised_width_ = status == Status::converged ? h : 0.0;
@@ -349,6 +366,7 @@ private:
     double beta_hat_, gamma_hat_;             // dq = h^2 beta_hat dv', dv = h gamma_hat dv'
     double error_constant_;                   // local error = it h^2 (v'_1 - v'_0)
 
+    TurningFrames frames_;
     Point now_, next_;
     double width_ = 0.0;             // step that now_.algorithmic belongs to
     MotionPoint linearised_;         // where the factorised matrix was evaluated
@@ -357,7 +375,7 @@ private:
 
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
-    VectorX product_, rhs_, solution_;
+    VectorX product_, rhs_, solution_, change_;
 };
 
 }  // namespace detail

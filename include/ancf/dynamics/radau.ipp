@@ -5,9 +5,9 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/motion_run.hpp>
-#include <ancf/dynamics/nodal_turns.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/dynamics/radau_system.hpp>
+#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
@@ -49,7 +49,7 @@ public:
           tableau_(radau_tableau(options.stages)),
           stages_(static_cast<std::size_t>(options.stages)),
           system_(problem, solver, tableau_),
-          nodes_(problem.model(), problem.numbering()),
+          frames_(problem.model(), problem.numbering()),
           newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
                             : options.tolerance > 0.0
                                 ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
@@ -97,7 +97,6 @@ private:
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
-    static constexpr double trial_steps = 20.0;       // of frames that turn
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
@@ -121,14 +120,7 @@ private:
         most_growth_ = values[10];
         rejected_ = values[11] != 0.0;
         failed_ = values[12] != 0.0;
-        const VectorX& frames = memory.get("frames", 7);
-        turns_ = frames[0] != 0.0;
-        failures_ = frames[1];
-        patience_ = frames[2];
-        trial_ = frames[3];
-        work_ = frames[4];
-        time_ = frames[5];
-        rate_ = frames[6];
+        frames_.recall(memory);
         if (problem_.multipliers() > 0 && was_cut(values, width_before_)) {
             static_cast<MotionPoint&>(now_) = start_point();
             now_.acceleration = start_.acceleration;
@@ -147,9 +139,7 @@ private:
                  {width_before_, linearised_.time, factorised, contraction_, fresh_, eta_,
                   most_growth_, rejected_ ? 1.0 : 0.0, failed_ ? 1.0 : 0.0,
                   static_cast<double>(stages_), error_before_});
-        VectorX frames(7);
-        frames << (turns_ ? 1.0 : 0.0), failures_, patience_, trial_, work_, time_, rate_;
-        report_.memory.put("frames", frames);
+        report_.memory.put("frames", frames_.memory());
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("stage_accelerations", joined_stages(acceleration_before_));
         report_.memory.put("stage_multipliers", joined_stages(lambda_before_));
@@ -181,8 +171,7 @@ private:
         rejected_ = failed_ = false;
         grid_.take(step);
         rests_ = error < resting;
-        time_ += step.width;
-        if (trial_ > 0.0 && --trial_ == 0.0 && work_ > rate_ * time_) turn_frames(false);
+        frames_.end_step(step.width);
         error_before_ = error * options_.tolerance;
         if (!control_.is_adaptive() || step.width != grid_.width) return;
         double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
@@ -220,22 +209,8 @@ private:
         if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
             return Status::converged;
         const Status status = iterate(h, true);
-        if (status == Status::converged || turns_) return status;
-        if (control_.is_adaptive() && ++failures_ < patience_) return status;
-        turn_frames(true);
+        if (status == Status::converged || !frames_.fail(!control_.is_adaptive())) return status;
         return iterate(h, true);
-    }
-
-    /// Turns the frames from now on or no longer. An adaptive run turns them on trial, for good
-    /// only where that takes less work in a second than before.
-    void turn_frames(bool turn) {
-        turns_ = turn;
-        failures_ = 0.0;
-        if (!turn) patience_ *= 2.0;
-        trial_ = turn && control_.is_adaptive() ? trial_steps : 0.0;
-        rate_ = time_ > 0.0 ? work_ / time_ : std::numeric_limits<double>::max();
-        work_ = time_ = 0.0;
-        renew_ = true;
     }
 
     /// Iterates from the prediction, with a new tangent or the matrices at hand.
@@ -252,8 +227,9 @@ private:
         // a share of the step's own error, as the last step tells it
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
         const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
-        const double energy = turns_ ? std::pow(0.03 * newton_tolerance_, 2) * typical_energy(h)
-                                     : std::numeric_limits<double>::infinity();
+        const double energy = frames_.turn()
+                                  ? std::pow(0.03 * newton_tolerance_, 2) * typical_energy(h)
+                                  : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
             if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -261,7 +237,7 @@ private:
                 return status;
             if (renew) {
                 ++tangents;
-                ++work_;
+                frames_.add_tangent();
                 since = 0;
                 renew = false;
             }
@@ -332,19 +308,19 @@ private:
 
     /// Solves for one correction and adds it; returns its size.
     [[nodiscard]] double correct(double h) {
-        if (turns_)
+        if (frames_.turn())
             for (std::size_t i = 0; i < stages_; ++i)
-                nodes_.turn(stage_[i].q, linearised_.q, force_[i]);
+                frames_.carry(stage_[i].q, linearised_.q, force_[i]);
         system_.solve(h, force_, lengths_, change_, lambda_change_);
         ++report_.iterations;
-        ++work_;
+        frames_.add_correction();
         double largest = 0.0;
         correction_energy_ = 0.0;
         for (std::size_t i = 0; i < stages_; ++i) {
-            if (turns_) {
+            if (frames_.turn()) {
                 const double energy = h * h * std::abs(change_[i].dot(force_[i]));
                 correction_energy_ = std::max(correction_energy_, energy);
-                nodes_.turn(linearised_.q, stage_[i].q, change_[i]);
+                frames_.carry(linearised_.q, stage_[i].q, change_[i]);
             }
             Y_[i] += change_[i];
             lambda_[i] += lambda_change_[i];
@@ -365,13 +341,13 @@ private:
             linearised_ = at;
             return system_.factorise(step.width, report_.factorisations);
         };
-        if (renew && turns_)
+        if (renew && frames_.turn())
             if (const Status status = linearise(step.from); status != Status::converged)
                 return status;
         const std::size_t middle = stages_ / 2;
         for (std::size_t k = 0; k < stages_; ++k) {
             const std::size_t i = (middle + k) % stages_;
-            const bool tangent = renew && !turns_ && i == middle;
+            const bool tangent = renew && !frames_.turn() && i == middle;
             const Status status =
                 tangent ? linearise(stage_[i]) : evaluate(stage_[i], Request::force);
             if (status != Status::converged) return status;
@@ -457,10 +433,10 @@ private:
         rates *= tau;
         accelerations *= tau * tau;
         const VectorX& q = stage_[stages_ / 2].q;
-        if (turns_)
-            for (VectorX* x : {&rates, &accelerations}) nodes_.turn(q, linearised_.q, *x);
+        if (frames_.turn())
+            for (VectorX* x : {&rates, &accelerations}) frames_.carry(q, linearised_.q, *x);
         VectorX error = system_.filter(rates, accelerations);
-        if (turns_) nodes_.turn(linearised_.q, q, error);
+        if (frames_.turn()) frames_.carry(linearised_.q, q, error);
         const double size = problem_.largest_ratio(error) / options_.tolerance;
         return std::isfinite(size) ? size : 1e10;
     }
@@ -539,7 +515,7 @@ private:
     const RadauTableau tableau_;
     const std::size_t stages_;
     RadauSystem system_;
-    const NodalTurns nodes_;
+    TurningFrames frames_;
     const double newton_tolerance_;
     const double of_accelerations_;       // the same, of what they move in a step
     const std::vector<double> at_start_;  // l_i(0)
@@ -556,15 +532,8 @@ private:
     double error_before_ = 0.0;  // relative to the scene
 
     // what Newton's method and the choice of steps keep
-    MotionPoint linearised_;  // where the tangent of the matrices at hand was evaluated
-    bool renew_ = true;       // whether the next step takes a new tangent
-    bool turns_ = false;      // whether corrections are solved in frames that turn with the nodes
-    double failures_ = 0.0;   // of Newton's method in frames that do not
-    double patience_ = 4.0;   // after how many failures they turn
-    double trial_ = 0.0;      // steps left of the trial
-    double work_ = 0.0;       // corrections and tangents since they turn or do not
-    double time_ = 0.0;       // s, of the steps since then
-    double rate_ = 0.0;       // work in a second before
+    MotionPoint linearised_;          // where the tangent of the matrices at hand was evaluated
+    bool renew_ = true;               // whether the next step takes a new tangent
     double correction_energy_ = 0.0;  // of the last correction, J; 0 where they do not turn
     double contraction_ = 0.0;        // by which corrections shrank in the last step that told it
     double fresh_ = 0.0;              // the same of the last step by a tangent of its own

@@ -2,25 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// How far each node turns from one configuration to another, and vectors that turn with it: in
-/// frames that turn so, a body that turns keeps its tangent.
+/// Frames that turn with the nodes, in which the tangent of a stiff body that turns hardly changes.
+///
+/// docs/theory-radau.md, "Bodies that turn", derives them.
 
 #pragma once
 
 #include <ancf/assembly/numbering.hpp>
+#include <ancf/dynamics/report.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
 
-/// The free vectors of the nodes. One slope of a node tells its turn, in space two where it has as
-/// many; a node without a free slope does not turn.
-class NodalTurns {
+/// Whether corrections are solved in frames that turn with the nodes, and vectors that turn so.
+///
+/// One slope of a node tells its turn, in space two where it has as many; a node without a free
+/// slope does not turn. Where Newton's method fails often, the other way is tried, and kept where
+/// it takes less work.
+class TurningFrames {
 public:
-    NodalTurns(const Scene& scene, const Numbering& numbers)
+    /// Begins with frames that do not turn.
+    TurningFrames(const Scene& scene, const Numbering& numbers)
         : dimension_(scene.layout().dimension()) {
         const Layout& layout = scene.layout();
         for (int node = 0; node < layout.nodes(); ++node) {
@@ -39,7 +47,7 @@ public:
     }
 
     /// Turns the vectors among n entries as their nodes turn between two configurations.
-    void turn(const VectorX& from, const VectorX& to, VectorX& x) const {
+    void carry(const VectorX& from, const VectorX& to, VectorX& x) const {
         for (const Node& node : nodes_) {
             const Block<double> turn = turn_of(node, from, to);
             for (const int first : node.vectors) {
@@ -50,7 +58,55 @@ public:
         }
     }
 
+    /// Tells whether they turn.
+    [[nodiscard]] bool turn() const { return turn_; }
+
+    /// Counts a correction.
+    void add_correction() { work_ += 1.0; }
+    /// Counts a tangent with its factorisation.
+    void add_tangent() { work_ += 3.0; }
+
+    /// Counts a failure of Newton's method, or of a matrix that served for few steps; tells whether
+    /// the frames begin to turn, or cease to, on trial.
+    /// @param at_once  whether they turn at the first failure, for good.
+    bool fail(bool at_once = false) {
+        if (trial_ > 0.0 || (at_once ? turn_ : ++failures_ < patience_)) return false;
+        trial_ = at_once ? 0.0 : trial_steps;
+        change();
+        return true;
+    }
+
+    /// Counts a step, s. A trial that took more work in a second than before is taken back. The next
+    /// one waits for twice as many failures.
+    void end_step(double width) {
+        time_ += width;
+        if (trial_ == 0.0 || --trial_ > 0.0) return;
+        patience_ *= 2.0;
+        if (work_ > rate_ * time_) change();
+    }
+
+    /// Returns what a run that goes on needs.
+    [[nodiscard]] VectorX memory() const {
+        VectorX numbers(7);
+        numbers << (turn_ ? 1.0 : 0.0), failures_, patience_, trial_, work_, time_, rate_;
+        return numbers;
+    }
+
+    /// Takes it from a memory.
+    void recall(const Memory& memory) {
+        const VectorX& numbers = memory.get("frames", 7);
+        turn_ = numbers[0] != 0.0;
+        failures_ = numbers[1];
+        patience_ = numbers[2];
+        trial_ = numbers[3];
+        work_ = numbers[4];
+        time_ = numbers[5];
+        rate_ = numbers[6];
+    }
+
 private:
+    static constexpr double trial_steps = 20.0;
+
     struct Node {
         std::vector<int> vectors, slopes;  // the equation of the first component of each
     };
@@ -92,8 +148,21 @@ private:
         return turn;
     }
 
+    void change() {
+        turn_ = !turn_;
+        rate_ = time_ > 0.0 ? work_ / time_ : std::numeric_limits<double>::max();
+        failures_ = work_ = time_ = 0.0;
+    }
+
     int dimension_;
     std::vector<Node> nodes_;
+    bool turn_ = false;
+    double failures_ = 0.0;
+    double patience_ = 4.0;  // after how many failures the other way is tried
+    double trial_ = 0.0;     // steps left of a trial
+    double work_ = 0.0;      // corrections and tangents since they turn or do not
+    double time_ = 0.0;      // s, of the steps since then
+    double rate_ = 0.0;      // work in a second before
 };
 
 }  // namespace ancf::detail
