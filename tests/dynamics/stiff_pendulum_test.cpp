@@ -65,7 +65,7 @@ DynamicsReport swing(Scene& model, double step = 1e-3) {
     return EnergyMomentum(options).integrate(problem, solver, schedule);
 }
 
-TEMPLATE_TEST_CASE("a stiff pendulum swings in whole steps, by one matrix a step", "[dynamics]",
+TEMPLATE_TEST_CASE("a stiff pendulum swings in whole steps, by few matrices", "[dynamics]",
                    CrossSectionBeam<3>, CrossSectionBeam<2>, Cable<3>) {
     for (const double link : {0.0, 0.4}) {
         CAPTURE(link);
@@ -74,9 +74,9 @@ TEMPLATE_TEST_CASE("a stiff pendulum swings in whole steps, by one matrix a step
         REQUIRE(report.status == Status::converged);
         CHECK(report.convergence_failures == 0);
         CHECK(report.steps == 500);
-        // the body turns, so that the matrix of a step is of little use in the next
-        CHECK(report.factorisations <= 600);
-        CHECK(report.iterations <= 8 * report.steps);  // 6.5 measured
+        // 6 and 185 measured; one or more a step where the matrix stays put as the body turns
+        CHECK(report.factorisations <= (link > 0.0 ? 300 : 20));
+        CHECK(report.iterations <= 7 * report.steps);  // 5.7 measured
         CHECK(report.energy_drift <= 1e-11 * report.kinetic_largest);
     }
 }
@@ -194,6 +194,19 @@ TEST_CASE("generalized-alpha turns a steel link in many runs as in one", "[dynam
         CHECK(std::abs(std::remainder(link.angle() - one.angle(), 2.0 * pi)) <= 1e-3);
         CHECK(apart.cwiseAbs().maxCoeff() <= 1e-3 * speed);
     }
+}
+
+TEST_CASE("generalized-alpha swings a stiff pendulum by few matrices", "[dynamics]") {
+    Pendulum<CrossSectionBeam<3>> pendulum(0.0);
+    DynamicProblem problem(pendulum.model);
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = 0.5;
+    const DynamicsReport report = GeneralizedAlpha().integrate(problem, solver, schedule);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.steps == 500);
+    CHECK(report.factorisations <= 20);  // 7 measured; some 560 where the matrix stays put
+    CHECK(report.iterations <= 4 * report.steps);
 }
 
 TEST_CASE("generalized-alpha needs one matrix for a beam that stays at rest", "[dynamics]") {
@@ -327,6 +340,29 @@ TEST_CASE("the vectors of nodes turn with the nodes", "[dynamics]") {
         check_turn<2, Cable<2>>(angle);
     }
     check_turn<3, CrossSectionBeam<3>>(pi);
+}
+
+TEST_CASE("the slope of a cable turns by any angle, vectors keep their lengths", "[dynamics]") {
+    for (const double angle : {0.3, 2.5, 2.7, 3.1, pi}) {
+        CAPTURE(angle);
+        Model model;
+        straight_beam<Cable<3>>(model, Material::isotropic(2e11, 0.3, 7800.0), circle(0.1),
+                                {0, 0, 0}, {1, 0, 0}, 1);
+        DynamicProblem problem(model);
+        VectorX q;
+        problem.numbering().gather_free(model.state().q, q);
+        VectorX turned = q;
+        for (const int slope : {3, 9}) {
+            turned[slope] = std::cos(angle);
+            turned[slope + 2] = std::sin(angle);
+        }
+        VectorX x = VectorX::LinSpaced(q.size(), 1.0, 2.0);
+        x.segment<3>(3) = q.segment<3>(3);
+        const double length = x.norm();
+        detail::TurningFrames(model, problem.numbering()).carry(q, turned, x);
+        CHECK((x.segment<3>(3) - turned.segment<3>(3)).norm() <= 1e-14);
+        CHECK(std::abs(x.norm() - length) <= 1e-14 * length);
+    }
 }
 
 TEST_CASE("energy-momentum turns no section inside out where short steps do not", "[dynamics]") {

@@ -7,6 +7,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
 #include <ancf/dynamics/motion_run.hpp>
+#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
@@ -26,7 +27,8 @@ public:
                       const EnergyMomentumOptions& options)
         : MotionRun(problem, solver, schedule, {options.step}, options.follow_energy),
           options_(options),
-          system_(problem) {}
+          system_(problem),
+          frames_(problem.model(), problem.numbering()) {}
 
     DynamicsReport run(const Memory& memory) {
         if (!has_started()) return std::move(report_);
@@ -54,6 +56,7 @@ private:
         const int m = problem_.multipliers();
         const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 4);
         problem_.set_length_scale(values[8]);
+        frames_.recall(memory);
         const MotionPoint end = recall(memory, "", values[0]);
         require_continuation("EnergyMomentum", memory, problem_, now_, end);
         const double width = values[6];
@@ -82,6 +85,7 @@ private:
                  {linearised_from_.time, linearised_to_.time, linearised_width_, last_width_});
         Memory& memory = report_.memory;
         memory.put("acceleration", acceleration_);
+        memory.put("frames", frames_.memory());
         if (linearised_width_ == 0.0) return;
         memory.put("linearised_from_q", linearised_from_.q);
         memory.put("linearised_from_v", linearised_from_.v);
@@ -116,6 +120,7 @@ private:
                            : fail(status,
                                   driven_turn_text(constraints, turn, now_.time, next_.time));
             }
+            frames_.end_step(h);
             acceleration_ = (next_.v - now_.v) / h;
             std::swap(now_, next_);
             if (!record(next_, now_)) return false;
@@ -133,8 +138,13 @@ private:
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, h, full_now_.q, full_now_.v);
         const double bend = 0.5 * h * h;
-        if (linearised_width_ == h && iterate(h, bend, false) == Status::converged)
-            return Status::converged;
+        if (linearised_width_ == h) {
+            const long matrices = report_.factorisations;
+            const Status status = iterate(h, bend, false);
+            if (status != Status::converged || report_.factorisations > matrices)
+                (void)frames_.fail();
+            if (status == Status::converged) return status;
+        }
         const Status status = iterate(h, bend, true);
         if (status == Status::converged || moves_far(now_, h)) return status;
         return iterate(h, 0.0, true);
@@ -159,9 +169,14 @@ private:
             if (const Status status = evaluate(h, renew); status != Status::converged)
                 return status;
             fresh = fresh || renew;
+            VectorX force = rhs_.head(n);
+            if (frames_.turn()) frames_.carry(next_.q, linearised_to_.q, force);
+            rhs_.head(n) = force;
             solve_with(solver_, rhs_, solution_);
             ++report_.iterations;
-            const VectorX correction = solution_.head(n);
+            frames_.add_correction();
+            VectorX correction = solution_.head(n);
+            if (frames_.turn()) frames_.carry(linearised_to_.q, next_.q, correction);
             increment_ += correction;
             next_.q = now_.q + increment_;
             next_.lambda += 2.0 / (h * h) * solution_.tail(m);
@@ -204,6 +219,7 @@ private:
             return report_.fault ? report_.fault->status : Status::not_finite;
         }
         if (!matrix) return Status::converged;
+        frames_.add_tangent();
         ++report_.jacobians;
         ++report_.factorisations;
         linearised_from_ = now_;
@@ -255,6 +271,7 @@ private:
 
     const EnergyMomentumOptions& options_;
     EnergyMomentumSystem system_;
+    TurningFrames frames_;
 
     MotionPoint now_, next_;
     VectorX acceleration_;  // mean of the last step: the prediction of the next

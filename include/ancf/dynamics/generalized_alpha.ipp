@@ -75,6 +75,7 @@ private:
         double told = 0.0;         // 0: none
     };
 
+    static constexpr double most_noise = 4.0;   // by which corrections that are round-off grow
     static constexpr double few_steps = 4.0;    // of a matrix that fails too early
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
     static constexpr double round_off = 4e-16;  // of corrections, at least
@@ -279,8 +280,9 @@ private:
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
-            const double wanted =
-                std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
+            // by a matrix that turns, steps leave much the same: it adds up
+            const double tolerance = (frames_.turn() ? 0.01 : 1.0) * options_.newton_tolerance;
+            const double wanted = std::min(tolerance, std::max(1e-3 * local, 1e-16));
             const double ratio = k > 1 ? change / before : 1.0;
             if (++since > 2) {
                 matrix_.contraction = std::max(ratio, since > 3 ? matrix_.contraction : 1e-4);
@@ -291,7 +293,8 @@ private:
             const double left =
                 since > 1 ? shrinks / std::max(1.0 - shrinks, 0.1) * change : change;
             // at the round-off of the residual the corrections no longer shrink
-            const bool small = change <= 1e3 * options_.newton_tolerance;
+            const bool small =
+                change <= 1e3 * options_.newton_tolerance && (fresh || ratio <= most_noise);
             if (left <= wanted || (k > 1 && (change <= round_off || (ratio >= 1.0 && small))))
                 return Status::converged;
             if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;

@@ -122,7 +122,11 @@ private:
             return slope / length(slope);
         };
         const Vec3<double> a = axis(from), b = axis(to);
-        if (dimension_ == 2 || node.slopes.size() == 1) return least_turn(a, b);
+        if (dimension_ == 2) {
+            const double c = dot(a, b), d = cross(a, b)[2];
+            return {{c, d, 0.0, -d, c, 0.0, 0.0, 0.0, 1.0}};
+        }
+        if (node.slopes.size() == 1) return least_turn(a, b);
         const auto normal = [&](const Vec3<double>& t, const VectorX& q) {
             const Vec3<double> n = cross(t, vector(q, node.slopes[1]));
             return n / length(n);
@@ -135,11 +139,17 @@ private:
         return turn;
     }
 
-    // Between unit vectors; of those that are nearly opposite none.
+    // Between unit vectors; where they are nearly opposite, by way of a half turn.
     [[nodiscard]] static Block<double> least_turn(const Vec3<double>& a, const Vec3<double>& b) {
         const Vec3<double> k = cross(a, b);
         const double cosine = dot(a, b);
-        if (cosine < -0.99) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}};
+        if (cosine < -0.9) {
+            const Vec3<double> n = normals_of(a)[0];
+            Block<double> half;
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) half(i, j) = 2.0 * n[i] * n[j] - (i == j ? 1.0 : 0.0);
+            return least_turn(-1.0 * a, b) * half;
+        }
         Block<double> turn = cross_block(k);
         for (int j = 0; j < 3; ++j) {
             turn(j, j) += cosine;
