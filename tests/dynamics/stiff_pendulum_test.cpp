@@ -327,9 +327,9 @@ void check_turn(double angle) {
     }
     const detail::TurningFrames frames(model, problem.numbering());
     VectorX x = q;
-    frames.carry(q, turned, x);
+    frames.carry(q, turned, x.data());
     CHECK((x - turned).norm() <= 1e-14);
-    frames.carry(turned, q, x);
+    frames.carry(turned, q, x.data());
     CHECK((x - q).norm() <= 1e-14);
 }
 
@@ -359,7 +359,7 @@ TEST_CASE("the slope of a cable turns by any angle, vectors keep their lengths",
         VectorX x = VectorX::LinSpaced(q.size(), 1.0, 2.0);
         x.segment<3>(3) = q.segment<3>(3);
         const double length = x.norm();
-        detail::TurningFrames(model, problem.numbering()).carry(q, turned, x);
+        detail::TurningFrames(model, problem.numbering()).carry(q, turned, x.data());
         CHECK((x.segment<3>(3) - turned.segment<3>(3)).norm() <= 1e-14);
         CHECK(std::abs(x.norm() - length) <= 1e-14 * length);
     }

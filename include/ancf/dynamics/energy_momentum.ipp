@@ -169,14 +169,12 @@ private:
             if (const Status status = evaluate(h, renew); status != Status::converged)
                 return status;
             fresh = fresh || renew;
-            VectorX force = rhs_.head(n);
-            if (frames_.turn()) frames_.carry(next_.q, linearised_to_.q, force);
-            rhs_.head(n) = force;
+            if (frames_.turn()) frames_.carry(next_.q, linearised_to_.q, rhs_.data());
             solve_with(solver_, rhs_, solution_);
+            if (frames_.turn()) frames_.carry(linearised_to_.q, next_.q, solution_.data());
             ++report_.iterations;
             frames_.add_correction();
-            VectorX correction = solution_.head(n);
-            if (frames_.turn()) frames_.carry(linearised_to_.q, next_.q, correction);
+            const VectorX correction = solution_.head(n);
             increment_ += correction;
             next_.q = now_.q + increment_;
             next_.lambda += 2.0 / (h * h) * solution_.tail(m);

@@ -266,17 +266,16 @@ private:
             }
             product_ = -problem_.force();
             problem_.add_mass_product(-1.0, next_.acceleration, product_);
-            if (frames_.turn()) frames_.carry(next_.q, linearised_.q, product_);
             rhs_.head(n) = product_;
             rhs_.tail(m) = problem_.constraint_residual() / (-h * h * beta_hat_);
+            if (frames_.turn()) frames_.carry(next_.q, linearised_.q, rhs_.data());
             solve_with(solver_, rhs_, solution_);
+            if (frames_.turn()) frames_.carry(linearised_.q, next_.q, solution_.data());
             ++report_.iterations;
             frames_.add_correction();
-            change_ = solution_.head(n);
-            if (frames_.turn()) frames_.carry(linearised_.q, next_.q, change_);
-            add(h, change_);
+            add(h, solution_.head(n));
             next_.lambda += solution_.tail(m);
-            const double change = h * h * beta_hat_ * problem_.largest_ratio(change_);
+            const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
@@ -378,7 +377,7 @@ private:
 
     SparseMatrix system_;
     std::vector<char> stiff_;  // per value: 1 in the block of coordinates, 0 elsewhere
-    VectorX product_, rhs_, solution_, change_;
+    VectorX product_, rhs_, solution_;
 };
 
 }  // namespace detail

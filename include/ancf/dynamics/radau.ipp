@@ -310,7 +310,7 @@ private:
     [[nodiscard]] double correct(double h) {
         if (frames_.turn())
             for (std::size_t i = 0; i < stages_; ++i)
-                frames_.carry(stage_[i].q, linearised_.q, force_[i]);
+                frames_.carry(stage_[i].q, linearised_.q, force_[i].data());
         system_.solve(h, force_, lengths_, change_, lambda_change_);
         ++report_.iterations;
         frames_.add_correction();
@@ -320,7 +320,7 @@ private:
             if (frames_.turn()) {
                 const double energy = h * h * std::abs(change_[i].dot(force_[i]));
                 correction_energy_ = std::max(correction_energy_, energy);
-                frames_.carry(linearised_.q, stage_[i].q, change_[i]);
+                frames_.carry(linearised_.q, stage_[i].q, change_[i].data());
             }
             Y_[i] += change_[i];
             lambda_[i] += lambda_change_[i];
@@ -434,9 +434,9 @@ private:
         accelerations *= tau * tau;
         const VectorX& q = stage_[stages_ / 2].q;
         if (frames_.turn())
-            for (VectorX* x : {&rates, &accelerations}) frames_.carry(q, linearised_.q, *x);
+            for (VectorX* x : {&rates, &accelerations}) frames_.carry(q, linearised_.q, x->data());
         VectorX error = system_.filter(rates, accelerations);
-        if (frames_.turn()) frames_.carry(linearised_.q, q, error);
+        if (frames_.turn()) frames_.carry(linearised_.q, q, error.data());
         const double size = problem_.largest_ratio(error) / options_.tolerance;
         return std::isfinite(size) ? size : 1e10;
     }

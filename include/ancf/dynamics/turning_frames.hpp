@@ -9,13 +9,14 @@
 #pragma once
 
 #include <ancf/assembly/numbering.hpp>
+#include <ancf/compiler.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
+#include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -28,32 +29,51 @@ namespace ancf::detail {
 class TurningFrames {
 public:
     /// Begins with frames that do not turn.
-    TurningFrames(const Scene& scene, const Numbering& numbers)
+    ANCF_NOINLINE TurningFrames(const Scene& scene, const Numbering& numbers)
         : dimension_(scene.layout().dimension()) {
         const Layout& layout = scene.layout();
         for (int node = 0; node < layout.nodes(); ++node) {
-            Node turning;
+            const std::size_t begin = free_.size();
+            int slopes[2] = {-1, -1}, count = 0;
             for (int k = layout.first(node); k < layout.first(node + 1); k += dimension_) {
                 const int first = numbers.equation(k);
                 bool free = first >= 0;
                 for (int i = 1; i < dimension_; ++i)
                     free = free && numbers.equation(k + i) == first + i;
                 if (!free) continue;
-                turning.vectors.push_back(first);
-                if (length_power(layout.field_of(k)) == 0) turning.slopes.push_back(first);
+                free_.push_back(first);
+                const bool slope = length_power(layout.field_of(k)) == 0;
+                if (slope && count < dimension_ - 1) slopes[count++] = first;
             }
-            if (!turning.slopes.empty()) nodes_.push_back(std::move(turning));
+            if (count == 0) free_.resize(begin);
+            if (count > 0)
+                for (const int k : {slopes[0], slopes[1], static_cast<int>(free_.size())})
+                    nodes_.push_back(k);
         }
     }
 
     /// Turns the vectors among n entries as their nodes turn between two configurations.
-    void carry(const VectorX& from, const VectorX& to, VectorX& x) const {
-        for (const Node& node : nodes_) {
-            const Block<double> turn = turn_of(node, from, to);
-            for (const int first : node.vectors) {
-                const Vec3<double> a = vector(x, first);
-                for (int i = 0; i < dimension_; ++i)
-                    x[first + i] = turn(i, 0) * a[0] + turn(i, 1) * a[1] + turn(i, 2) * a[2];
+    void carry(const VectorX& from, const VectorX& to, double* x) const {
+        int k = 0;
+        for (std::size_t node = 0; node < nodes_.size(); node += 3) {
+            // a turn is two reflections: that of the first slope, then that of the second about it
+            Vec3<double> mirrors[4];
+            const Vec3<double> a = unit(vector(from.data(), nodes_[node]));
+            const Vec3<double> b = unit(vector(to.data(), nodes_[node]));
+            set_mirrors(a, b, normals_of(a)[0], mirrors);
+            const int second = nodes_[node + 1];
+            if (second >= 0) {
+                Vec3<double> c = vector(from.data(), second), d = vector(to.data(), second);
+                reflect(mirrors, 2, c);
+                add(c, -dot(b, c), b);
+                add(d, -dot(b, d), b);
+                set_mirrors(unit(c), unit(d), cross(b, unit(c)), mirrors + 2);
+            }
+            for (; k < nodes_[node + 2]; ++k) {
+                const int first = free_[static_cast<std::size_t>(k)];
+                Vec3<double> turned = vector(x, first);
+                reflect(mirrors, second >= 0 ? 4 : 2, turned);
+                for (int i = 0; i < dimension_; ++i) x[first + i] = turned[i];
             }
         }
     }
@@ -107,55 +127,22 @@ public:
 private:
     static constexpr double trial_steps = 20.0;
 
-    struct Node {
-        std::vector<int> vectors, slopes;  // the equation of the first component of each
-    };
-
-    [[nodiscard]] Vec3<double> vector(const VectorX& x, int first) const {
+    [[nodiscard]] Vec3<double> vector(const double* x, int first) const {
         return {{x[first], x[first + 1], dimension_ == 3 ? x[first + 2] : 0.0}};
     }
+    [[nodiscard]] static Vec3<double> unit(const Vec3<double>& a) { return a / length(a); }
 
-    [[nodiscard]] Block<double> turn_of(const Node& node, const VectorX& from,
-                                        const VectorX& to) const {
-        const auto axis = [&](const VectorX& q) {
-            const Vec3<double> slope = vector(q, node.slopes[0]);
-            return slope / length(slope);
-        };
-        const Vec3<double> a = axis(from), b = axis(to);
-        if (dimension_ == 2) {
-            const double c = dot(a, b), d = cross(a, b)[2];
-            return {{c, d, 0.0, -d, c, 0.0, 0.0, 0.0, 1.0}};
-        }
-        if (node.slopes.size() == 1) return least_turn(a, b);
-        const auto normal = [&](const Vec3<double>& t, const VectorX& q) {
-            const Vec3<double> n = cross(t, vector(q, node.slopes[1]));
-            return n / length(n);
-        };
-        const Vec3<double> n = normal(a, from), m = normal(b, to);
-        const Vec3<double> c = cross(n, a), d = cross(m, b);
-        Block<double> turn;
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) turn(i, j) = b[i] * a[j] + m[i] * n[j] + d[i] * c[j];
-        return turn;
+    // The least turn between unit vectors; where they are opposite, by way of a normal of a.
+    ANCF_NOINLINE static void set_mirrors(const Vec3<double>& a, const Vec3<double>& b,
+                                          const Vec3<double>& normal, Vec3<double>* mirrors) {
+        const Vec3<double> sum = a + b;
+        const double size = length(sum);
+        mirrors[0] = a;
+        mirrors[1] = size > 1e-6 ? sum / size : normal;
     }
 
-    // Between unit vectors; where they are nearly opposite, by way of a half turn.
-    [[nodiscard]] static Block<double> least_turn(const Vec3<double>& a, const Vec3<double>& b) {
-        const Vec3<double> k = cross(a, b);
-        const double cosine = dot(a, b);
-        if (cosine < -0.9) {
-            const Vec3<double> n = normals_of(a)[0];
-            Block<double> half;
-            for (int j = 0; j < 3; ++j)
-                for (int i = 0; i < 3; ++i) half(i, j) = 2.0 * n[i] * n[j] - (i == j ? 1.0 : 0.0);
-            return least_turn(-1.0 * a, b) * half;
-        }
-        Block<double> turn = cross_block(k);
-        for (int j = 0; j < 3; ++j) {
-            turn(j, j) += cosine;
-            for (int i = 0; i < 3; ++i) turn(i, j) += k[i] * k[j] / (1.0 + cosine);
-        }
-        return turn;
+    ANCF_NOINLINE static void reflect(const Vec3<double>* mirrors, int count, Vec3<double>& x) {
+        for (int k = 0; k < count; ++k) add(x, -2.0 * dot(mirrors[k], x), mirrors[k]);
     }
 
     void change() {
@@ -165,7 +152,8 @@ private:
     }
 
     int dimension_;
-    std::vector<Node> nodes_;
+    std::vector<int> free_;   // of each free vector the equation of its first component
+    std::vector<int> nodes_;  // of each node its slopes, likewise or -1, and where its vectors end
     bool turn_ = false;
     double failures_ = 0.0;
     double patience_ = 4.0;  // after how many failures the other way is tried
