@@ -45,10 +45,12 @@ public:
                 const bool slope = length_power(layout.field_of(k)) == 0;
                 if (slope && count < dimension_ - 1) slopes[count++] = first;
             }
-            if (count == 0) free_.resize(begin);
-            if (count > 0)
-                for (const int k : {slopes[0], slopes[1], static_cast<int>(free_.size())})
-                    nodes_.push_back(k);
+            if (count == 0) {
+                free_.resize(begin);
+                continue;
+            }
+            for (const int k : {slopes[0], slopes[1], static_cast<int>(free_.size())})
+                nodes_.push_back(k);
         }
     }
 

@@ -226,7 +226,7 @@ private:
             const int size = layout.size(block);
             Scalar* y = x + layout.start(block);
             const Column given = padded(y, size);
-            Column rest, solved;
+            Column rest = Column::zero(), solved = Column::zero();
             each_column([&](int j) {
                 rest.set(j, given[j] * panel[j * N + j] - dot(Column::at(below + j * N), next));
             });
