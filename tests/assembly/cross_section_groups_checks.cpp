@@ -4,7 +4,8 @@
 /// @file
 /// Groups of beams with a cross-section in space and of the beam with torsion.
 
-#include <ancf/model/model.hpp>
+#include <ancf/model/attachment.hpp>
+#include <ancf/model/group_of.hpp>
 
 #include <assembly/element_groups.hpp>
 
