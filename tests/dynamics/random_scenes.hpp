@@ -22,12 +22,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ancf::test {
+// compiled once, with those of the tests of model
+extern template class ancf::KelvinVoigt<ancf::Cable<2>>;
+extern template class ancf::KelvinVoigt<ancf::CrossSectionBeam<2>>;
+extern template class ancf::KelvinVoigt<ancf::CrossSectionBeam<3>>;
 
-/// add_kelvin_voigt, in kelvin_voigt_checks.cpp: a unit that has it and the scenes takes too much
-/// memory.
-template <class Element>
-void damp(Scene& model, const Beam<Element>& beam, double eta);
+namespace ancf::test {
 
 /// A random scene: a beam of some element and mesh, of any stiffness, held and loaded at random.
 template <class Element>
@@ -142,7 +142,7 @@ private:
         const double eta = step * std::pow(10.0, uniform(-3.0, 0.0));
         // of a cable in space it is not smooth where the line is straight
         if constexpr (frame_a || dimension == 2)
-            if (damper == 0) damp(model, beam, eta);
+            if (damper == 0) add_kelvin_voigt(model, beam, eta);
         if (damper == 1) add_rayleigh_damping(model, second, uniform(0.0, 1.0) / step, 0.1 * step);
     }
 
