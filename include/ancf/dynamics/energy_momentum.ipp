@@ -56,7 +56,6 @@ private:
         const int m = problem_.multipliers();
         const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 4);
         problem_.set_length_scale(values[8]);
-        frames_.recall(memory);
         const MotionPoint end = recall(memory, "", values[0]);
         require_continuation("EnergyMomentum", memory, problem_, now_, end);
         const double width = values[6];
@@ -75,6 +74,7 @@ private:
             increment_ = next_.q - now_.q;
             if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
         }
+        frames_.recall(memory);
         now_ = end;  // with its own rates: projected ones would have less energy
         acceleration_ = m > 0 && was_cut(values, values[7]) ? start_.acceleration
                                                             : memory.get("acceleration", n);
@@ -141,8 +141,7 @@ private:
         if (linearised_width_ == h) {
             const long matrices = report_.factorisations;
             const Status status = iterate(h, bend, false);
-            if (status != Status::converged || report_.factorisations > matrices)
-                (void)frames_.fail();
+            if (status != Status::converged || report_.factorisations > matrices) frames_.fail();
             if (status == Status::converged) return status;
         }
         const Status status = iterate(h, bend, true);

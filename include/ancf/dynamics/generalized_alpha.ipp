@@ -151,7 +151,6 @@ private:
         now_.algorithmic = memory.get("algorithmic", problem_.size());
         width_ = values[4];
         linearised_width_ = values[6];
-        frames_.recall(memory);
         if (linearised_width_ > 0.0)
             static_cast<MotionPoint&>(next_) = recall(memory, "linearised_", values[5]);
         return was_cut(values, width_);
@@ -168,6 +167,7 @@ private:
             linearised_width_ = 0.0;  // the first step builds a matrix of its own
         const VectorX& values = memory.get("scalars", 12);
         matrix_ = {values[8], values[9], values[10]};
+        frames_.recall(memory);
     }
 
     void remember_run() {
@@ -232,7 +232,7 @@ private:
             const bool served = matrix_.steps > few_steps;
             const Status status = iterate(h, false);
             const bool failed = status != Status::converged || report_.factorisations > matrices;
-            if (failed && !served) (void)frames_.fail();
+            if (failed && !served) frames_.fail();
             if (status == Status::converged) return status;
         }
         predict(h);

@@ -49,7 +49,7 @@ public:
           tableau_(radau_tableau(options.stages)),
           stages_(static_cast<std::size_t>(options.stages)),
           system_(problem, solver, tableau_),
-          frames_(problem.model(), problem.numbering()),
+          frames_(problem.model(), problem.numbering(), options.tolerance > 0.0 ? 4.0 : 1.0),
           newton_tolerance_(options.newton_tolerance > 0.0 ? options.newton_tolerance
                             : options.tolerance > 0.0
                                 ? (options.stages > 3 ? 0.0125 : 0.06) * options.tolerance
@@ -149,6 +149,7 @@ private:
     /// Takes one step into next_, again with smaller ones where the run is adaptive, and in parts
     /// where it is not.
     [[nodiscard]] bool advance() {
+        if (width_before_ > 0.0) frames_.end_step(width_before_);
         for (;;) {
             const Step step = next_step(now_);
             if (divides(step)) continue;
@@ -171,7 +172,6 @@ private:
         rejected_ = failed_ = false;
         grid_.take(step);
         rests_ = error < resting;
-        frames_.end_step(step.width);
         error_before_ = error * options_.tolerance;
         if (!control_.is_adaptive() || step.width != grid_.width) return;
         double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
@@ -203,14 +203,13 @@ private:
         return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
     }
 
-    /// Solves one step by Newton's method, again with a new tangent where the old one fails, and in
-    /// frames that turn once it fails often, or in a fixed step.
+    /// Solves one step by Newton's method, again with a new tangent where the old one fails, and
+    /// with frames that turn, or no longer do, where that is to be tried.
     [[nodiscard]] Status newton(double h) {
         if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
             return Status::converged;
         const Status status = iterate(h, true);
-        if (status == Status::converged || !frames_.fail(!control_.is_adaptive())) return status;
-        return iterate(h, true);
+        return status == Status::converged || !frames_.fail() ? status : iterate(h, true);
     }
 
     /// Iterates from the prediction, with a new tangent or the matrices at hand.
@@ -242,6 +241,7 @@ private:
                 renew = false;
             }
             const double change = correct(h);
+            frames_.add_correction();
             if (!std::isfinite(change)) return Status::not_finite;
             // in a step far shorter than its error allows, what is left is to be small beside that
             // error or the accelerations: x is an error x/h^2 of these, and the next step has its
@@ -313,7 +313,6 @@ private:
                 frames_.carry(stage_[i].q, linearised_.q, force_[i].data());
         system_.solve(h, force_, lengths_, change_, lambda_change_);
         ++report_.iterations;
-        frames_.add_correction();
         double largest = 0.0;
         correction_energy_ = 0.0;
         for (std::size_t i = 0; i < stages_; ++i) {

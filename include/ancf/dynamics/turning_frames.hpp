@@ -29,8 +29,9 @@ namespace ancf::detail {
 class TurningFrames {
 public:
     /// Begins with frames that do not turn.
-    ANCF_NOINLINE TurningFrames(const Scene& scene, const Numbering& numbers)
-        : dimension_(scene.layout().dimension()) {
+    /// @param patience  after how many failures they turn for the first time.
+    ANCF_NOINLINE TurningFrames(const Scene& scene, const Numbering& numbers, double patience = 4.0)
+        : dimension_(scene.layout().dimension()), patience_(patience) {
         const Layout& layout = scene.layout();
         for (int node = 0; node < layout.nodes(); ++node) {
             const std::size_t begin = free_.size();
@@ -54,7 +55,9 @@ public:
         }
     }
 
-    /// Turns the vectors among n entries as their nodes turn between two configurations.
+    /// Turns vectors as their nodes turn between two configurations.
+    /// @param from, to  n entries each.
+    /// @param x         n entries.
     void carry(const VectorX& from, const VectorX& to, double* x) const {
         int k = 0;
         for (std::size_t node = 0; node < nodes_.size(); node += 3) {
@@ -62,7 +65,9 @@ public:
             Vec3<double> mirrors[4];
             const Vec3<double> a = unit(vector(from.data(), nodes_[node]));
             const Vec3<double> b = unit(vector(to.data(), nodes_[node]));
-            set_mirrors(a, b, normals_of(a)[0], mirrors);
+            const Vec3<double> normal =
+                dimension_ == 2 ? Vec3<double>{{-a[1], a[0], 0.0}} : normals_of(a)[0];
+            set_mirrors(a, b, normal, mirrors);
             const int second = nodes_[node + 1];
             if (second >= 0) {
                 Vec3<double> c = vector(from.data(), second), d = vector(to.data(), second);
@@ -88,12 +93,11 @@ public:
     /// Counts a tangent with its factorisation.
     void add_tangent() { work_ += 3.0; }
 
-    /// Counts a failure of Newton's method, or of a matrix that served for few steps; tells whether
-    /// the frames begin to turn, or cease to, on trial.
-    /// @param at_once  whether they turn at the first failure, for good.
-    bool fail(bool at_once = false) {
-        if (trial_ > 0.0 || (at_once ? turn_ : ++failures_ < patience_)) return false;
-        trial_ = at_once ? 0.0 : trial_steps;
+    /// Counts a failure of Newton's method, or of a matrix; tells whether a trial of the other way
+    /// begins.
+    bool fail() {
+        if (trial_ > 0.0 || ++failures_ < patience_) return false;
+        trial_ = trial_steps;
         change();
         return true;
     }
@@ -158,11 +162,11 @@ private:
     std::vector<int> nodes_;  // of each node its slopes, likewise or -1, and where its vectors end
     bool turn_ = false;
     double failures_ = 0.0;
-    double patience_ = 4.0;  // after how many failures the other way is tried
-    double trial_ = 0.0;     // steps left of a trial
-    double work_ = 0.0;      // corrections and tangents since they turn or do not
-    double time_ = 0.0;      // s, of the steps since then
-    double rate_ = 0.0;      // work in a second before
+    double patience_;     // after how many failures the other way is tried
+    double trial_ = 0.0;  // steps left of a trial
+    double work_ = 0.0;   // corrections and tangents since they turn or do not
+    double time_ = 0.0;   // s, of the steps since then
+    double rate_ = 0.0;   // work in a second before
 };
 
 }  // namespace ancf::detail
