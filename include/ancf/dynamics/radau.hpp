@@ -35,7 +35,8 @@ struct RadauOptions {
     double max_step = std::numeric_limits<double>::infinity();
     /// Of the coordinates of a stage, relative like tolerance; 0: 0.06 of the tolerance, with five
     /// stages 0.0125, of fixed steps 1e-13. At most 0.06 of the last step's error, or 3e-4, with
-    /// five stages 3e-5, of what accelerations move in a step, whichever is larger.
+    /// five stages 3e-5, of what accelerations move in a step, whichever is larger. Where matrices
+    /// turn with a stiff body the energy of the error is bounded too: docs/theory-radau.md.
     double newton_tolerance = 0.0;
     int max_iterations = 10;    ///< of Newton's method in a step
     bool follow_energy = true;  ///< report the energy drift: one evaluation of the force a step
