@@ -307,6 +307,58 @@ TEST_CASE("Radau IIA turns stiff bodies on hinges and links in space", "[dynamic
     CHECK(report.energy_drift <= 2e-3 * report.kinetic_largest);
 }
 
+/// A steel pendulum of two bars in the plane.
+struct DoublePendulum {
+    PlanarModel model;
+
+    DoublePendulum() {
+        const Material steel = Material::isotropic(2e11, 0.3, 7800.0);
+        const auto bar = [&](double x) {
+            return straight_beam<CrossSectionBeam<2>>(model, steel, rectangle(0.02, 0.02), {x, 0.0},
+                                                      {x + 0.5, 0.0}, 2);
+        };
+        const auto first = bar(0.0), second = bar(0.5);
+        model.pin(first.first());
+        model.add(Pin<2>(first.last(), second.first()));
+        model.set_gravity({0.0, -9.81});
+    }
+};
+
+TEMPLATE_TEST_CASE("a run in two parts turns its frames as one run does", "[dynamics]",
+                   GeneralizedAlpha, EnergyMomentum, RadauIIA) {
+    const double step = 1e-3;
+    const int steps = 60;
+    const auto options = [&] {
+        std::decay_t<decltype(TestType().options())> some;
+        some.step = step;
+        if constexpr (std::is_same_v<TestType, RadauIIA>) some.tolerance = 0.0;
+        return some;
+    }();
+    const auto run = [&](DoublePendulum& pendulum, const std::vector<int>& ends) {
+        DynamicProblem problem(pendulum.model);
+        EigenLu solver;
+        DynamicsReport report;
+        for (const int end : ends) {
+            Schedule schedule;
+            schedule.end = end * step;
+            report = TestType(options).integrate(problem, solver, schedule, report.memory);
+            REQUIRE(report.status == Status::converged);
+        }
+        return report.memory;
+    };
+    DoublePendulum whole;
+    const Memory one = run(whole, {steps});
+    int alike = 0;
+    for (int end = 1; end < steps; end += 3) {
+        CAPTURE(end);
+        DoublePendulum parts;
+        const Memory two = run(parts, {end, steps});
+        CHECK(two.get("frames", 7) == one.get("frames", 7));
+        alike += parts.model.state().q == whole.model.state().q ? 1 : 0;
+    }
+    CHECK(alike == 20);
+}
+
 /// Checks that nodal vectors turn as a whole beam is turned.
 template <int Dimension, class Element>
 void check_turn(double angle) {
@@ -339,6 +391,7 @@ TEST_CASE("the vectors of nodes turn with the nodes", "[dynamics]") {
         check_turn<3, CrossSectionBeam<3>>(angle);
         check_turn<2, Cable<2>>(angle);
     }
+    check_turn<2, CrossSectionBeam<2>>(pi);
     check_turn<3, CrossSectionBeam<3>>(pi);
 }
 

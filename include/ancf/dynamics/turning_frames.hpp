@@ -102,8 +102,8 @@ public:
         return true;
     }
 
-    /// Counts a step, s. A trial that took more work in a second than before is taken back. The next
-    /// one waits for twice as many failures.
+    /// Counts a step, s. A trial that took more work in a second than before is taken back. The
+    /// next one waits for twice as many failures.
     void end_step(double width) {
         time_ += width;
         if (trial_ == 0.0 || --trial_ > 0.0) return;
