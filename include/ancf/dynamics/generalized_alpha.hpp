@@ -35,10 +35,8 @@ struct GeneralizedAlphaOptions {
     /// s, of an adaptive run. Set it below the duration of a pulse that is shorter than `step`, or
     /// the run may pass over the pulse: docs/limits.md, "Motion".
     double max_step = std::numeric_limits<double>::infinity();
-    /// Of the coordinates of a step, relative like tolerance; a hundredth of it counts where
-    /// matrices turn with a stiff body.
-    double newton_tolerance = 1e-13;
-    int max_iterations = 12;  ///< of Newton's method in a step
+    double newton_tolerance = 1e-13;  ///< of the coordinates of a step, relative like tolerance
+    int max_iterations = 12;          ///< of Newton's method in a step
     /// Report the energy drift, and end as diverged where steps gain energy: one evaluation of the
     /// force a step.
     bool follow_energy = true;

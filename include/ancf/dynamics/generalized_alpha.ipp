@@ -279,9 +279,8 @@ private:
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
-            // by a matrix that turns, steps leave much the same: it adds up
-            const double tolerance = (frames_.turn() ? 0.01 : 1.0) * options_.newton_tolerance;
-            const double wanted = std::min(tolerance, std::max(1e-3 * local, 1e-16));
+            const double wanted =
+                std::min(options_.newton_tolerance, std::max(1e-3 * local, 1e-16));
             const double ratio = k > 1 ? change / before : 1.0;
             if (++since > 2) {
                 matrix_.contraction = std::max(ratio, since > 3 ? matrix_.contraction : 1e-4);
@@ -294,8 +293,14 @@ private:
             // at the round-off of the residual the corrections no longer shrink
             const bool small =
                 change <= 1e3 * options_.newton_tolerance && (fresh || ratio <= most_noise);
-            if (left <= wanted || (k > 1 && (change <= round_off || (ratio >= 1.0 && small))))
-                return Status::converged;
+            const bool noise = change <= round_off || (ratio >= 1.0 && small);
+            if (left <= wanted || (k > 1 && noise)) {
+                // in a body that turns, what two corrections leave adds up over the steps
+                if (since > 2 || !frames_.turn()) return Status::converged;
+                renew = false;
+                before = change;
+                continue;
+            }
             if (ratio > 1.0 && (!fresh || change > farthest)) return Status::diverged;
             // so slow that a new matrix is cheaper
             const bool slow = std::log(wanted / change) / std::log(ratio) > 4.0;
