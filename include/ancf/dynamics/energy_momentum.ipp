@@ -7,7 +7,6 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/energy_momentum_system.hpp>
 #include <ancf/dynamics/motion_run.hpp>
-#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/types.hpp>
@@ -27,8 +26,7 @@ public:
                       const EnergyMomentumOptions& options)
         : MotionRun(problem, solver, schedule, {options.step}, options.follow_energy),
           options_(options),
-          system_(problem),
-          frames_(problem.model(), problem.numbering()) {}
+          system_(problem) {}
 
     DynamicsReport run(const Memory& memory) {
         if (!has_started()) return std::move(report_);
@@ -74,7 +72,6 @@ private:
             increment_ = next_.q - now_.q;
             if (evaluate(width, true) != Status::converged) linearised_width_ = 0.0;
         }
-        frames_.recall(memory);
         now_ = end;  // with its own rates: projected ones would have less energy
         acceleration_ = m > 0 && was_cut(values, values[7]) ? start_.acceleration
                                                             : memory.get("acceleration", n);
@@ -85,7 +82,6 @@ private:
                  {linearised_from_.time, linearised_to_.time, linearised_width_, last_width_});
         Memory& memory = report_.memory;
         memory.put("acceleration", acceleration_);
-        memory.put("frames", frames_.memory());
         if (linearised_width_ == 0.0) return;
         memory.put("linearised_from_q", linearised_from_.q);
         memory.put("linearised_from_v", linearised_from_.v);
@@ -120,7 +116,6 @@ private:
                            : fail(status,
                                   driven_turn_text(constraints, turn, now_.time, next_.time));
             }
-            frames_.end_step(h);
             acceleration_ = (next_.v - now_.v) / h;
             std::swap(now_, next_);
             if (!record(next_, now_)) return false;
@@ -138,12 +133,8 @@ private:
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, h, full_now_.q, full_now_.v);
         const double bend = 0.5 * h * h;
-        if (linearised_width_ == h) {
-            const long matrices = report_.factorisations;
-            const Status status = iterate(h, bend, false);
-            if (status != Status::converged || report_.factorisations > matrices) frames_.fail();
-            if (status == Status::converged) return status;
-        }
+        if (linearised_width_ == h && iterate(h, bend, false) == Status::converged)
+            return Status::converged;
         const Status status = iterate(h, bend, true);
         if (status == Status::converged || moves_far(now_, h)) return status;
         return iterate(h, 0.0, true);
@@ -168,11 +159,8 @@ private:
             if (const Status status = evaluate(h, renew); status != Status::converged)
                 return status;
             fresh = fresh || renew;
-            if (frames_.turn()) frames_.carry(next_.q, linearised_to_.q, rhs_.data());
             solve_with(solver_, rhs_, solution_);
-            if (frames_.turn()) frames_.carry(linearised_to_.q, next_.q, solution_.data());
             ++report_.iterations;
-            frames_.add_correction();
             const VectorX correction = solution_.head(n);
             increment_ += correction;
             next_.q = now_.q + increment_;
@@ -216,7 +204,6 @@ private:
             return report_.fault ? report_.fault->status : Status::not_finite;
         }
         if (!matrix) return Status::converged;
-        frames_.add_tangent();
         ++report_.jacobians;
         ++report_.factorisations;
         linearised_from_ = now_;
@@ -268,7 +255,6 @@ private:
 
     const EnergyMomentumOptions& options_;
     EnergyMomentumSystem system_;
-    TurningFrames frames_;
 
     MotionPoint now_, next_;
     VectorX acceleration_;  // mean of the last step: the prediction of the next
