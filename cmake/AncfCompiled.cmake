@@ -3,8 +3,9 @@
 #
 # The same headers, compiled once: a static library of the definitions and of the usual elements.
 #
-# ancf_add_compiled(NAME): a static library target. Its units are generated from the headers: one for each
-# ANCF_COMPILED_ELEMENT and ANCF_COMPILED_TEMPLATE of a header, one for each layer or part of a layer.
+# ancf_add_compiled(NAME [LAYERS layer...] [ELEMENTS type...]): a static library target. Its units are generated from the
+# headers: one for each ANCF_COMPILED_ELEMENT and ANCF_COMPILED_TEMPLATE of a header, one for each layer or part of a
+# layer. Of these only the given ones, where some are given.
 # ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
 # ANCF_SANITIZER_FLAGS: what ANCF_SANITIZE adds to a compilation.
 
@@ -55,7 +56,7 @@ function(_ancf_compiled_layers result)
     set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-# Sets RESULT to one unit for each element.
+# Sets RESULT to one unit for each element, or for each of those given.
 function(_ancf_compiled_elements result)
     set(sources)
     file(GLOB_RECURSE headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS
@@ -64,6 +65,9 @@ function(_ancf_compiled_elements result)
         file(STRINGS ${PROJECT_SOURCE_DIR}/include/${header} lines REGEX "^ANCF_COMPILED_(ELEMENT|TEMPLATE)\\(")
         foreach(line IN LISTS lines)
             string(REGEX REPLACE "^ANCF_COMPILED_[A-Z]+\\((.*)\\);$" "\\1" element "${line}")
+            if(ARGN AND NOT element IN_LIST ARGN)
+                continue()
+            endif()
             string(MAKE_C_IDENTIFIER "element_${element}" stem)
             set(text "namespace ancf {\n")
             if(line MATCHES "^ANCF_COMPILED_TEMPLATE")
@@ -77,8 +81,12 @@ function(_ancf_compiled_elements result)
 endfunction()
 
 function(ancf_add_compiled name)
-    _ancf_compiled_layers(layers section element model assembly solver dynamics output)
-    _ancf_compiled_elements(elements)
+    cmake_parse_arguments(PARSE_ARGV 1 wanted "" "" "LAYERS;ELEMENTS")
+    if(NOT wanted_LAYERS)
+        set(wanted_LAYERS section element model assembly solver dynamics output)
+    endif()
+    _ancf_compiled_layers(layers ${wanted_LAYERS})
+    _ancf_compiled_elements(elements ${wanted_ELEMENTS})
     set(sources)
     file(GLOB common RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ancf/*.ipp)
     _ancf_compiled_unit(sources common "${common}" "namespace ancf::detail {

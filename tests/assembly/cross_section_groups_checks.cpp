@@ -4,8 +4,7 @@
 /// @file
 /// Groups of beams with a cross-section in space and of the beam with torsion.
 
-#include <ancf/model/attachment.hpp>
-#include <ancf/model/group_of.hpp>
+#include <ancf/model/model.hpp>
 
 #include <assembly/element_groups.hpp>
 

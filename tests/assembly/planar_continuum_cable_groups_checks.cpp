@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Groups of the continuum beam, which take the most memory.
+/// Groups of the planar beam, the continuum beam and the cable.
 
-#include <ancf/model/attachment.hpp>
-#include <ancf/model/group_of.hpp>
+#include <ancf/model/model.hpp>
 
 #include <assembly/element_groups.hpp>
 
 namespace ancf {
 
+ANCF_ELEMENT_INSTANCE(, CrossSectionBeam<2>);
 ANCF_ELEMENT_INSTANCE(, ContinuumBeam<3>);
+ANCF_ELEMENT_INSTANCE(, Cable<3>);
 
 }  // namespace ancf
