@@ -296,7 +296,8 @@ private:
             const bool noise = change <= round_off || (ratio >= 1.0 && small);
             if (left <= wanted || (k > 1 && noise)) {
                 // in a body that turns, what two corrections leave adds up over the steps
-                if (since > 2 || !frames_.turn()) return Status::converged;
+                if (since > 2 || k == options_.max_iterations || !frames_.turn())
+                    return Status::converged;
                 renew = false;
                 before = change;
                 continue;
