@@ -5,6 +5,8 @@
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/radau.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/frame.hpp>
 #include <ancf/model/loads/damping.hpp>
 #include <ancf/petsc/distributed_scene.hpp>
@@ -134,6 +136,17 @@ TEST_CASE("DistributedScene::integrate: by MUMPS, any number of processes finds 
         same_as_in_series([] { return curved_beam(); }, direct, 1e-10, of_step(1e-3), 0.02);
     }
     SECTION("net between masts") { same_as_in_series(hit_net, direct, 1e-10, of_step(5e-4), 0.01); }
+    SECTION("bar that spins, by a matrix that turns") {
+        const auto bar = [] {
+            Model model;
+            straight_beam<CrossSectionBeam<3>>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                               rectangle(0.05, 0.05), {0, 0, 0}, {1, 0, 0}, 8);
+            model.set_rigid_rates({0, 0, 0}, {0, 0, 10});
+            model.set_gravity({0, -9.81, 0});
+            return model;
+        };
+        same_as_in_series(bar, direct, 1e-10, of_step(1e-3), 0.05);
+    }
 }
 
 TEST_CASE("DistributedScene::integrate: it starts from the equilibrium that solve left",
