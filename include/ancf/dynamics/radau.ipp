@@ -97,6 +97,7 @@ private:
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
+    static constexpr double loosest = 1e-3;           // tolerance in frames that turn
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
 
@@ -172,7 +173,7 @@ private:
         rejected_ = failed_ = false;
         grid_.take(step);
         rests_ = error < resting;
-        error_before_ = error * options_.tolerance;
+        error_before_ = error * share() * options_.tolerance;
         if (!control_.is_adaptive() || step.width != grid_.width) return;
         double factor = std::min(growth(error), attempted ? 1.0 : most_growth_);
         // what a fresh tangent hardly solves a longer step would not
@@ -203,6 +204,12 @@ private:
         return std::max(safety * std::pow(std::max(error, 1e-10), -power), 0.2);
     }
 
+    /// Returns what counts of the tolerance: frames that turn take steps so long that they would
+    /// lose energy at a looser one.
+    [[nodiscard]] double share() const {
+        return frames_.turn() && options_.tolerance > loosest ? loosest / options_.tolerance : 1.0;
+    }
+
     /// Solves one step by Newton's method, again with a new tangent where the old one fails, and
     /// with frames that turn, or no longer do, where that is to be tried.
     [[nodiscard]] Status newton(double h) {
@@ -226,9 +233,9 @@ private:
         // a share of the step's own error, as the last step tells it
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
         const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
-        const double energy = frames_.turn()
-                                  ? std::pow(0.03 * newton_tolerance_, 2) * typical_energy(h)
-                                  : std::numeric_limits<double>::infinity();
+        const double energy =
+            frames_.turn() ? std::pow(0.03 * share() * newton_tolerance_, 2) * typical_energy(h)
+                           : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
             if (iterations_ > options_.max_iterations) return Status::max_iterations;
@@ -436,7 +443,7 @@ private:
             for (VectorX* x : {&rates, &accelerations}) frames_.carry(q, linearised_.q, x->data());
         VectorX error = system_.filter(rates, accelerations);
         if (frames_.turn()) frames_.carry(linearised_.q, q, error.data());
-        const double size = problem_.largest_ratio(error) / options_.tolerance;
+        const double size = problem_.largest_ratio(error) / (share() * options_.tolerance);
         return std::isfinite(size) ? size : 1e10;
     }
 
