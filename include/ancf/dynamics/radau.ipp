@@ -540,7 +540,7 @@ private:
     // what Newton's method and the choice of steps keep
     MotionPoint linearised_;          // where the tangent of the matrices at hand was evaluated
     bool renew_ = true;               // whether the next step takes a new tangent
-    double correction_energy_ = 0.0;  // of the last correction, J; 0 where they do not turn
+    double correction_energy_ = 0.0;  // of the last correction, J; 0 where frames do not turn
     double contraction_ = 0.0;        // by which corrections shrank in the last step that told it
     double fresh_ = 0.0;              // the same of the last step by a tangent of its own
     double eta_ = 1.0;                // what is left after a correction, over the correction

@@ -57,7 +57,7 @@ public:
 
     /// Turns vectors as their nodes turn between two configurations.
     /// @param from, to  n entries each.
-    /// @param x         n entries.
+    /// @param x         n entries, of coordinates or forces.
     void carry(const VectorX& from, const VectorX& to, double* x) const {
         int k = 0;
         for (std::size_t node = 0; node < nodes_.size(); node += 3) {
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Tells whether they turn.
+    /// Tells whether the frames turn.
     [[nodiscard]] bool turn() const { return turn_; }
 
     /// Counts a correction.
