@@ -222,11 +222,12 @@ private:
     /// Solves one step by Newton's method.
     ///
     /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
-    /// the step then starts again, with a matrix of its own. Where vibrations are faster than the
-    /// steps, their accelerations predict badly: it starts once more without accelerations, unless
-    /// the scene moves far in it.
+    /// the step then starts again, with a matrix of its own, and then with the strains of the
+    /// prediction. Where vibrations are faster than the steps, their accelerations predict badly: it
+    /// starts once more without accelerations, unless the scene moves far in it.
     [[nodiscard]] Status newton(double h) {
         predict(h);
+        keep_strains(h);
         if (linearised_width_ == h) {
             const long matrices = report_.factorisations;
             const bool served = matrix_.steps > few_steps;
@@ -236,7 +237,12 @@ private:
             if (status == Status::converged) return status;
         }
         predict(h);
-        const Status status = iterate(h, true);
+        keep_strains(h);
+        Status status = iterate(h, true);
+        if (status != Status::converged && frames_.turn()) {
+            predict(h);
+            status = iterate(h, true);
+        }
         if (status == Status::converged || moves_far(now_, h)) return status;
         predict(h);
         add(h, -now_.acceleration);
@@ -353,6 +359,14 @@ private:
         next_.q = now_.q + h * now_.v + h * h * (0.5 - beta_) * now_.algorithmic +
                   h * h * beta_ * next_.algorithmic;
         next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
+    }
+
+    /// Takes back the strains of the prediction, in frames that turn.
+    void keep_strains(double h) {
+        if (!frames_.turn()) return;
+        VectorX kept = next_.q;
+        frames_.keep_strains(now_.q, kept);
+        add(h, (kept - next_.q) / (h * h * beta_hat_));
     }
 
     /// Changes the accelerations, and what follows of them.

@@ -151,6 +151,7 @@ private:
     /// where it is not.
     [[nodiscard]] bool advance() {
         if (width_before_ > 0.0) frames_.end_step(width_before_);
+        strain_ = problem_.assembly().strain_energy();
         for (;;) {
             const Step step = next_step(now_);
             if (divides(step)) continue;
@@ -226,6 +227,14 @@ private:
         const bool constrained = problem_.multipliers() > 0;
         const Span step{now_, h, next_.time};
         predict(1.0, width_before_ > 0.0 ? h / width_before_ : 0.0);
+        if (frames_.turn()) {
+            place_stages(step);
+            for (std::size_t i = 0; i < stages_; ++i) {
+                VectorX q = stage_[i].q;
+                frames_.keep_strains(now_.q, q);
+                Y_[i] += (q - stage_[i].q) / (h * h);
+            }
+        }
         int tangents = 0;  // of this step
         int since = 0;     // corrections by the matrices at hand
         double before = 0.0, ratio_before = 0.0;
@@ -234,7 +243,8 @@ private:
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
         const double of_error = 0.06 * error_before_ * std::pow(shrinks, options_.stages + 1);
         const double energy =
-            frames_.turn() ? std::pow(0.03 * share() * newton_tolerance_, 2) * typical_energy(h)
+            frames_.turn() ? std::pow(0.03 * share() * newton_tolerance_, 2) *
+                                 typical_energy(problem_, now_.v, now_.acceleration, strain_, h)
                            : std::numeric_limits<double>::infinity();
         eta_ = std::pow(std::max(eta_, 1e-16), 0.8);
         for (iterations_ = 1;; ++iterations_) {
@@ -265,7 +275,10 @@ private:
             // they are round-off of nothing, and tell nothing of the matrices
             if (change <= nothing) contraction_ = 0.0;
             if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
-            if (++since > 1) {
+            // in frames that turn a first correction takes back the false strain of the prediction,
+            // which turns what has little inertia, and the second takes back that turn
+            const bool astray = ++since == 2 && frames_.turn() && ratio > 0.1;
+            if (since > 1 && !astray) {
                 // a first ratio may flatter: it stands beside that of the step before
                 const double contraction =
                     since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
@@ -279,8 +292,8 @@ private:
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
             }
             // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
-            if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
-                eta_ * excess <= 1.0)
+            if (!astray && (iterations_ > 1 || (tangents == 0 && !constrained)) &&
+                is_told(since, change) && eta_ * excess <= 1.0)
                 break;
             before = change;
             ratio_before = ratio;
@@ -300,17 +313,6 @@ private:
     [[nodiscard]] bool is_told(int since, double change) const {
         return control_.is_adaptive() || since > 2 || change <= round_off ||
                iterations_ == options_.max_iterations;
-    }
-
-    /// Returns a typical energy of the step, J: the kinetic one of the start, or of what its
-    /// accelerations move.
-    [[nodiscard]] double typical_energy(double h) const {
-        const auto product = [this](const VectorX& x) {
-            VectorX momentum = VectorX::Zero(x.size());
-            problem_.add_mass_product(0.5, x, momentum);
-            return momentum.dot(x);
-        };
-        return std::max(product(now_.v), h * h * product(now_.acceleration));
     }
 
     /// Solves for one correction and adds it; returns its size.
@@ -540,6 +542,7 @@ private:
     // what Newton's method and the choice of steps keep
     MotionPoint linearised_;          // where the tangent of the matrices at hand was evaluated
     bool renew_ = true;               // whether the next step takes a new tangent
+    double strain_ = 0.0;             // energy at the step's start, J
     double correction_energy_ = 0.0;  // of the last correction, J; 0 where frames do not turn
     double contraction_ = 0.0;        // by which corrections shrank in the last step that told it
     double fresh_ = 0.0;              // the same of the last step by a tangent of its own

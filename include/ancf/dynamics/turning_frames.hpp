@@ -10,11 +10,13 @@
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
 #include <ancf/element/vec3.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -43,7 +45,9 @@ public:
                     free = free && numbers.equation(k + i) == first + i;
                 if (!free) continue;
                 free_.push_back(first);
-                const bool slope = length_power(layout.field_of(k)) == 0;
+                const int power = length_power(layout.field_of(k));
+                if (power != 1) directions_.push_back(first);
+                const bool slope = power == 0;
                 if (slope && count < dimension_ - 1) slopes[count++] = first;
             }
             if (count == 0) {
@@ -83,6 +87,16 @@ public:
                 for (int i = 0; i < dimension_; ++i) x[first + i] = turned[i];
             }
         }
+    }
+
+    /// Gives slopes and curvatures the strains that they had: those of `from`, turned as the nodes
+    /// turn to q.
+    /// @param from, q  n entries each.
+    void keep_strains(const VectorX& from, VectorX& q) const {
+        VectorX turned = from;
+        carry(from, q, turned.data());
+        for (const int first : directions_)
+            q.segment(first, dimension_) = turned.segment(first, dimension_);
     }
 
     /// Tells whether the frames turn.
@@ -158,7 +172,8 @@ private:
     }
 
     int dimension_;
-    std::vector<int> free_;   // of each free vector the equation of its first component
+    std::vector<int> free_;        // of each free vector the equation of its first component
+    std::vector<int> directions_;  // likewise, but of positions
     std::vector<int> nodes_;  // of each node its slopes, likewise or -1, and where its vectors end
     bool turn_ = false;
     double failures_ = 0.0;
@@ -168,5 +183,20 @@ private:
     double time_ = 0.0;   // s, of the steps since then
     double rate_ = 0.0;   // work in a second before
 };
+
+/// Returns a typical energy of a step, J: the kinetic one of its start, or of what the
+/// accelerations there move, and the strain energy.
+/// @param v, a    n rates and accelerations.
+/// @param strain  its energy at the start, J.
+/// @param width   of the step, s.
+ANCF_NOINLINE inline double typical_energy(const DynamicProblem& problem, const VectorX& v,
+                                           const VectorX& a, double strain, double width) {
+    const auto product = [&problem](const VectorX& x) {
+        VectorX momentum = VectorX::Zero(x.size());
+        problem.add_mass_product(0.5, x, momentum);
+        return momentum.dot(x);
+    };
+    return std::max(product(v), width * width * product(a)) + strain;
+}
 
 }  // namespace ancf::detail
