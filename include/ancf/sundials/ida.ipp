@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ancf::sundials {
 namespace detail {
@@ -49,6 +50,7 @@ public:
           dense_(make_vector(context_, system_.size())),
           matrix_(make_matrix(context_, system_.size(), system_.map().values())),
           klu_(make_klu(context_, y_.get(), matrix_.get())),
+          turned_(make_turned()),
           ida_(make_ida(context_)) {}
 
     IdaReport run() {
@@ -102,7 +104,7 @@ private:
         call(IDASVtolerances(ida, options_.tolerance, tolerances_.get()));
         choose_error_test();
         SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
-        call(IDASetLinearSolver(ida, klu_.get(), matrix_.get()));
+        call(IDASetLinearSolver(ida, turned_.get(), matrix_.get()));
         call(IDASetJacFn(ida, &IdaSystem::jacobian));
         if (report_.order == 2) {
             measure_rate();
@@ -112,7 +114,7 @@ private:
         }
         call(IDASetMaxOrd(ida, report_.order));
         call(IDASetDeltaCjLSetup(ida, 0.05));
-        call(IDASetMaxNonlinIters(ida, 6));
+        call(IDASetMaxNonlinIters(ida, report_.order == 2 ? 7 : 6));
         call(IDASetNonlinConvCoef(ida, 0.1));
         first_step_ = first_step();
         call(IDASetInitStep(ida, first_step_));
@@ -182,29 +184,111 @@ private:
         call(IDASetSuppressAlg(ida_.get(), SUNTRUE));
     }
 
+    // KLU, in frames that turn with the nodes.
+    [[nodiscard]] LinearSolverOwner make_turned() {
+        LinearSolverOwner solver(made(SUNLinSolNewEmpty(context_.get())));
+        solver->content = this;
+        solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+        solver->ops->setup = [](SUNLinearSolver self, SUNMatrix matrix) {
+            return SUNLinSolSetup(static_cast<IdaRun*>(self->content)->klu_.get(), matrix);
+        };
+        solver->ops->solve = [](SUNLinearSolver self, SUNMatrix matrix, N_Vector x, N_Vector b,
+                                sunrealtype) {
+            auto& run = *static_cast<IdaRun*>(self->content);
+            if (run.begins_astray()) {
+                double c = 0.0;
+                IDAGetCurrentCj(run.ida_.get(), &c);
+                return run.system_.keep_strains(c, 0.5 * (1.0 + c / run.system_.c()), x);
+            }
+            return run.system_.solve(run.klu_.get(), matrix, x, b);
+        };
+        solver->ops->free = [](SUNLinearSolver self) {
+            SUNLinSolFreeEmpty(self);
+            return 0;
+        };
+        return solver;
+    }
+
+    // The corrections of a step, in one measure.
+    struct Corrections {
+        double first = 0.0, rate = 0.0;
+
+        // Returns what the correction after so many others leaves, as their rate tells.
+        [[nodiscard]] double left(double size, int corrections) {
+            if (corrections == 0) first = size;
+            rate = corrections == 0 ? 0.0 : std::pow(size / first, 1.0 / corrections);
+            if (size == 0.0) return 0.0;
+            if (corrections == 0) return 1e4 * size;
+            return rate < 1.0 ? rate / (1.0 - rate) * size
+                              : std::numeric_limits<double>::infinity();
+        }
+    };
+
+    // Whether a first correction is to take back the strains of the prediction.
+    [[nodiscard]] bool begins_astray() {
+        if (astray_ == 0) return false;
+        int corrections = 0;
+        SUNNonlinSolGetCurIter(newton_.get(), &corrections);
+        return corrections == 0;
+    }
+
     // IDA ends a step after one correction where the matrix once converged fast. As a stiff body
     // turns that matrix grows old: forces stay unbalanced, and the body loses its spin. So every
     // step measures its own rate. Otherwise it is IDA's test, but a first correction ends a step
-    // below 1e-4 of what is allowed, not below 1e-8.
+    // below 1e-4 of what is allowed, not below 1e-8, and what is left strains no stiff body by more
+    // than the tolerance allows of the energy of the motion, in frames that turn.
     void measure_rate() {
         newton_.reset(made(SUNNonlinSol_Newton(y_.get(), context_.get())));
         call(IDASetNonlinearSolver(ida_.get(), newton_.get()));
         const auto test = [](SUNNonlinearSolver newton, N_Vector, N_Vector correction,
-                             sunrealtype allowed, N_Vector weights, void* run) {
+                             sunrealtype allowed, N_Vector weights, void* self) {
             constexpr int converged = 0;
-            double& first = static_cast<IdaRun*>(run)->first_correction_;
+            constexpr double nothing = 1e-10;  // of a correction, relative to the scene
+            auto& run = *static_cast<IdaRun*>(self);
             int corrections = 0;  // before this one
             SUNNonlinSolGetCurIter(newton, &corrections);
-            const double size = N_VWrmsNorm(correction, weights);
-            if (corrections == 0) {
-                first = size;
-                return size <= 1e-4 * allowed ? converged : SUN_NLS_CONTINUE;
+            if (run.astray_ > 0 && --corrections < 0) return SUN_NLS_CONTINUE;
+            const double size = N_VWrmsNorm(correction, weights),
+                         tolerance = run.options_.tolerance;
+            const double strain =
+                size * tolerance > nothing
+                    ? std::sqrt(run.system_.work() / run.energy_) / (0.003 * tolerance) * allowed
+                    : 0.0;
+            const double left = run.size_.left(size, corrections);
+            const double left_strain = run.strain_.left(strain, corrections);
+            if (corrections == 1 && run.size_.rate > 0.1 && run.system_.frames().turn()) {
+                run.goes_astray_ = true;
+                return SUN_NLS_CONTINUE;
             }
-            const double rate = std::pow(size / first, 1.0 / corrections);
-            if (rate > 0.9) return SUN_NLS_CONV_RECVR;
-            return rate / (1.0 - rate) * size <= allowed ? converged : SUN_NLS_CONTINUE;
+            if (corrections == 6 || run.size_.rate > 0.9) return SUN_NLS_CONV_RECVR;
+            return std::max(left, left_strain) <= allowed ? converged : SUN_NLS_CONTINUE;
         };
         call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
+    }
+
+    // Prepares the next step.
+    void begin_step() {
+        system_.begin_step(now_.time, y_.get());
+        if (report_.order > 2) return;
+        double length = 0.0;  // of the last one
+        IDAGetLastStep(ida_.get(), &length);
+        long corrections = 0, tangents = 0, failures = 0;
+        IDAGetNumNonlinSolvIters(ida_.get(), &corrections);
+        IDAGetNumLinSolvSetups(ida_.get(), &tangents);
+        IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
+        ancf::detail::TurningFrames& frames = system_.frames();
+        for (; report_.iterations < corrections; ++report_.iterations) frames.add_correction();
+        for (; report_.factorisations < tangents; ++report_.factorisations) frames.add_tangent();
+        for (; report_.convergence_failures < failures; ++report_.convergence_failures)
+            frames.fail();
+        frames.end_step(length);
+        const VectorX rates = view(dy_.get()).cwiseProduct(system_.units());
+        energy_ = frames.turn()
+                      ? ancf::detail::typical_energy(problem_, now_.v, system_.v(rates),
+                                                     problem_.assembly().strain_energy(), length)
+                      : std::numeric_limits<double>::infinity();
+        if (std::exchange(goes_astray_, false)) astray_ = 50;
+        astray_ = frames.turn() ? std::max(astray_ - 1, 0) : 0;
     }
 
     // From the acceleration: the first step is of order 1, so its error is h^2 a/2.
@@ -225,9 +309,9 @@ private:
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(IDA_TOO_MUCH_WORK);
         call(IDASetStopTime(ida_.get(), stop_time()));
+        begin_step();
         double reached = now_.time;
         system_.forget_fault();
-        system_.begin_step(reached);
         context_.forget_message();
         code_ = IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
         system_.rethrow();
@@ -317,11 +401,14 @@ private:
     IdaSystem system_;
     VectorOwner y_, dy_, tolerances_, dense_;
     MatrixOwner matrix_;
-    LinearSolverOwner klu_;
+    LinearSolverOwner klu_, turned_;
     NewtonOwner newton_;  // of stiff scenes
     IdaOwner ida_;
 
-    double first_correction_ = 0.0;   // of a step, in IDA's norm
+    Corrections size_, strain_;       // of a step, in IDA's norm
+    double energy_ = 0.0;             // J, typical of a step
+    bool goes_astray_ = false;        // whether a first correction of the step went astray
+    int astray_ = 0;                  // steps left that take back the strains of the prediction
     double slow_frequency_ = 0.0;     // rad/s: of the motion that is followed
     double highest_frequency_ = 0.0;  // rad/s: of a scene whose vibrations steps may not resolve
     double first_step_ = 0.0;         // s

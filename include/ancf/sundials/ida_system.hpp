@@ -16,6 +16,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/dynamics/turning_frames.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/sundials/run.hpp>
 #include <ancf/types.hpp>
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ancf::sundials::detail {
@@ -168,7 +170,8 @@ public:
           stabilised_(stabilised),
           m_(problem.multipliers()),
           map_(problem.mass(), n_, stabilised),
-          units_(VectorX::Ones(map_.size())) {}
+          units_(VectorX::Ones(map_.size())),
+          frames_(problem.model(), problem.numbering()) {}
 
     [[nodiscard]] Eigen::Index size() const noexcept { return map_.size(); }
     [[nodiscard]] const JacobianMap& map() const noexcept { return map_; }
@@ -204,9 +207,47 @@ public:
         return system.guarded([&] { return system.write_jacobian(t, c, view(y), matrix); });
     }
 
-    /// Takes the time that steps start from.
-    void begin_step(double time) {
+    /// Solves for a correction by a solver of the Jacobian, in frames that turn with the nodes from
+    /// the state of the Jacobian, where they do.
+    /// @param correction  may be the residual.
+    int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector correction,
+              N_Vector residual) noexcept {
+        return guarded([&] {
+            const VectorX force = v(view(residual));
+            N_VScale(1.0, residual, correction);
+            carry(q_, linearised_, correction);
+            const int code = SUNLinSolSolve(solver, matrix, correction, correction, 0.0);
+            carry(linearised_, q_, correction);
+            work_ = std::abs(q(view(correction)).cwiseProduct(q(units_)).dot(force));
+            return code;
+        });
+    }
+    /// Takes the strains of the prediction back as a correction: slopes of the step's start, turned.
+    /// @param c         IDA's.
+    /// @param rescaled  what IDA divides a correction by.
+    int keep_strains(double c, double rescaled, N_Vector correction) noexcept {
+        return guarded([&] {
+            VectorX kept = q_;
+            frames_.keep_strains(q(begin_y_).cwiseProduct(q(units_)), kept);
+            kept -= q_;
+            auto entries = view(correction);
+            entries.setZero();
+            q(entries) = rescaled * kept.cwiseQuotient(q(units_));
+            v(entries) = rescaled * c * kept.cwiseQuotient(v(units_));
+            return good;
+        });
+    }
+    /// Returns IDA's c of the Jacobian.
+    [[nodiscard]] double c() const noexcept { return c_; }
+    /// Returns the work of the residual along the last correction, J.
+    [[nodiscard]] double work() const noexcept { return work_; }
+    /// Returns the frames.
+    [[nodiscard]] ancf::detail::TurningFrames& frames() noexcept { return frames_; }
+
+    /// Takes the state that steps start from.
+    void begin_step(double time, N_Vector y) {
         begin_ = time;
+        begin_y_ = view(y);
         turn_.clear();
     }
     /// Returns which driven joint turns by too much in the step last tried; empty where none does.
@@ -254,12 +295,18 @@ private:
         return good;
     }
 
+    // In frames that turn at the start of the step, which no prediction strains.
     int write_jacobian(double t, double c, const View& y, SUNMatrix matrix) {
-        if (!evaluate(t, y, request_)) return recoverable;
+        const VectorX at = q_;  // of the residual that is solved for
+        const bool turn = frames_.turn();
+        const double time = turn ? begin_ : t;
+        if (!evaluate(time, turn ? View(begin_y_.data(), size()) : y, request_)) return recoverable;
         if (stabilised_) {
-            problem_.evaluate_constraints(t, q_, v_);
+            problem_.evaluate_constraints(time, q_, v_);
             problem_.velocity_level(mu_, velocity_level_);
         }
+        linearised_ = std::exchange(q_, at);
+        c_ = c;
         const JacobianParts parts{problem_.tangent(), problem_.mass(),
                                   request_ == Request::tangent ? nullptr : &problem_.damping(),
                                   stabilised_ ? &velocity_level_ : nullptr};
@@ -271,10 +318,21 @@ private:
         return good;
     }
 
+    // Turns q and v, or their residuals, as the nodes turn between two configurations.
+    void carry(const VectorX& from, const VectorX& to, N_Vector y) const {
+        if (!frames_.turn()) return;
+        auto entries = view(y);
+        frames_.carry(from, to, q(entries).data());
+        frames_.carry(from, to, v(entries).data());
+    }
+
     bool stabilised_;
     int m_;
     JacobianMap map_;
     VectorX units_, y_, dy_, lambda_, mu_, gap_, kinematic_;
+    VectorX begin_y_, linearised_;  // y of the step's start, q of the Jacobian
+    ancf::detail::TurningFrames frames_;
+    double work_ = 0.0, c_ = 0.0;
     SparseMatrix velocity_level_;
     double begin_ = 0.0;
     std::string turn_;
