@@ -41,7 +41,8 @@ struct IdaOptions {
     Form form = Form::index3;  ///< how the constraints enter
 
     /// Relative tolerance. Index 3 leaves rates out of the error test, so it is about a hundred
-    /// times looser than the same figure in gear_gupta_leimkuhler.
+    /// times looser than the same figure in gear_gupta_leimkuhler. Above 1e-4 it counts as 1e-4
+    /// where the order is two: a looser one would strain stiff bodies.
     double tolerance = 1e-8;
 
     // Absolute tolerances are `tolerance` times these; 0 takes a scale from the scene.

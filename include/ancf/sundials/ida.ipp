@@ -98,10 +98,13 @@ private:
         void* ida = ida_.get();
         slow_frequency_ = slow_frequency();
         report_.order = order_limit();
+        constexpr double loosest = 1e-4;  // of stiff scenes
+        tolerance_ =
+            report_.order == 2 ? std::min(options_.tolerance, loosest) : options_.tolerance;
         set_start();
         call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
         call(IDASetUserData(ida, &system_));
-        call(IDASVtolerances(ida, options_.tolerance, tolerances_.get()));
+        call(IDASVtolerances(ida, tolerance_, tolerances_.get()));
         choose_error_test();
         SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
         call(IDASetLinearSolver(ida, turned_.get(), matrix_.get()));
@@ -157,8 +160,8 @@ private:
         }
         VectorX sizes;
         problem_.numbering().gather_free(problem_.scales_of(length), sizes);
-        system_.q(absolute) = options_.tolerance * sizes;
-        system_.v(absolute) = options_.tolerance * velocity / length * sizes;
+        system_.q(absolute) = tolerance_ * sizes;
+        system_.v(absolute) = tolerance_ * velocity / length * sizes;
         // Newton's method cannot bring multipliers below the round-off of the forces they balance,
         // of which it sees a part. Where that hides the forces themselves, step() ends the run.
         const double round_off = 0.05 * problem_.force_round_off(start_.time, start_.q);
@@ -170,8 +173,8 @@ private:
             for (Eigen::Index i = 0; i < multipliers.size(); ++i)
                 multipliers[i] = arms[i] > 0.0 ? least / arms[i] : least;
         };
-        measured(std::max(options_.tolerance * force, resolved), system_.lambda(absolute));
-        measured(options_.tolerance * force * length / velocity, system_.mu(absolute));
+        measured(std::max(tolerance_ * force, resolved), system_.lambda(absolute));
+        measured(tolerance_ * force * length / velocity, system_.mu(absolute));
     }
 
     // The error test sees positions, and rates where the form holds them on the constraints.
@@ -248,8 +251,7 @@ private:
             int corrections = 0;  // before this one
             SUNNonlinSolGetCurIter(newton, &corrections);
             if (run.astray_ > 0 && --corrections < 0) return SUN_NLS_CONTINUE;
-            const double size = N_VWrmsNorm(correction, weights),
-                         tolerance = run.options_.tolerance;
+            const double size = N_VWrmsNorm(correction, weights), tolerance = run.tolerance_;
             const double strain =
                 size * tolerance > nothing
                     ? std::sqrt(run.system_.work() / run.energy_) / (0.003 * tolerance) * allowed
@@ -299,8 +301,7 @@ private:
         const double turn = problem_.largest_ratio(start_.v);
         if (turn > 0.0) step = std::min(step, 1e-3 / turn);
         const double acceleration = problem_.largest_ratio(start_.acceleration);
-        if (acceleration > 0.0)
-            step = std::min(step, std::sqrt(0.5 * options_.tolerance / acceleration));
+        if (acceleration > 0.0) step = std::min(step, std::sqrt(0.5 * tolerance_ / acceleration));
         return step;
     }
 
@@ -342,8 +343,8 @@ private:
     // Whether the last step had next to no error.
     [[nodiscard]] bool rests() {
         call(IDAGetEstLocalErrors(ida_.get(), dense_.get()));
-        const VectorX allowed = options_.tolerance * system_.q(view(y_.get())).cwiseAbs() +
-                                system_.q(view(tolerances_.get()));
+        const VectorX allowed =
+            tolerance_ * system_.q(view(y_.get())).cwiseAbs() + system_.q(view(tolerances_.get()));
         const auto errors = system_.q(view(dense_.get())).cwiseQuotient(allowed);
         return errors.squaredNorm() <
                ancf::detail::resting * ancf::detail::resting * static_cast<double>(errors.size());
@@ -409,6 +410,7 @@ private:
     double energy_ = 0.0;             // J, typical of a step
     bool goes_astray_ = false;        // whether a first correction of the step went astray
     int astray_ = 0;                  // steps left that take back the strains of the prediction
+    double tolerance_ = 0.0;          // that counts
     double slow_frequency_ = 0.0;     // rad/s: of the motion that is followed
     double highest_frequency_ = 0.0;  // rad/s: of a scene whose vibrations steps may not resolve
     double first_step_ = 0.0;         // s
