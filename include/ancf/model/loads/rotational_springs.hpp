@@ -83,7 +83,9 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 protected:
-    HingeSpring(Angle angle, double stiffness);
+    HingeSpring(Angle angle, double stiffness) : angle_(std::move(angle)), stiffness_(stiffness) {
+        require_not_negative("rotational spring: the stiffness", stiffness);
+    }
 
 private:
     Angle angle_;
@@ -110,7 +112,9 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 protected:
-    HingeDamper(Angle angle, double damping);
+    HingeDamper(Angle angle, double damping) : angle_(std::move(angle)), damping_(damping) {
+        require_not_negative("rotational damper: the damping", damping);
+    }
 
 private:
     Angle angle_;
