@@ -138,6 +138,9 @@ inline void require_finite(std::string_view name, double value) {
     require(std::isfinite(value), name, " must be finite, got ", value);
 }
 
+/// Throws unless all components of the named vector are finite.
+void require_finite(std::string_view name, const Components& row);
+
 /// Throws unless the named value is finite and at least zero.
 inline void require_not_negative(std::string_view name, double value) {
     require(std::isfinite(value) && value >= 0.0, name, " must be finite and not negative, got ",

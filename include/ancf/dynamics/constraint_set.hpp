@@ -27,7 +27,10 @@ public:
     explicit ConstraintSet(const Assembly& assembly);
 
     /// Leaves equations out of everything but violations and their largest values.
-    void leave_out(const std::vector<int>& equations);
+    void leave_out(const std::vector<int>& equations) {
+        std::fill(left_out_.begin(), left_out_.end(), char{0});
+        for (const int equation : equations) left_out_[equation] = 1;
+    }
 
     /// Tells whether an equation is left out.
     [[nodiscard]] bool left_out(int equation) const { return left_out_[equation] != 0; }

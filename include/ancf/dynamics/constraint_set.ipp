@@ -46,11 +46,6 @@ ANCF_INLINE ConstraintSet::ConstraintSet(const Assembly& assembly)
     convection_.setZero(first);
 }
 
-ANCF_INLINE void ConstraintSet::leave_out(const std::vector<int>& equations) {
-    std::fill(left_out_.begin(), left_out_.end(), char{0});
-    for (const int equation : equations) left_out_[equation] = 1;
-}
-
 ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v,
                                          bool convection) {
     if (convection) {

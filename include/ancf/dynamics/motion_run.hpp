@@ -65,7 +65,12 @@ class Recorder {
 public:
     /// @param energies  whether to follow the energy of every step (one evaluation each).
     Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
-             bool energies);
+             bool energies)
+        : problem_(problem),
+          schedule_(schedule),
+          report_(report),
+          energies_(energies),
+          begin_(std::chrono::steady_clock::now()) {}
 
     /// Sets whether to report the multipliers that belong to each reported state, not those of the
     /// integrator.
@@ -78,7 +83,11 @@ public:
     void forbid_gain(double turn) noexcept { most_turn_ = turn; }
 
     /// Takes the start and observes it where asked.
-    void start(const MotionPoint& point);
+    void start(const MotionPoint& point) {
+        report_.time = point.time;
+        note(point);
+        observe(point, point, 0.0, {});
+    }
 
     /// Takes an accepted step.
     /// @param between  gives the points inside, where they are not those of the cubic.
@@ -172,8 +181,16 @@ struct StepGrid {
     /// Returns the step to the next point, or to the run's end if that comes first.
     [[nodiscard]] Step next(double now, double end) const;
     /// Halves a step that failed; false below a thousandth of the parts it was divided into.
-    [[nodiscard]] bool halve(const Step& step);
-    void take(const Step& step);
+    [[nodiscard]] bool halve(const Step& step) {
+        constexpr double smallest = 1e-3;
+        part = 0.5 * step.width;
+        return parts * part > smallest * width;
+    }
+    void take(const Step& step) {
+        if (step.ends == Step::Ends::within) return;
+        const bool on_grid = step.ends == Step::Ends::on_grid;
+        *this = {on_grid ? origin : step.end, width, on_grid ? count + 1.0 : 0.0};
+    }
 };
 
 /// The error of a step at rest, relative to the tolerance, is below this.
@@ -204,7 +221,11 @@ protected:
     }
 
     /// Evaluates at a point; the report has the element that failed.
-    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
+    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request) {
+        ++report_.evaluations;
+        report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
+        return report_.fault ? report_.fault->status : Status::converged;
+    }
 
     /// Returns the next step to try. In an adaptive run at rest it ends no later than where a load
     /// or a drive acts that is much the same at both ends of a longer one.
@@ -230,14 +251,22 @@ protected:
     /// @param own  numbers after time, origin, count and width, before the scene's size.
     void remember(const char* integrator, const MotionPoint& end,
                   std::initializer_list<double> own);
-    void remember(const std::string& prefix, const MotionPoint& point);
+    void remember(const std::string& prefix, const MotionPoint& point) {
+        report_.memory.put(prefix + "q", point.q);
+        report_.memory.put(prefix + "v", point.v);
+        report_.memory.put(prefix + "lambda", point.lambda);
+    }
 
     /// Returns the numbers of a memory and goes on with its grid.
     /// @param who  the integrator, for messages.
     const VectorX& recall(const char* who, const char* integrator, const Memory& memory,
                           Eigen::Index own);
     [[nodiscard]] MotionPoint recall(const Memory& memory, const std::string& prefix,
-                                     double time) const;
+                                     double time) const {
+        const int n = problem_.size();
+        return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
+                memory.get(prefix + "lambda", problem_.multipliers())};
+    }
     /// Tells whether the rates move a position by a quarter of the scene's size in a step, or a
     /// slope by a quarter of its length: Newton's method may find another solution from there.
     [[nodiscard]] bool moves_far(const MotionPoint& at, double width) const {

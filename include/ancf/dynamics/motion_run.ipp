@@ -89,20 +89,6 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
             "such a change starts without a memory");
 }
 
-ANCF_INLINE Recorder::Recorder(DynamicProblem& problem, const Schedule& schedule,
-                               DynamicsReport& report, bool energies)
-    : problem_(problem),
-      schedule_(schedule),
-      report_(report),
-      energies_(energies),
-      begin_(std::chrono::steady_clock::now()) {}
-
-ANCF_INLINE void Recorder::start(const MotionPoint& point) {
-    report_.time = point.time;
-    note(point);
-    observe(point, point, 0.0, {});
-}
-
 ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
                                 const Between& between) {
     const double width = to.time - from.time;
@@ -335,18 +321,6 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
     return {whole ? width : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
 }
 
-ANCF_INLINE bool StepGrid::halve(const Step& step) {
-    constexpr double smallest = 1e-3;
-    part = 0.5 * step.width;
-    return parts * part > smallest * width;
-}
-
-ANCF_INLINE void StepGrid::take(const Step& step) {
-    if (step.ends == Step::Ends::within) return;
-    const bool on_grid = step.ends == Step::Ends::on_grid;
-    *this = {on_grid ? origin : step.end, width, on_grid ? count + 1.0 : 0.0};
-}
-
 ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
                                  double apart) {
     const Scene& model = problem.model();
@@ -396,12 +370,6 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
     grid_.origin = start_.time;
     duration_ = schedule.end - start_.time;
     last_width_ = grid_.width;
-}
-
-ANCF_INLINE Status MotionRun::evaluate(const MotionPoint& at, Request request) {
-    ++report_.evaluations;
-    report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
-    return report_.fault ? report_.fault->status : Status::converged;
 }
 
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
@@ -487,12 +455,6 @@ ANCF_INLINE void MotionRun::remember(const char* integrator, const MotionPoint& 
     report_.memory.put("signature", signature(problem_, end));
 }
 
-ANCF_INLINE void MotionRun::remember(const std::string& prefix, const MotionPoint& point) {
-    report_.memory.put(prefix + "q", point.q);
-    report_.memory.put(prefix + "v", point.v);
-    report_.memory.put(prefix + "lambda", point.lambda);
-}
-
 ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integrator,
                                              const Memory& memory, Eigen::Index own) {
     require(memory.integrator == integrator, who, ": the memory is that of ", memory.integrator);
@@ -506,13 +468,6 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
     return numbers;
-}
-
-ANCF_INLINE MotionPoint MotionRun::recall(const Memory& memory, const std::string& prefix,
-                                          double time) const {
-    const int n = problem_.size();
-    return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
-            memory.get(prefix + "lambda", problem_.multipliers())};
 }
 
 }  // namespace ancf::detail

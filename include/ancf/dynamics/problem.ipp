@@ -18,11 +18,6 @@
 
 namespace ancf {
 
-ANCF_INLINE void ProblemOptions::check() const {
-    detail::require_positive("ProblemOptions: consistency", consistency);
-    detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
-}
-
 ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& options)
     : model_(model),
       exchange_(model.exchange()),
@@ -51,15 +46,6 @@ ANCF_INLINE DynamicProblem::~DynamicProblem() = default;
 
 // --- parts -------------------------------------------------------------------------------------
 
-ANCF_INLINE double DynamicProblem::largest_of_parts(double value) const {
-    return exchange_ == nullptr ? value : exchange_->largest(value);
-}
-
-ANCF_INLINE double DynamicProblem::sum_of_parts(double value) const {
-    if (exchange_ != nullptr) exchange_->sum(&value, 1);
-    return value;
-}
-
 ANCF_INLINE void DynamicProblem::add_parts(VectorX& forces) const {
     if (exchange_ == nullptr) return;
     VectorX all = VectorX::Zero(numbering().coordinates());
@@ -75,16 +61,6 @@ ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) c
         if (exchange_->owns(static_cast<int>(k))) sum += x[k] * y[k];
     return sum;
 }
-
-ANCF_INLINE double DynamicProblem::largest_ratio(const VectorX& x) const {
-    return largest_of_parts(detail::largest_ratio(x, scales_));
-}
-
-ANCF_INLINE double DynamicProblem::largest_distance(const VectorX& x, const VectorX& y) const {
-    return largest_of_parts(detail::largest_distance(x, y, scales_));
-}
-
-ANCF_INLINE bool DynamicProblem::can_move() const { return largest_of_parts(size()) > 0.0; }
 
 // --- mass --------------------------------------------------------------------------------------
 
@@ -335,12 +311,6 @@ ANCF_INLINE Start DynamicProblem::start() {
     return start;
 }
 
-ANCF_INLINE Status DynamicProblem::factorize_kkt() {
-    if (exchange_ != nullptr) return Status::converged;  // M alone
-    if (multipliers() > 0) constraints_.write_jacobian(kkt_matrix_);
-    return kkt_.factorize(kkt_matrix_);
-}
-
 ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
     if (exchange_ != nullptr) {
         solve_mass(b, x);
@@ -529,12 +499,6 @@ ANCF_INLINE double DynamicProblem::driving_power() const {
     return power;
 }
 
-ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q, const VectorX& v,
-                                                      bool convection) {
-    expand(t, q, v);
-    constraints_.evaluate(t, full_q_, full_v_, convection);
-}
-
 ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vector<int>& active,
                                                       const VectorX& q) {
     time_ = t;
@@ -546,12 +510,6 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
         expand(t, free, VectorX::Zero(size()));
     }
     constraints_.evaluate(t, full_q_, full_v_, false);
-}
-
-ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
-    if (detail::entries(out) != detail::entries(mass_)) out = mass_;
-    std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
-    constraints_.add_velocity_level(mu, out);
 }
 
 // --- projection --------------------------------------------------------------------------------
@@ -638,11 +596,6 @@ ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const Ve
     result.q = full_q_;
     result.v = full_v_;
     return result;
-}
-
-ANCF_INLINE void DynamicProblem::store(double t, const VectorX& q, const VectorX& v,
-                                       const VectorX& lambda) {
-    model_.state() = state(t, q, v, lambda);
 }
 
 ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
@@ -781,18 +734,6 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
             solve_mass(b, x);
             return x;
         });
-}
-
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q,
-                                                     const VectorX& lambda, VectorX& mode) {
-    const VectorX rest = VectorX::Zero(size());
-    if (evaluate(t, q, rest, lambda, Request::tangent)) return 0.0;
-    return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
-}
-
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
-    VectorX mode;
-    return highest_frequency(t, q, VectorX::Zero(multipliers()), mode);
 }
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {

@@ -32,7 +32,9 @@ struct SolverOptions {
     std::string prefix{};
 
     /// MUMPS, for every scene: the default.
-    [[nodiscard]] static SolverOptions direct(std::string prefix = {});
+    [[nodiscard]] static SolverOptions direct(std::string prefix = {}) {
+        return {SolverOptions().options, std::move(prefix)};
+    }
     /// Conjugate gradients with algebraic multigrid, for scenes without multipliers whose loads are
     /// symmetric; docs/petsc.md says how the rest is chosen.
     [[nodiscard]] static SolverOptions iterative(std::string prefix = {});

@@ -23,10 +23,6 @@
 
 namespace ancf::petsc {
 
-ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
-    return {SolverOptions().options, std::move(prefix)};
-}
-
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
     return {
         "-ksp_type cg -ksp_rtol 1e-8 -ksp_max_it 2000 -pc_type gamg "

@@ -54,19 +54,6 @@ template <int Components>
 }  // namespace detail::continuum
 
 template <int Dimension>
-bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
-    return detail::all_finite(e) && detail::upright<Dimension>(e, line_.parameter_length());
-}
-
-template <int Dimension>
-typename ContinuumBeam<Dimension>::Vectors ContinuumBeam<Dimension>::vectors_at(
-    const Coordinates& e, double xi) const noexcept {
-    Vectors v = detail::continuum::Nodes<double, Dimension>(e).at(xi, tangent_weights(xi));
-    v.columns.template middleCols<slopes>(1) /= unit(xi);
-    return v;
-}
-
-template <int Dimension>
 typename ContinuumBeam<Dimension>::Strain ContinuumBeam<Dimension>::strain_at(
     const Coordinates& e, double xi) const noexcept {
     Strain strain = detail::continuum::strain_coefficients(vectors_at(e, xi));
@@ -84,12 +71,6 @@ typename ContinuumBeam<Dimension>::Strain ContinuumBeam<Dimension>::strain_at(
 }
 
 template <int Dimension>
-typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::position(
-    const Coordinates& e, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * e;
-}
-
-template <int Dimension>
 typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_jacobian(
     const Coordinates& /*e*/, double xi, double y, double z) const noexcept {
     const double place[2] = {y, z};
@@ -102,12 +83,6 @@ typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_j
             jacobian(k, node_dofs + slope) = xi * place[c];
         }
     return jacobian;
-}
-
-template <int Dimension>
-Matrix<double, Dimension, ContinuumBeam<Dimension>::slopes> ContinuumBeam<Dimension>::directors(
-    const Coordinates& e, double xi) const noexcept {
-    return vectors_at(e, xi).columns.template rightCols<slopes>();
 }
 
 template <int Dimension>

@@ -9,15 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace ancf {
-
-ANCF_INLINE void NetOptions::check() const {
-    detail::require(std::isfinite(strain) && strain > -1.0,
-                    "NetOptions: strain must be finite and above -1, got ", strain);
-}
-
-}  // namespace ancf
-
 namespace ancf::detail {
 
 ANCF_INLINE void JointBlock::add(const Profile& profile) {

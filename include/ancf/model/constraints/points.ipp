@@ -93,19 +93,6 @@ Vector<Scalar, Dimension> PointPair<Dimension>::difference(const DynamicVector<S
 
 template <int Dimension>
 template <class Scalar>
-Vector<Scalar, Dimension> PointPair<Dimension>::drift(const Scalar& time) const {
-    if (!path_) return Vector<Scalar, Dimension>::Zero();
-    return -continued(path_->rate, path_->acceleration, time);
-}
-
-template <int Dimension>
-Vector<double, Dimension> PointPair<Dimension>::drift_rate(double time) const {
-    if (!path_) return Vector<double, Dimension>::Zero();
-    return -path_->acceleration(time);
-}
-
-template <int Dimension>
-template <class Scalar>
 Vector<Scalar, Dimension> PointPair<Dimension>::moved(const DynamicVector<Scalar>& q) const {
     Vector<Scalar, Dimension> d = Vector<Scalar, Dimension>::Zero();
     int at = 0;
