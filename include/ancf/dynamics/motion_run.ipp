@@ -131,7 +131,7 @@ ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
     const VectorX q = problem_.raw_state(point.time, point.q, point.v).q;
     const auto fault = schedule_.pass_degenerate ? assembly.inspect(q) : assembly.inspect_parts(q);
     if (!fault) return;
-    report_.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
+    report_.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"});
     if (schedule_.pass_degenerate || report_.status != Status::converged) return;
     report_.status = fault->status;
     report_.fault = fault;
@@ -144,7 +144,7 @@ ANCF_INLINE void Recorder::check_rates(double time) {
     while (worst + 1 < constraints.size() && std::isfinite(constraints.rate()[worst])) ++worst;
     report_.status = Status::not_finite;
     report_.message = joined(
-        {constraints.describe(worst), " moves at a rate that is not finite at ", time, " s"}, 6);
+        {constraints.describe(worst), " moves at a rate that is not finite at ", time, " s"});
 }
 
 ANCF_INLINE void Recorder::check_left_out(double time) {
@@ -163,10 +163,9 @@ ANCF_INLINE void Recorder::check_left_out(double time) {
     }
     if (largest <= 1e-3 || largest <= 10.0 * kept) return;
     report_.status = Status::inconsistent;
-    report_.message = joined(
-        {constraints.describe(worst), " was left out as redundant and is so no longer: |g| = ",
-         std::abs(constraints.violation()[worst]), " at ", time, " s"},
-        6);
+    report_.message = joined({constraints.describe(worst),
+                              " was left out as redundant and is so no longer: |g| = ",
+                              std::abs(constraints.violation()[worst]), " at ", time, " s"});
 }
 
 ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
@@ -215,8 +214,7 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
                               " J that neither loads nor drives gave it, by steps of up to ",
                               largest_turn_, " rad, at ", point.time,
                               " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
-                              "may pass"},
-                             6);
+                              "may pass"});
 }
 
 ANCF_INLINE bool Recorder::goes_on(double time) {
@@ -406,13 +404,11 @@ ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double fac
         return fail(Status::step_too_small,
                     joined({"the step fell below ", control_.least, " s at ", step.begin,
                             " s, last of ", converged ? "the local error" : to_string(status),
-                            turn.empty() ? "" : "; ", turn},
-                           6));
+                            turn.empty() ? "" : "; ", turn}));
     if (!turn.empty()) return fail(status, turn);
     return fail(status, joined({"Newton's method failed in the step from ", step.begin,
                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                               6));
+                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"}));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,

@@ -180,8 +180,8 @@ ANCF_INLINE std::string DynamicProblem::check_supports(double t, double fastest)
                             support.component, ", of node ", support.node.index});
         if (!(gap <= allowed))
             return detail::joined(
-                {which, " prescribes ", value, " at the start, the state has ", state.q[at]}, 6);
-        return detail::joined({which, " holds it, the state moves it at ", state.v[at]}, 6);
+                {which, " prescribes ", value, " at the start, the state has ", state.q[at]});
+        return detail::joined({which, " holds it, the state moves it at ", state.v[at]});
     }
     return {};
 }
@@ -208,8 +208,7 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         }
         if (at < 0) return std::string();
         return detail::joined({constraints_.describe(at), ": |", what, "| = ", std::abs(values[at]),
-                               ", allowed ", options_.consistency * allowed(at)},
-                              6);
+                               ", allowed ", options_.consistency * allowed(at)});
     };
     std::string message = worst(
         constraints_.violation(), [&](int i) { return lengths[i]; }, "g");

@@ -24,7 +24,7 @@ namespace detail {
 ANCF_INLINE MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
                                         double length, double xi) {
     require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
-    std::string name = joined({"the point at ", xi, " of element ", element}, 6);
+    std::string name = joined({"the point at ", xi, " of element ", element});
     const NodeId i = at.first, j = at.second;
     if (quintic) {
         const auto w = QuinticLine::value(xi, length);
