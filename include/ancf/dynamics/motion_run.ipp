@@ -89,18 +89,6 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
             "such a change starts without a memory");
 }
 
-ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
-                                const Between& between) {
-    const double width = to.time - from.time;
-    report_.time = to.time;
-    ++report_.steps;
-    report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
-    report_.largest_step = std::max(report_.largest_step, width);
-    note(to, width);
-    observe(from, to, 1e-9 * width, between);
-    return goes_on(to.time);
-}
-
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {
     if (report_.status == Status::converged)
         observe(point, point, std::max(0.0, schedule_.end - point.time), {});
@@ -217,14 +205,6 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
                               "may pass"});
 }
 
-ANCF_INLINE bool Recorder::goes_on(double time) {
-    if (report_.status != Status::converged) return false;
-    if (!schedule_.progress || schedule_.progress(time, schedule_.end)) return true;
-    report_.status = Status::stopped;
-    report_.message = "the progress callback asked to stop";
-    return false;
-}
-
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,
                                    const Between& between) {
     for (; next_ < schedule_.times.size() && schedule_.times[next_] <= to.time + slack; ++next_) {
@@ -240,19 +220,6 @@ ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& t
                                                 std::move(at.lambda), state, solves_multipliers_));
         }
     }
-}
-
-ANCF_INLINE MotionPoint Recorder::cubic(const MotionPoint& from, const MotionPoint& to,
-                                        double time) {
-    const double h = to.time - from.time;
-    const double s = (time - from.time) / h;
-    const double later = s * s * (3.0 - 2.0 * s);
-    const double slope = 6.0 * s * (1.0 - s) / h;
-    const double bulge = h * s * (1.0 - s);
-    return {
-        time, (1.0 - later) * from.q + later * to.q + bulge * ((1.0 - s) * from.v - s * to.v),
-        slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v + s * (3.0 * s - 2.0) * to.v,
-        (1.0 - s) * from.lambda + s * to.lambda};
 }
 
 ANCF_INLINE void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v) {
@@ -297,15 +264,6 @@ ANCF_INLINE Start start_run(DynamicProblem& problem, DynamicsReport& report) {
     report.status = start.status;
     report.message = start.message;
     return start;
-}
-
-ANCF_INLINE void StepControl::check(const std::string& options) const {
-    require(std::isfinite(tolerance) && tolerance >= 0.0, options,
-            ": tolerance must be positive, or 0 for fixed steps, got ", tolerance);
-    require_positive(options + ": step", first);
-    require_positive(options + ": min_step", least);
-    require(most >= least, options, ": max_step must be at least min_step, ", least, ", got ",
-            most);
 }
 
 ANCF_INLINE Step StepGrid::next(double now, double end) const {
@@ -385,13 +343,6 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     return step;
 }
 
-ANCF_INLINE bool MotionRun::divides(const Step& step) {
-    if (control_.is_adaptive() || step.turn.fits() || grid_.part > 0.0) return false;
-    grid_.parts = parts_for_turns(problem_.model().constraints(), step.begin, step.end);
-    grid_.part = step.width / grid_.parts;
-    return grid_.parts > 1;
-}
-
 ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double factor) {
     const bool converged = status == Status::converged;
     if (step.turn.fits()) converged ? ++report_.rejected : ++report_.convergence_failures;
@@ -428,27 +379,6 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
         if (has_short_step_) to.lambda = std::move(lambda);
     }
     return recorder_.step(from, to, between);
-}
-
-ANCF_INLINE bool MotionRun::fail(Status status, std::string message) {
-    report_.status = status;
-    report_.message = std::move(message);
-    const std::string reason = solver_.failure();
-    if (!reason.empty()) report_.message += "; " + reason;
-    if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
-    return false;
-}
-
-ANCF_INLINE void MotionRun::remember(const char* integrator, const MotionPoint& end,
-                                     std::initializer_list<double> own) {
-    report_.memory.integrator = integrator;
-    remember("", end);
-    VectorX numbers(static_cast<Eigen::Index>(own.size()) + 5);
-    const double first[] = {end.time, grid_.origin, grid_.count, grid_.width};
-    std::copy(own.begin(), own.end(), std::copy_n(first, 4, numbers.data()));
-    numbers[numbers.size() - 1] = problem_.length_scale();
-    report_.memory.put("scalars", numbers);
-    report_.memory.put("signature", signature(problem_, end));
 }
 
 ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integrator,

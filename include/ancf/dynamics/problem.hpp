@@ -176,7 +176,14 @@ public:
     void solve_mass(const VectorX& b, VectorX& x) const;
 
     /// Adds scale M a to n entries.
-    void add_mass_product(double scale, const VectorX& a, VectorX& out) const;
+    void add_mass_product(double scale, const VectorX& a, VectorX& out) const {
+        if (exchange_ == nullptr)
+            return detail::add_product(compact_mass_, Storage::full, scale, a, out);
+        VectorX product = VectorX::Zero(size());
+        detail::add_product(compact_mass_, Storage::full, scale, a, product);
+        add_parts(product);
+        out += product;
+    }
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
     ///
@@ -238,7 +245,12 @@ public:
     // Whole states ------------------------------------------------------------------------------
 
     /// Returns the state of all coordinates, supports included, with the multipliers as reported.
-    [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
+    [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+        State result = raw_state(t, q, v);
+        result.multipliers = lambda;
+        if (!left_out_.empty()) minimize_multipliers(result.multipliers);
+        return result;
+    }
 
     /// Returns all coordinates and rates, supports included, without multipliers.
     [[nodiscard]] State raw_state(double t, const VectorX& q, const VectorX& v);

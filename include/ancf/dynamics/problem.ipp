@@ -70,16 +70,6 @@ ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const 
     mass_factor_.solve(x);
 }
 
-ANCF_INLINE void DynamicProblem::add_mass_product(double scale, const VectorX& a,
-                                                  VectorX& out) const {
-    if (exchange_ == nullptr)
-        return detail::add_product(compact_mass_, Storage::full, scale, a, out);
-    VectorX product = VectorX::Zero(size());
-    detail::add_product(compact_mass_, Storage::full, scale, a, product);
-    add_parts(product);
-    out += product;
-}
-
 ANCF_INLINE void DynamicProblem::set_mass() {
     mass_ = assembly_.mass();
     compact_mass_ = detail::leading_block(mass_, size(), options_.storage);
@@ -579,14 +569,6 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
 }
 
 // --- whole states ------------------------------------------------------------------------------
-
-ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,
-                                        const VectorX& lambda) {
-    State result = raw_state(t, q, v);
-    result.multipliers = lambda;
-    if (!left_out_.empty()) minimize_multipliers(result.multipliers);
-    return result;
-}
 
 ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
     expand(t, q, v);

@@ -124,8 +124,8 @@ public:
     [[nodiscard]] bool at_round_off(const Assembly& assembly, const VectorX& q) const {
         const SparseMatrix& tangent = assembly.tangent();
         const int unknowns = numbering_.free_coordinates();
-        // Held coordinates have no column in the tangent: each free one is counted with held ones of
-        // the size of its node's position and an element.
+        // Held coordinates have no column in the tangent: each free one is counted with held ones
+        // of the size of its node's position and an element.
         VectorX sizes = q, at,
                 reach = VectorX::Constant(numbering_.block_sizes().size(), element_size_);
         const auto node = [&](std::size_t k) { return numbering_.block(static_cast<int>(k)); };
