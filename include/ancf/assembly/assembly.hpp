@@ -22,6 +22,7 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>

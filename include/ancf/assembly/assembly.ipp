@@ -7,7 +7,6 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/requirement.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ancf {

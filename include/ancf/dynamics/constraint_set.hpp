@@ -15,6 +15,7 @@
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/solver/redundancy.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

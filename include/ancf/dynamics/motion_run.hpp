@@ -10,17 +10,20 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {

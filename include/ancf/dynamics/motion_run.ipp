@@ -5,10 +5,6 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/motion_run.hpp>
-#include <ancf/error.hpp>
-
-#include <cmath>
-#include <utility>
 
 namespace ancf::detail {
 

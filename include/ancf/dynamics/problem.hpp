@@ -22,6 +22,8 @@
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>

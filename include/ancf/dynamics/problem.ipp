@@ -10,8 +10,6 @@
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/redundancy.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -572,11 +570,7 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
 
 ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
     expand(t, q, v);
-    State result;
-    result.time = t;
-    result.q = full_q_;
-    result.v = full_v_;
-    return result;
+    return {full_q_, full_v_, {}, t};
 }
 
 ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {

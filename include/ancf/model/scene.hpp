@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
@@ -22,6 +23,7 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>

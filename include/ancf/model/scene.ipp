@@ -5,7 +5,6 @@
 
 #include <ancf/model/scene.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

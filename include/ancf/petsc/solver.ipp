@@ -18,7 +18,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace ancf::petsc {

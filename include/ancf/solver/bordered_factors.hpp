@@ -19,6 +19,7 @@
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <vector>

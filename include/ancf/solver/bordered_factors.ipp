@@ -7,7 +7,6 @@
 #include <ancf/solver/bordered_factors.hpp>
 #include <ancf/solver/direct_solver.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>

@@ -47,6 +47,16 @@ namespace detail {
     return std::sqrt(square);
 }
 
+/// Returns a length to the power that it has in the unit of each free coordinate.
+[[nodiscard]] inline VectorX length_powers(double length, const Layout& layout,
+                                           const Numbering& numbering) {
+    VectorX powers(numbering.free_coordinates());
+    for (int k = 0; k < numbering.coordinates(); ++k)
+        if (const int equation = numbering.equation(k); equation >= 0)
+            powers[equation] = std::pow(length, length_power(layout.field_of(k)));
+    return powers;
+}
+
 }  // namespace detail
 
 /// Measures residuals and corrections of one scene.

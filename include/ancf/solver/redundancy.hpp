@@ -7,7 +7,6 @@
 #pragma once
 
 #include <ancf/assembly/numbering.hpp>
-#include <ancf/element/fields.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/layout.hpp>
@@ -132,10 +131,7 @@ inline void insert(std::vector<SparseRow>& factor, SparseRow& row) {
     const Layout& layout = model.layout();
     const double diagonal = diagonal_of(layout, model.dimension(), model.state().q, nullptr);
     const double length = diagonal > 0.0 && std::isfinite(diagonal) ? diagonal : 1.0;
-    VectorX scales(free);
-    for (int k = 0; k < numbering.coordinates(); ++k)
-        if (const int row = numbering.equation(k); row >= 0)
-            scales[row] = std::pow(length, length_power(layout.field_of(k)));
+    const VectorX scales = length_powers(length, layout, numbering);
     std::string text;
     constexpr double tolerance = 1e-10;  // as ProblemOptions::redundancy_tolerance
     for (const int row : dependent_rows(tangent, free, scales, tolerance)) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/suitesparse/equilibrated.hpp>
 #include <ancf/suitesparse/klu.hpp>
 

@@ -131,11 +131,8 @@ SectionForces ContinuumBeam<Dimension>::section_forces(const Coordinates& e,
                 moment.dot(t),    moment.dot(n),    moment.dot(c)};
     } else {
         const Point a = v.col(2), couple = force.col(1);
-        SectionForces result;
-        result.axial = resultant.dot(t);
-        result.shear_y = resultant.dot(Point(-t(1), t(0)));
-        result.moment_z = a(0) * couple(1) - a(1) * couple(0);
-        return result;
+        const double moment = a(0) * couple(1) - a(1) * couple(0);
+        return {resultant.dot(t), resultant.dot(Point(-t(1), t(0))), 0.0, 0.0, 0.0, moment};
     }
 }
 

@@ -281,20 +281,15 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
     detail::planar_stress(detail::planar_stiffness(C), s.data(), stress);
     // r0' = (lam, 0), d = (s, 1), d' = (s' - kap, s kap) in (t, n)
     const double rate_t = f.w.s1 - f.w.kap, rate_n = f.w.s * f.w.kap;
-    SectionForces forces{};
     if constexpr (PlanarMeasure::engineering) {
         // along the unit director (s, cosine) and the section's normal (cosine, -s)
         const double cosine = director_cosine(f);
-        forces.axial = stress[0] * cosine + stress[3] * f.w.s;
-        forces.shear_y = stress[3] * cosine - stress[0] * f.w.s;
-        forces.moment_z = -stress[1];
-        return forces;
+        const double axial = stress[0] * cosine + stress[3] * f.w.s;
+        return {axial, stress[3] * cosine - stress[0] * f.w.s, 0.0, 0.0, 0.0, -stress[1]};
     }
-    forces.axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
-    forces.shear_y = stress[1] * rate_n + stress[3];
+    const double axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
     const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
-    forces.moment_z = f.w.s * moment_n - moment_t;
-    return forces;
+    return {axial, stress[1] * rate_n + stress[3], 0.0, 0.0, 0.0, f.w.s * moment_n - moment_t};
 }
 
 template <class Directors, class Shear, class Measure, class Line>

@@ -21,6 +21,7 @@
 #include <ancf/types.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>

@@ -7,7 +7,6 @@
 #include <ancf/model/builders/frame.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ancf::detail {
 

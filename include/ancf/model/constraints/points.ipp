@@ -9,7 +9,6 @@
 #include <ancf/model/constraints/points.hpp>
 
 #include <cmath>
-#include <complex>
 
 namespace ancf {
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/types.hpp>

@@ -5,7 +5,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/constants.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/loads/moments.hpp>
 #include <ancf/model/triad.hpp>
 

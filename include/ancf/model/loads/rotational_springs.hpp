@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/element/vec3.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/layout.hpp>
@@ -17,6 +18,8 @@
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
+
+#include <utility>
 
 namespace ancf {
 namespace detail {

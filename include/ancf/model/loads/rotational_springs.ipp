@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/triad.hpp>
@@ -11,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <utility>
 
 namespace ancf {
 namespace detail {

@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/loads/springs.hpp>
 
 #include <cmath>
