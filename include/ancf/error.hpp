@@ -115,28 +115,41 @@ private:
 /// Returns all parts in one text.
 /// @param digits  of numbers that are not integers
 [[nodiscard, gnu::cold]] std::string joined(std::initializer_list<MessagePart> parts,
-                                            int digits = 17);
+                                            int digits = 6);
 
 /// Throws InvalidArgument with all parts in one message.
 [[noreturn, gnu::cold]] void reject_parts(std::initializer_list<MessagePart> parts);
 
-/// Throws InvalidArgument with all parts in one message.
+/// What a part of a message is passed on as: of few types, so that few functions throw.
+template <class Part>
+using PassedPart =
+    std::conditional_t<std::is_convertible_v<Part, std::string_view>, std::string_view,
+                       std::conditional_t<std::is_same_v<Part, int>, long, Part>>;
+
 template <class... Parts>
-[[noreturn, gnu::cold, gnu::noinline]] void reject(const Parts&... parts) {
+[[noreturn, gnu::cold, gnu::noinline]] void reject_passed(Parts... parts) {
     reject_parts({MessagePart(parts)...});
 }
 
-/// Throws unless the condition holds. Texts of all lengths share a function that throws.
+/// Throws InvalidArgument with all parts in one message.
+template <class... Parts>
+[[noreturn]] void reject(const Parts&... parts) {
+    reject_passed<PassedPart<Parts>...>(parts...);
+}
+
+/// Throws unless the condition holds.
 template <class... Parts>
 void require(bool condition, const Parts&... parts) {
-    if (!condition)
-        reject<std::conditional_t<std::is_array_v<Parts>, const char*, Parts>...>(parts...);
+    if (!condition) reject(parts...);
 }
 
 /// Throws unless the named value is finite.
 inline void require_finite(std::string_view name, double value) {
     require(std::isfinite(value), name, " must be finite, got ", value);
 }
+
+/// Throws unless all components of the named vector are finite.
+void require_finite(std::string_view name, const Components& row);
 
 /// Throws unless the named value is finite and at least zero.
 inline void require_not_negative(std::string_view name, double value) {

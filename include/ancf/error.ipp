@@ -32,7 +32,12 @@ ANCF_INLINE std::string joined(std::initializer_list<MessagePart> parts, int dig
 }
 
 ANCF_INLINE void reject_parts(std::initializer_list<MessagePart> parts) {
-    throw InvalidArgument(joined(parts));
+    throw InvalidArgument(joined(parts, 17));
+}
+
+ANCF_INLINE void require_finite(std::string_view name, const Components& row) {
+    for (std::ptrdiff_t k = 0; k < row.count; ++k)
+        require(std::isfinite(row.values[k]), name, " must be finite, got ", row);
 }
 
 }  // namespace ancf::detail

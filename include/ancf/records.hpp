@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -24,7 +25,7 @@ protected:
     explicit RecordStorage(std::size_t alignment) noexcept : alignment_(alignment) {}
     RecordStorage(const RecordStorage&) = delete;
     RecordStorage& operator=(const RecordStorage&) = delete;
-    ~RecordStorage();
+    ~RecordStorage() { release(); }
 
     /// Makes room, at least twice what there was where that is not enough.
     /// @param record  bytes of a record
@@ -32,7 +33,11 @@ protected:
     /// Copies the records of another one.
     void copy(const RecordStorage& other, std::size_t record);
     /// Exchanges the records with those of another one.
-    void swap(RecordStorage& other) noexcept;
+    void swap(RecordStorage& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+    }
 
     void* data_ = nullptr;
     std::size_t size_ = 0;      // records

@@ -7,11 +7,8 @@
 
 #include <cstring>
 #include <new>
-#include <utility>
 
 namespace ancf::detail {
-
-ANCF_INLINE RecordStorage::~RecordStorage() { release(); }
 
 ANCF_INLINE void RecordStorage::make_room(std::size_t records, std::size_t record) {
     const std::size_t capacity = records > 2 * capacity_ ? records : 2 * capacity_;
@@ -29,12 +26,6 @@ ANCF_INLINE void RecordStorage::copy(const RecordStorage& other, std::size_t rec
     if (other.size_ > capacity_) make_room(other.size_, record);
     if (other.size_ > 0) std::memcpy(data_, other.data_, other.size_ * record);
     size_ = other.size_;
-}
-
-ANCF_INLINE void RecordStorage::swap(RecordStorage& other) noexcept {
-    std::swap(data_, other.data_);
-    std::swap(size_, other.size_);
-    std::swap(capacity_, other.capacity_);
 }
 
 ANCF_INLINE void RecordStorage::release() noexcept {

@@ -22,6 +22,7 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -215,7 +216,10 @@ public:
     void gather_element(const ElementPlace& place, const VectorX& q, double* e) const;
 
     /// Adds a square block of an element, by columns, to a matrix of this pattern.
-    void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const;
+    void add_block(const ElementPlace& place, const double* block, SparseMatrix& matrix) const {
+        const auto group = static_cast<std::size_t>(place.group);
+        model_.groups()[group]->add_block(place.element, target(group, matrix.valuePtr()), block);
+    }
 
     // Single loads and constraints, likewise ------------------------------------------------------
 
@@ -277,7 +281,11 @@ private:
                                                     const Correction* last);
     // Throws where nodes, elements, supports, loads or constraints of the model have changed.
     void check_scene() const;
-    void check_size(const char* call, const char* what, const VectorX& given) const;
+    void check_size(const char* call, const char* what, const VectorX& given) const {
+        check_scene();
+        detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
+                        numbering_.coordinates(), " ", what, ", got ", given.size());
+    }
     void list_coordinates();
     void build_pattern(Storage storage);
     [[gnu::cold]] void list_followed();
@@ -287,7 +295,10 @@ private:
     // Returns where a group adds, with its tangents to these values.
     [[nodiscard]] GroupTarget target(std::size_t group, double* values) const;
     void build_clearing();
-    void clear_values(const ValueRange* first, const ValueRange* last);
+    void clear_values(const ValueRange* first, const ValueRange* last) {
+        for (; first != last; ++first)
+            std::fill(tangent_.valuePtr() + first->first, tangent_.valuePtr() + first->last, 0.0);
+    }
     void build_gravity();
 
     // Returns the first element that judge(group, prototype, coordinates) is true of.

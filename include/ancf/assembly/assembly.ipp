@@ -7,7 +7,6 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/element/requirement.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace ancf {
@@ -252,11 +251,6 @@ ANCF_INLINE void Assembly::build_clearing() {
         if (block >= nodes || seen[block] == 0) append(block, 0, cleared_first_);
 }
 
-ANCF_INLINE void Assembly::clear_values(const ValueRange* first, const ValueRange* last) {
-    for (; first != last; ++first)
-        std::fill(tangent_.valuePtr() + first->first, tangent_.valuePtr() + first->last, 0.0);
-}
-
 ANCF_INLINE void Assembly::element_coordinates(const ElementPlace& place, int* out) const {
     const auto group = static_cast<std::size_t>(place.group);
     detail::element_coordinates(model_.layout(), model_.dimension(),
@@ -424,12 +418,6 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
             return group.add(run, target);
         });
     }
-}
-
-ANCF_INLINE void Assembly::add_block(const ElementPlace& place, const double* block,
-                                     SparseMatrix& matrix) const {
-    const auto group = static_cast<std::size_t>(place.group);
-    model_.groups()[group]->add_block(place.element, target(group, matrix.valuePtr()), block);
 }
 
 ANCF_INLINE void Assembly::add_value(int row, int column, double value,
@@ -640,13 +628,6 @@ ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const Constrain
         values[place] += result.jacobian(i, j);
         values[mirrored] += result.jacobian(i, j);
     });
-}
-
-ANCF_INLINE void Assembly::check_size(const char* call, const char* what,
-                                      const VectorX& given) const {
-    check_scene();
-    detail::require(given.size() == numbering_.coordinates(), "Assembly::", call, ": expected ",
-                    numbering_.coordinates(), " ", what, ", got ", given.size());
 }
 
 ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {

@@ -15,6 +15,7 @@
 #include <ancf/model/constraint.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ public:
     explicit ConstraintSet(const Assembly& assembly);
 
     /// Leaves equations out of everything but violations and their largest values.
-    void leave_out(const std::vector<int>& equations);
+    void leave_out(const std::vector<int>& equations) {
+        std::fill(left_out_.begin(), left_out_.end(), char{0});
+        for (const int equation : equations) left_out_[equation] = 1;
+    }
 
     /// Tells whether an equation is left out.
     [[nodiscard]] bool left_out(int equation) const { return left_out_[equation] != 0; }

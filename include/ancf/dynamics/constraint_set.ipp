@@ -6,7 +6,6 @@
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/solver/redundancy.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -44,11 +43,6 @@ ANCF_INLINE ConstraintSet::ConstraintSet(const Assembly& assembly)
     rate_.setZero(first);
     full_rate_.setZero(first);
     convection_.setZero(first);
-}
-
-ANCF_INLINE void ConstraintSet::leave_out(const std::vector<int>& equations) {
-    std::fill(left_out_.begin(), left_out_.end(), char{0});
-    for (const int equation : equations) left_out_[equation] = 1;
 }
 
 ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const VectorX& v,

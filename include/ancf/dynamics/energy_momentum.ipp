@@ -111,8 +111,7 @@ private:
                 if (width > whole * smallest_part) continue;
                 return turn.fits()
                            ? fail(status, joined({"Newton's method failed in the step from ",
-                                                  now_.time, " s: ", to_string(status)},
-                                                 6))
+                                                  now_.time, " s: ", to_string(status)}))
                            : fail(status,
                                   driven_turn_text(constraints, turn, now_.time, next_.time));
             }

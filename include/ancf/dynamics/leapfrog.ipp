@@ -95,7 +95,7 @@ private:
         manifold_.emplace(problem_);
         if (manifold_->find(now_.time, now_.q, at_.at_q)) return true;
         return fail(Status::singular,
-                    joined({"the constraints depend on each other at ", now_.time, " s"}, 6));
+                    joined({"the constraints depend on each other at ", now_.time, " s"}));
     }
 
     /// A kick takes forces where the rates are not known yet: refuses those that depend on rates.
@@ -120,8 +120,7 @@ private:
         if (std::isnan(now))
             fail(Status::not_finite,
                  joined({"the highest frequency of stiffness and mass is no number at ", now_.time,
-                         " s"},
-                        6));
+                         " s"}));
         report_.stable_step = report_.highest_frequency > 0.0
                                   ? reach / report_.highest_frequency
                                   : std::numeric_limits<double>::infinity();
@@ -158,8 +157,7 @@ private:
         if (steps_ > 1.0 && step_ <= time_resolution(origin_, schedule_.end))
             return fail(Status::step_too_small,
                         joined({"a stable step of ", step_,
-                                " s is below the resolution of time at ", origin_, " s"},
-                               6));
+                                " s is below the resolution of time at ", origin_, " s"}));
         if (options_.max_steps == 0 ||
             steps_ <= static_cast<double>(options_.max_steps - report_.steps))
             return true;
@@ -167,8 +165,7 @@ private:
                     joined({"at ", now_.time, " s the rest of the run takes ", steps_, " steps of ",
                             step_, " s, as the scene vibrates at up to ", report_.highest_frequency,
                             " rad/s, and max_steps is ", options_.max_steps,
-                            "; a stiff scene is one for RadauIIA"},
-                           6));
+                            "; a stiff scene is one for RadauIIA"}));
     }
 
     [[nodiscard]] bool fill_anew() {
@@ -186,8 +183,7 @@ private:
                 Status::diverged,
                 joined({"the step of ", step_, " s is above the stable one of ", stable, " s at ",
                         now_.time, " s",
-                        is_fixed() ? "" : "; a smaller stable_share or stable_interval may pass"},
-                       6));
+                        is_fixed() ? "" : "; a smaller stable_share or stable_interval may pass"}));
         const bool suits =
             step_ <= std::min(1.1 * most, 0.5 * (most + stable)) && step_ >= 0.5 * most;
         return is_fixed() || suits || !goes_on() || fill(most);
@@ -298,7 +294,7 @@ private:
             if (is_fixed() || ++attempts_ == most_attempts)
                 return fail(
                     report_.fault ? report_.fault->status : Status::max_iterations,
-                    joined({"a step of ", step_, " s from ", now_.time, " s failed; "}, 6) +
+                    joined({"a step of ", step_, " s from ", now_.time, " s failed; "}) +
                         (report_.fault ? problem_.assembly().describe(*report_.fault) : reason_));
             if (!fill(0.5 * step_)) return false;
         }

@@ -10,17 +10,20 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -65,7 +68,12 @@ class Recorder {
 public:
     /// @param energies  whether to follow the energy of every step (one evaluation each).
     Recorder(DynamicProblem& problem, const Schedule& schedule, DynamicsReport& report,
-             bool energies);
+             bool energies)
+        : problem_(problem),
+          schedule_(schedule),
+          report_(report),
+          energies_(energies),
+          begin_(std::chrono::steady_clock::now()) {}
 
     /// Sets whether to report the multipliers that belong to each reported state, not those of the
     /// integrator.
@@ -78,13 +86,26 @@ public:
     void forbid_gain(double turn) noexcept { most_turn_ = turn; }
 
     /// Takes the start and observes it where asked.
-    void start(const MotionPoint& point);
+    void start(const MotionPoint& point) {
+        report_.time = point.time;
+        note(point);
+        observe(point, point, 0.0, {});
+    }
 
     /// Takes an accepted step.
     /// @param between  gives the points inside, where they are not those of the cubic.
     /// @return false where the run ends; the report says why.
     [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to,
-                            const Between& between = {});
+                            const Between& between = {}) {
+        const double width = to.time - from.time;
+        report_.time = to.time;
+        ++report_.steps;
+        report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
+        report_.largest_step = std::max(report_.largest_step, width);
+        note(to, width);
+        observe(from, to, 1e-9 * width, between);
+        return goes_on(to.time);
+    }
 
     /// Observes what lies within the round-off of the end. Stores the last point in the model,
     /// projected on the constraints; where that fails as it is, and the report says so.
@@ -106,11 +127,28 @@ private:
     // Notes an element that is no beam any more, unless one is noted. It ends a run that may not
     // pass.
     void inspect(const MotionPoint& point);
-    [[nodiscard]] bool goes_on(double time);
+    [[nodiscard]] bool goes_on(double time) {
+        if (report_.status != Status::converged) return false;
+        if (!schedule_.progress || schedule_.progress(time, schedule_.end)) return true;
+        report_.status = Status::stopped;
+        report_.message = "the progress callback asked to stop";
+        return false;
+    }
     void observe(const MotionPoint& from, const MotionPoint& to, double slack,
                  const Between& between);
     [[nodiscard]] static MotionPoint cubic(const MotionPoint& from, const MotionPoint& to,
-                                           double time);
+                                           double time) {
+        const double h = to.time - from.time;
+        const double s = (time - from.time) / h;
+        const double later = s * s * (3.0 - 2.0 * s);
+        const double slope = 6.0 * s * (1.0 - s) / h;
+        const double bulge = h * s * (1.0 - s);
+        return {time,
+                (1.0 - later) * from.q + later * to.q + bulge * ((1.0 - s) * from.v - s * to.v),
+                slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v +
+                    s * (3.0 * s - 2.0) * to.v,
+                (1.0 - s) * from.lambda + s * to.lambda};
+    }
 
     DynamicProblem& problem_;
     const Schedule& schedule_;
@@ -150,7 +188,14 @@ struct StepControl {
 
     [[nodiscard]] bool is_adaptive() const noexcept { return tolerance > 0.0; }
     /// @throws InvalidArgument naming the first option that cannot be meant.
-    void check(const std::string& options) const;
+    void check(const std::string& options) const {
+        require(std::isfinite(tolerance) && tolerance >= 0.0, options,
+                ": tolerance must be positive, or 0 for fixed steps, got ", tolerance);
+        require_positive(options + ": step", first);
+        require_positive(options + ": min_step", least);
+        require(most >= least, options, ": max_step must be at least min_step, ", least, ", got ",
+                most);
+    }
 };
 
 /// A step to try, whole or a part of one.
@@ -172,8 +217,16 @@ struct StepGrid {
     /// Returns the step to the next point, or to the run's end if that comes first.
     [[nodiscard]] Step next(double now, double end) const;
     /// Halves a step that failed; false below a thousandth of the parts it was divided into.
-    [[nodiscard]] bool halve(const Step& step);
-    void take(const Step& step);
+    [[nodiscard]] bool halve(const Step& step) {
+        constexpr double smallest = 1e-3;
+        part = 0.5 * step.width;
+        return parts * part > smallest * width;
+    }
+    void take(const Step& step) {
+        if (step.ends == Step::Ends::within) return;
+        const bool on_grid = step.ends == Step::Ends::on_grid;
+        *this = {on_grid ? origin : step.end, width, on_grid ? count + 1.0 : 0.0};
+    }
 };
 
 /// The error of a step at rest, relative to the tolerance, is below this.
@@ -204,14 +257,23 @@ protected:
     }
 
     /// Evaluates at a point; the report has the element that failed.
-    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request);
+    [[nodiscard]] Status evaluate(const MotionPoint& at, Request request) {
+        ++report_.evaluations;
+        report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
+        return report_.fault ? report_.fault->status : Status::converged;
+    }
 
     /// Returns the next step to try. In an adaptive run at rest it ends no later than where a load
     /// or a drive acts that is much the same at both ends of a longer one.
     [[nodiscard]] Step next_step(const MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
-    [[nodiscard]] bool divides(const Step& step);
+    [[nodiscard]] bool divides(const Step& step) {
+        if (control_.is_adaptive() || step.turn.fits() || grid_.part > 0.0) return false;
+        grid_.parts = parts_for_turns(problem_.model().constraints(), step.begin, step.end);
+        grid_.part = step.width / grid_.parts;
+        return grid_.parts > 1;
+    }
 
     /// Counts a step that failed, or converged with too large an error, and makes the next one
     /// shorter: by a factor, or in halves where steps are fixed. False where the run ends.
@@ -224,20 +286,44 @@ protected:
                               const Between& between = {});
 
     /// Ends the run. @return false.
-    bool fail(Status status, std::string message);
+    bool fail(Status status, std::string message) {
+        report_.status = status;
+        report_.message = std::move(message);
+        const std::string reason = solver_.failure();
+        if (!reason.empty()) report_.message += "; " + reason;
+        if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
+        return false;
+    }
 
     /// Begins the report's memory: the end of the run, numbers of it, what tells its scene.
     /// @param own  numbers after time, origin, count and width, before the scene's size.
     void remember(const char* integrator, const MotionPoint& end,
-                  std::initializer_list<double> own);
-    void remember(const std::string& prefix, const MotionPoint& point);
+                  std::initializer_list<double> own) {
+        report_.memory.integrator = integrator;
+        remember("", end);
+        VectorX numbers(static_cast<Eigen::Index>(own.size()) + 5);
+        const double first[] = {end.time, grid_.origin, grid_.count, grid_.width};
+        std::copy(own.begin(), own.end(), std::copy_n(first, 4, numbers.data()));
+        numbers[numbers.size() - 1] = problem_.length_scale();
+        report_.memory.put("scalars", numbers);
+        report_.memory.put("signature", signature(problem_, end));
+    }
+    void remember(const std::string& prefix, const MotionPoint& point) {
+        report_.memory.put(prefix + "q", point.q);
+        report_.memory.put(prefix + "v", point.v);
+        report_.memory.put(prefix + "lambda", point.lambda);
+    }
 
     /// Returns the numbers of a memory and goes on with its grid.
     /// @param who  the integrator, for messages.
     const VectorX& recall(const char* who, const char* integrator, const Memory& memory,
                           Eigen::Index own);
     [[nodiscard]] MotionPoint recall(const Memory& memory, const std::string& prefix,
-                                     double time) const;
+                                     double time) const {
+        const int n = problem_.size();
+        return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
+                memory.get(prefix + "lambda", problem_.multipliers())};
+    }
     /// Tells whether the rates move a position by a quarter of the scene's size in a step, or a
     /// slope by a quarter of its length: Newton's method may find another solution from there.
     [[nodiscard]] bool moves_far(const MotionPoint& at, double width) const {

@@ -5,10 +5,6 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/motion_run.hpp>
-#include <ancf/error.hpp>
-
-#include <cmath>
-#include <utility>
 
 namespace ancf::detail {
 
@@ -89,32 +85,6 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
             "such a change starts without a memory");
 }
 
-ANCF_INLINE Recorder::Recorder(DynamicProblem& problem, const Schedule& schedule,
-                               DynamicsReport& report, bool energies)
-    : problem_(problem),
-      schedule_(schedule),
-      report_(report),
-      energies_(energies),
-      begin_(std::chrono::steady_clock::now()) {}
-
-ANCF_INLINE void Recorder::start(const MotionPoint& point) {
-    report_.time = point.time;
-    note(point);
-    observe(point, point, 0.0, {});
-}
-
-ANCF_INLINE bool Recorder::step(const MotionPoint& from, const MotionPoint& to,
-                                const Between& between) {
-    const double width = to.time - from.time;
-    report_.time = to.time;
-    ++report_.steps;
-    report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
-    report_.largest_step = std::max(report_.largest_step, width);
-    note(to, width);
-    observe(from, to, 1e-9 * width, between);
-    return goes_on(to.time);
-}
-
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {
     if (report_.status == Status::converged)
         observe(point, point, std::max(0.0, schedule_.end - point.time), {});
@@ -145,7 +115,7 @@ ANCF_INLINE void Recorder::inspect(const MotionPoint& point) {
     const VectorX q = problem_.raw_state(point.time, point.q, point.v).q;
     const auto fault = schedule_.pass_degenerate ? assembly.inspect(q) : assembly.inspect_parts(q);
     if (!fault) return;
-    report_.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"}, 6);
+    report_.left_range = joined({assembly.describe(*fault), " at ", point.time, " s"});
     if (schedule_.pass_degenerate || report_.status != Status::converged) return;
     report_.status = fault->status;
     report_.fault = fault;
@@ -158,7 +128,7 @@ ANCF_INLINE void Recorder::check_rates(double time) {
     while (worst + 1 < constraints.size() && std::isfinite(constraints.rate()[worst])) ++worst;
     report_.status = Status::not_finite;
     report_.message = joined(
-        {constraints.describe(worst), " moves at a rate that is not finite at ", time, " s"}, 6);
+        {constraints.describe(worst), " moves at a rate that is not finite at ", time, " s"});
 }
 
 ANCF_INLINE void Recorder::check_left_out(double time) {
@@ -177,10 +147,9 @@ ANCF_INLINE void Recorder::check_left_out(double time) {
     }
     if (largest <= 1e-3 || largest <= 10.0 * kept) return;
     report_.status = Status::inconsistent;
-    report_.message = joined(
-        {constraints.describe(worst), " was left out as redundant and is so no longer: |g| = ",
-         std::abs(constraints.violation()[worst]), " at ", time, " s"},
-        6);
+    report_.message = joined({constraints.describe(worst),
+                              " was left out as redundant and is so no longer: |g| = ",
+                              std::abs(constraints.violation()[worst]), " at ", time, " s"});
 }
 
 ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
@@ -229,16 +198,7 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
                               " J that neither loads nor drives gave it, by steps of up to ",
                               largest_turn_, " rad, at ", point.time,
                               " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
-                              "may pass"},
-                             6);
-}
-
-ANCF_INLINE bool Recorder::goes_on(double time) {
-    if (report_.status != Status::converged) return false;
-    if (!schedule_.progress || schedule_.progress(time, schedule_.end)) return true;
-    report_.status = Status::stopped;
-    report_.message = "the progress callback asked to stop";
-    return false;
+                              "may pass"});
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,
@@ -256,19 +216,6 @@ ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& t
                                                 std::move(at.lambda), state, solves_multipliers_));
         }
     }
-}
-
-ANCF_INLINE MotionPoint Recorder::cubic(const MotionPoint& from, const MotionPoint& to,
-                                        double time) {
-    const double h = to.time - from.time;
-    const double s = (time - from.time) / h;
-    const double later = s * s * (3.0 - 2.0 * s);
-    const double slope = 6.0 * s * (1.0 - s) / h;
-    const double bulge = h * s * (1.0 - s);
-    return {
-        time, (1.0 - later) * from.q + later * to.q + bulge * ((1.0 - s) * from.v - s * to.v),
-        slope * (to.q - from.q) + (1.0 - s) * (1.0 - 3.0 * s) * from.v + s * (3.0 * s - 2.0) * to.v,
-        (1.0 - s) * from.lambda + s * to.lambda};
 }
 
 ANCF_INLINE void interpolate(const std::vector<Knot>& knots, double time, VectorX& q, VectorX& v) {
@@ -315,15 +262,6 @@ ANCF_INLINE Start start_run(DynamicProblem& problem, DynamicsReport& report) {
     return start;
 }
 
-ANCF_INLINE void StepControl::check(const std::string& options) const {
-    require(std::isfinite(tolerance) && tolerance >= 0.0, options,
-            ": tolerance must be positive, or 0 for fixed steps, got ", tolerance);
-    require_positive(options + ": step", first);
-    require_positive(options + ": min_step", least);
-    require(most >= least, options, ": max_step must be at least min_step, ", least, ", got ",
-            most);
-}
-
 ANCF_INLINE Step StepGrid::next(double now, double end) const {
     const double point = origin + (count + 1.0) * width;
     const bool on_grid = end >= point - 1e-9 * width;
@@ -333,18 +271,6 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
     const double round_off = 0.25 * time_resolution(now, to);
     const bool whole = on_grid && std::abs(rest - width) <= 1e-6 * width + round_off;
     return {whole ? width : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
-}
-
-ANCF_INLINE bool StepGrid::halve(const Step& step) {
-    constexpr double smallest = 1e-3;
-    part = 0.5 * step.width;
-    return parts * part > smallest * width;
-}
-
-ANCF_INLINE void StepGrid::take(const Step& step) {
-    if (step.ends == Step::Ends::within) return;
-    const bool on_grid = step.ends == Step::Ends::on_grid;
-    *this = {on_grid ? origin : step.end, width, on_grid ? count + 1.0 : 0.0};
 }
 
 ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
@@ -398,12 +324,6 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
     last_width_ = grid_.width;
 }
 
-ANCF_INLINE Status MotionRun::evaluate(const MotionPoint& at, Request request) {
-    ++report_.evaluations;
-    report_.fault = problem_.evaluate(at.time, at.q, at.v, at.lambda, request);
-    return report_.fault ? report_.fault->status : Status::converged;
-}
-
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     Step step = grid_.next(now.time, schedule_.end);
     const bool looks = std::exchange(rests_, false) || now.time < acts_at_;
@@ -419,13 +339,6 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     return step;
 }
 
-ANCF_INLINE bool MotionRun::divides(const Step& step) {
-    if (control_.is_adaptive() || step.turn.fits() || grid_.part > 0.0) return false;
-    grid_.parts = parts_for_turns(problem_.model().constraints(), step.begin, step.end);
-    grid_.part = step.width / grid_.parts;
-    return grid_.parts > 1;
-}
-
 ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double factor) {
     const bool converged = status == Status::converged;
     if (step.turn.fits()) converged ? ++report_.rejected : ++report_.convergence_failures;
@@ -438,13 +351,11 @@ ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double fac
         return fail(Status::step_too_small,
                     joined({"the step fell below ", control_.least, " s at ", step.begin,
                             " s, last of ", converged ? "the local error" : to_string(status),
-                            turn.empty() ? "" : "; ", turn},
-                           6));
+                            turn.empty() ? "" : "; ", turn}));
     if (!turn.empty()) return fail(status, turn);
     return fail(status, joined({"Newton's method failed in the step from ", step.begin,
                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"},
-                               6));
+                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"}));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
@@ -466,33 +377,6 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
     return recorder_.step(from, to, between);
 }
 
-ANCF_INLINE bool MotionRun::fail(Status status, std::string message) {
-    report_.status = status;
-    report_.message = std::move(message);
-    const std::string reason = solver_.failure();
-    if (!reason.empty()) report_.message += "; " + reason;
-    if (report_.fault) report_.message += "; " + problem_.assembly().describe(*report_.fault);
-    return false;
-}
-
-ANCF_INLINE void MotionRun::remember(const char* integrator, const MotionPoint& end,
-                                     std::initializer_list<double> own) {
-    report_.memory.integrator = integrator;
-    remember("", end);
-    VectorX numbers(static_cast<Eigen::Index>(own.size()) + 5);
-    const double first[] = {end.time, grid_.origin, grid_.count, grid_.width};
-    std::copy(own.begin(), own.end(), std::copy_n(first, 4, numbers.data()));
-    numbers[numbers.size() - 1] = problem_.length_scale();
-    report_.memory.put("scalars", numbers);
-    report_.memory.put("signature", signature(problem_, end));
-}
-
-ANCF_INLINE void MotionRun::remember(const std::string& prefix, const MotionPoint& point) {
-    report_.memory.put(prefix + "q", point.q);
-    report_.memory.put(prefix + "v", point.v);
-    report_.memory.put(prefix + "lambda", point.lambda);
-}
-
 ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integrator,
                                              const Memory& memory, Eigen::Index own) {
     require(memory.integrator == integrator, who, ": the memory is that of ", memory.integrator);
@@ -506,13 +390,6 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
     return numbers;
-}
-
-ANCF_INLINE MotionPoint MotionRun::recall(const Memory& memory, const std::string& prefix,
-                                          double time) const {
-    const int n = problem_.size();
-    return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
-            memory.get(prefix + "lambda", problem_.multipliers())};
 }
 
 }  // namespace ancf::detail

@@ -22,6 +22,8 @@
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,7 +53,10 @@ struct ProblemOptions {
     LinearSolver* mass_solver = nullptr;
 
     /// @throws InvalidArgument naming the first value that cannot be meant.
-    void check() const;
+    void check() const {
+        detail::require_positive("ProblemOptions: consistency", consistency);
+        detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
+    }
 };
 
 /// Where a motion starts.
@@ -173,7 +178,14 @@ public:
     void solve_mass(const VectorX& b, VectorX& x) const;
 
     /// Adds scale M a to n entries.
-    void add_mass_product(double scale, const VectorX& a, VectorX& out) const;
+    void add_mass_product(double scale, const VectorX& a, VectorX& out) const {
+        if (exchange_ == nullptr)
+            return detail::add_product(compact_mass_, Storage::full, scale, a, out);
+        VectorX product = VectorX::Zero(size());
+        detail::add_product(compact_mass_, Storage::full, scale, a, product);
+        add_parts(product);
+        out += product;
+    }
 
     /// Returns energies and powers at (t, q, v, lambda) by an evaluation of its own.
     ///
@@ -189,7 +201,11 @@ public:
 
     /// Evaluates g, G, g_t and c at (t, q, v) for the functions below. Equations left out have zero
     /// rows. c only where it is asked for.
-    void evaluate_constraints(double t, const VectorX& q, const VectorX& v, bool convection = true);
+    void evaluate_constraints(double t, const VectorX& q, const VectorX& v,
+                              bool convection = true) {
+        expand(t, q, v);
+        constraints_.evaluate(t, full_q_, full_v_, convection);
+    }
 
     /// Evaluates the same but c, at rest, which is cheaper; the rate is then g_t and what driven
     /// supports make.
@@ -207,7 +223,11 @@ public:
 
     /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms
     /// that hold the constraint at velocity level (g_t as independent of q).
-    void velocity_level(const VectorX& mu, SparseMatrix& out) const;
+    void velocity_level(const VectorX& mu, SparseMatrix& out) const {
+        if (detail::entries(out) != detail::entries(mass_)) out = mass_;
+        std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
+        constraints_.add_velocity_level(mu, out);
+    }
 
     // Projection --------------------------------------------------------------------------------
 
@@ -227,13 +247,20 @@ public:
     // Whole states ------------------------------------------------------------------------------
 
     /// Returns the state of all coordinates, supports included, with the multipliers as reported.
-    [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
+    [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+        State result = raw_state(t, q, v);
+        result.multipliers = lambda;
+        if (!left_out_.empty()) minimize_multipliers(result.multipliers);
+        return result;
+    }
 
     /// Returns all coordinates and rates, supports included, without multipliers.
     [[nodiscard]] State raw_state(double t, const VectorX& q, const VectorX& v);
 
     /// Writes the state of all coordinates into the model.
-    void store(double t, const VectorX& q, const VectorX& v, const VectorX& lambda);
+    void store(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+        model_.state() = state(t, q, v, lambda);
+    }
 
     /// Returns what an observer sees at (t, q, v, lambda), after projection; `into` holds the
     /// state.
@@ -270,16 +297,23 @@ public:
 
     /// Returns the largest |x_i| / scale_i of n entries, and of those of all parts of a scene; not
     /// finite where an entry is not.
-    [[nodiscard]] double largest_ratio(const VectorX& x) const;
+    [[nodiscard]] double largest_ratio(const VectorX& x) const {
+        return largest_of_parts(detail::largest_ratio(x, scales_));
+    }
 
     /// Returns the largest |x_i - y_i| / scale_i, likewise.
-    [[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y) const;
+    [[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y) const {
+        return largest_of_parts(detail::largest_distance(x, y, scales_));
+    }
 
     /// Tells whether any coordinate is free, of all parts of a scene.
-    [[nodiscard]] bool can_move() const;
+    [[nodiscard]] bool can_move() const { return largest_of_parts(size()) > 0.0; }
 
     /// Returns a sum over all parts of a scene; of a whole one the number itself.
-    [[nodiscard]] double sum_of_parts(double value) const;
+    [[nodiscard]] double sum_of_parts(double value) const {
+        if (exchange_ != nullptr) exchange_->sum(&value, 1);
+        return value;
+    }
     /// Returns x.y over all coordinates that this part answers for.
     [[nodiscard]] double own_dot(const VectorX& x, const VectorX& y) const;
 
@@ -309,9 +343,16 @@ public:
     /// Returns the highest angular frequency of M^-1 (K + (G^T lambda)_q) at (t, q), rad/s,
     /// likewise; constraints do not hold it, so an upper bound with them. 0 where an element fails.
     [[nodiscard]] double highest_frequency(double t, const VectorX& q, const VectorX& lambda,
-                                           VectorX& mode);
+                                           VectorX& mode) {
+        const VectorX rest = VectorX::Zero(size());
+        if (evaluate(t, q, rest, lambda, Request::tangent)) return 0.0;
+        return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
+    }
     /// Returns the same without multipliers, begun with all modes.
-    [[nodiscard]] double highest_frequency(double t, const VectorX& q);
+    [[nodiscard]] double highest_frequency(double t, const VectorX& q) {
+        VectorX mode;
+        return highest_frequency(t, q, VectorX::Zero(multipliers()), mode);
+    }
 
     /// Returns the lowest angular frequency of K on M and G at (t, q) that is not of a rigid motion
     /// or mechanism, rad/s, by subspace iteration; 0 where every motion is free.
@@ -325,7 +366,9 @@ private:
 
     void set_mass();
     // Returns the largest of the parts of a scene; a NaN counts as more than any number.
-    [[nodiscard]] double largest_of_parts(double value) const;
+    [[nodiscard]] double largest_of_parts(double value) const {
+        return exchange_ == nullptr ? value : exchange_->largest(value);
+    }
     // Replaces forces of free coordinates by their sums over all parts.
     void add_parts(VectorX& forces) const;
     void check_sizes() const;
@@ -341,7 +384,11 @@ private:
     // the others, (M, G) (0, d) = (G_e^T, 0), so that d - unit vector e is in the null space of
     // G^T. Where the system cannot be solved they stay as they are.
     void minimize_multipliers(VectorX& multipliers);
-    [[nodiscard]] Status factorize_kkt();
+    [[nodiscard]] Status factorize_kkt() {
+        if (exchange_ != nullptr) return Status::converged;  // M alone
+        if (multipliers() > 0) constraints_.write_jacobian(kkt_matrix_);
+        return kkt_.factorize(kkt_matrix_);
+    }
     [[nodiscard]] Status solve_kkt(const VectorX& b, VectorX& x);
     bool project_positions(double t, VectorX& q, const VectorX& v);
 

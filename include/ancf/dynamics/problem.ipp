@@ -10,18 +10,11 @@
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/redundancy.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 
 namespace ancf {
-
-ANCF_INLINE void ProblemOptions::check() const {
-    detail::require_positive("ProblemOptions: consistency", consistency);
-    detail::require_positive("ProblemOptions: redundancy_tolerance", redundancy_tolerance);
-}
 
 ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& options)
     : model_(model),
@@ -51,15 +44,6 @@ ANCF_INLINE DynamicProblem::~DynamicProblem() = default;
 
 // --- parts -------------------------------------------------------------------------------------
 
-ANCF_INLINE double DynamicProblem::largest_of_parts(double value) const {
-    return exchange_ == nullptr ? value : exchange_->largest(value);
-}
-
-ANCF_INLINE double DynamicProblem::sum_of_parts(double value) const {
-    if (exchange_ != nullptr) exchange_->sum(&value, 1);
-    return value;
-}
-
 ANCF_INLINE void DynamicProblem::add_parts(VectorX& forces) const {
     if (exchange_ == nullptr) return;
     VectorX all = VectorX::Zero(numbering().coordinates());
@@ -76,32 +60,12 @@ ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) c
     return sum;
 }
 
-ANCF_INLINE double DynamicProblem::largest_ratio(const VectorX& x) const {
-    return largest_of_parts(detail::largest_ratio(x, scales_));
-}
-
-ANCF_INLINE double DynamicProblem::largest_distance(const VectorX& x, const VectorX& y) const {
-    return largest_of_parts(detail::largest_distance(x, y, scales_));
-}
-
-ANCF_INLINE bool DynamicProblem::can_move() const { return largest_of_parts(size()) > 0.0; }
-
 // --- mass --------------------------------------------------------------------------------------
 
 ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
     if (exchange_ != nullptr) return detail::solve_with(*options_.mass_solver, b, x);
     x = b;
     mass_factor_.solve(x);
-}
-
-ANCF_INLINE void DynamicProblem::add_mass_product(double scale, const VectorX& a,
-                                                  VectorX& out) const {
-    if (exchange_ == nullptr)
-        return detail::add_product(compact_mass_, Storage::full, scale, a, out);
-    VectorX product = VectorX::Zero(size());
-    detail::add_product(compact_mass_, Storage::full, scale, a, product);
-    add_parts(product);
-    out += product;
 }
 
 ANCF_INLINE void DynamicProblem::set_mass() {
@@ -204,8 +168,8 @@ ANCF_INLINE std::string DynamicProblem::check_supports(double t, double fastest)
                             support.component, ", of node ", support.node.index});
         if (!(gap <= allowed))
             return detail::joined(
-                {which, " prescribes ", value, " at the start, the state has ", state.q[at]}, 6);
-        return detail::joined({which, " holds it, the state moves it at ", state.v[at]}, 6);
+                {which, " prescribes ", value, " at the start, the state has ", state.q[at]});
+        return detail::joined({which, " holds it, the state moves it at ", state.v[at]});
     }
     return {};
 }
@@ -232,8 +196,7 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         }
         if (at < 0) return std::string();
         return detail::joined({constraints_.describe(at), ": |", what, "| = ", std::abs(values[at]),
-                               ", allowed ", options_.consistency * allowed(at)},
-                              6);
+                               ", allowed ", options_.consistency * allowed(at)});
     };
     std::string message = worst(
         constraints_.violation(), [&](int i) { return lengths[i]; }, "g");
@@ -333,12 +296,6 @@ ANCF_INLINE Start DynamicProblem::start() {
     if (exchange_ != nullptr && !options_.mass_solver->failure().empty())
         start.message += "; " + options_.mass_solver->failure();
     return start;
-}
-
-ANCF_INLINE Status DynamicProblem::factorize_kkt() {
-    if (exchange_ != nullptr) return Status::converged;  // M alone
-    if (multipliers() > 0) constraints_.write_jacobian(kkt_matrix_);
-    return kkt_.factorize(kkt_matrix_);
 }
 
 ANCF_INLINE Status DynamicProblem::solve_kkt(const VectorX& b, VectorX& x) {
@@ -529,12 +486,6 @@ ANCF_INLINE double DynamicProblem::driving_power() const {
     return power;
 }
 
-ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const VectorX& q, const VectorX& v,
-                                                      bool convection) {
-    expand(t, q, v);
-    constraints_.evaluate(t, full_q_, full_v_, convection);
-}
-
 ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vector<int>& active,
                                                       const VectorX& q) {
     time_ = t;
@@ -546,12 +497,6 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
         expand(t, free, VectorX::Zero(size()));
     }
     constraints_.evaluate(t, full_q_, full_v_, false);
-}
-
-ANCF_INLINE void DynamicProblem::velocity_level(const VectorX& mu, SparseMatrix& out) const {
-    if (detail::entries(out) != detail::entries(mass_)) out = mass_;
-    std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
-    constraints_.add_velocity_level(mu, out);
 }
 
 // --- projection --------------------------------------------------------------------------------
@@ -623,26 +568,9 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
 
 // --- whole states ------------------------------------------------------------------------------
 
-ANCF_INLINE State DynamicProblem::state(double t, const VectorX& q, const VectorX& v,
-                                        const VectorX& lambda) {
-    State result = raw_state(t, q, v);
-    result.multipliers = lambda;
-    if (!left_out_.empty()) minimize_multipliers(result.multipliers);
-    return result;
-}
-
 ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
     expand(t, q, v);
-    State result;
-    result.time = t;
-    result.q = full_q_;
-    result.v = full_v_;
-    return result;
-}
-
-ANCF_INLINE void DynamicProblem::store(double t, const VectorX& q, const VectorX& v,
-                                       const VectorX& lambda) {
-    model_.state() = state(t, q, v, lambda);
+    return {full_q_, full_v_, {}, t};
 }
 
 ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
@@ -781,18 +709,6 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
             solve_mass(b, x);
             return x;
         });
-}
-
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q,
-                                                     const VectorX& lambda, VectorX& mode) {
-    const VectorX rest = VectorX::Zero(size());
-    if (evaluate(t, q, rest, lambda, Request::tangent)) return 0.0;
-    return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
-}
-
-ANCF_INLINE double DynamicProblem::highest_frequency(double t, const VectorX& q) {
-    VectorX mode;
-    return highest_frequency(t, q, VectorX::Zero(multipliers()), mode);
 }
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {

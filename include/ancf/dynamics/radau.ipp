@@ -463,8 +463,7 @@ private:
     /// Interpolates in the last step.
     [[nodiscard]] MotionPoint between(double time) {
         if (knots_.size() < 2) make_knots();
-        MotionPoint at;
-        at.time = time;
+        MotionPoint at{time, {}, {}, {}};
         interpolate(knots_, time, at.q, at.v);
         const double share = (time - earlier_.time) / (now_.time - earlier_.time);
         at.lambda = (1.0 - share) * earlier_.lambda + share * now_.lambda;

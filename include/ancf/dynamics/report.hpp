@@ -78,10 +78,16 @@ struct Memory {
     [[nodiscard]] bool empty() const noexcept { return integrator.empty(); }
 
     /// Adds values.
-    void put(std::string name, VectorX value);
+    void put(std::string name, VectorX value) {
+        values.emplace_back(std::move(name), std::move(value));
+    }
 
     /// @throws InvalidArgument where it holds no value of that name and size.
-    [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const;
+    [[nodiscard]] const VectorX& get(const std::string& name, Eigen::Index size) const {
+        for (const auto& [key, value] : values)
+            if (key == name && value.size() == size) return value;
+        detail::reject("Memory of ", integrator, ": expected ", size, " values of ", name);
+    }
 };
 
 /// What every integrator is: options. An object can be used for many runs.

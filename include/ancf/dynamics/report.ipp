@@ -38,14 +38,4 @@ ANCF_INLINE Schedule equal_intervals(double start, double duration, double inter
     return schedule;
 }
 
-ANCF_INLINE void Memory::put(std::string name, VectorX value) {
-    values.emplace_back(std::move(name), std::move(value));
-}
-
-ANCF_INLINE const VectorX& Memory::get(const std::string& name, Eigen::Index size) const {
-    for (const auto& [key, value] : values)
-        if (key == name && value.size() == size) return value;
-    detail::reject("Memory of ", integrator, ": expected ", size, " values of ", name);
-}
-
 }  // namespace ancf

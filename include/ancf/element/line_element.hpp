@@ -224,9 +224,8 @@ protected:
         : line_((detail::require_positive("length", length), length), reference),
           reference_(reference),
           options_(options) {
-        detail::require(detail::all_finite(reference),
-                        "the reference coordinates of an element must be finite, got ",
-                        detail::components(reference));
+        detail::require_finite("the reference coordinates of an element",
+                               detail::components(reference));
     }
 
     /// @throws InvalidArgument unless the stress-free state is admissible.

@@ -56,7 +56,9 @@ public:
     [[nodiscard]] detail::Records<Part> parts(int first) const;
 
     /// Sets the attached vectors of coordinates, or of their rates or changes, by the others.
-    void complete(VectorX& coordinates) const;
+    void complete(VectorX& coordinates) const {
+        for (std::size_t k = 0; k < firsts_.size(); ++k) complete_one(coordinates, k);
+    }
 
     /// Sets those attached vectors that follow the vector that starts at a coordinate.
     void complete(VectorX& coordinates, int first) const;

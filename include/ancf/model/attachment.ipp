@@ -94,10 +94,6 @@ ANCF_INLINE detail::Records<Dependence::Part> Dependence::parts(int first) const
     return all;
 }
 
-ANCF_INLINE void Dependence::complete(VectorX& coordinates) const {
-    for (std::size_t k = 0; k < firsts_.size(); ++k) complete_one(coordinates, k);
-}
-
 ANCF_INLINE void Dependence::complete(VectorX& coordinates, int first) const {
     if (empty()) return;
     const auto of = static_cast<std::size_t>(first);

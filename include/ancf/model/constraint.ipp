@@ -77,8 +77,7 @@ ANCF_INLINE std::string driven_turn_text(const std::vector<AnyConstraint>& const
                                          const DrivenTurn& turn, double from, double to) {
     return joined({"constraint ", turn.constraint, " (", constraints[turn.constraint].name(),
                    ") is driven by ", turn.angle, " rad between ", from, " and ", to,
-                   ", one step takes ", largest_driven_turn, " rad"},
-                  6);
+                   ", one step takes ", largest_driven_turn, " rad"});
 }
 
 }  // namespace detail

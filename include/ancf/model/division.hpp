@@ -6,10 +6,10 @@
 
 #pragma once
 
-#include <ancf/compiler.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -30,7 +30,19 @@ struct Division {
     std::vector<char> eliminated;  ///< of each node: attached, and seen by one element alone
 
     /// Divides the graph of nodes, attached ones merged with those that they follow, and elements.
-    Division(const Scene& whole, const GraphDivision& divide);
+    Division(const Scene& whole, const GraphDivision& divide)
+        : follows(whole.nodes(), -1), part(follows.size(), -1), eliminated(follows.size(), 0) {
+        for (const AttachedVector& attachment : whole.attachments())
+            follows[attachment.vector.node.index] = attachment.to.index;
+        divide_nodes(whole, divide);
+        for (const auto& group : whole.groups())
+            for (const Connection& c : group->connections)
+                for (const NodeId end : {c.first, c.second})
+                    if (int& of = part[end.index]; of < 0) of = owner(c);
+        for (int k = 0; k < whole.nodes(); ++k)
+            if (int& of = part[k]; of < 0 && whole.layout().size(k) > 0) of = part[leader({k})];
+        eliminate(whole);
+    }
 
     /// Returns the node that stands for one: itself, or that at the end of its attachments.
     [[nodiscard]] int leader(NodeId of) const {
@@ -47,15 +59,74 @@ struct Division {
 
     /// Returns what a part holds: its elements, loads, constraints and masses, its nodes, all nodes
     /// that these touch, and those that they follow.
-    [[nodiscard]] ScenePart held(const Scene& whole, int by) const;
+    [[nodiscard]] ScenePart held(const Scene& whole, int by) const {
+        ScenePart result;
+        result.nodes.assign(part.size(), 0);
+        const auto take = [&](NodeId of) {
+            for (int k = of.index; k >= 0; k = follows[k]) result.nodes[k] = 1;
+        };
+        const auto takes = [&](const Coupling& coupling) {
+            if (owner(coupling) != by) return false;
+            for (const NodeField& vector : coupling) take(vector.node);
+            return true;
+        };
+        const auto places = [](const auto& list, const auto& wanted) {
+            std::vector<int> found;
+            for (std::size_t k = 0; k < list.size(); ++k)
+                if (wanted(list[k])) found.push_back(static_cast<int>(k));
+            return found;
+        };
+        for (int node = 0; node < whole.nodes(); ++node)
+            if (part[node] == by) take({node});
+        for (const auto& group : whole.groups())
+            result.elements.push_back(places(group->connections, [&](const Connection& c) {
+                if (owner(c) != by) return false;
+                take(c.first);
+                take(c.second);
+                return true;
+            }));
+        result.loads = places(whole.loads(),
+                              [&](const ScaledLoad& each) { return takes(each.load.coupling()); });
+        result.constraints = places(
+            whole.constraints(), [&](const AnyConstraint& each) { return takes(each.coupling()); });
+        result.masses =
+            places(whole.masses(), [&](const auto& each) { return part[each.node.index] == by; });
+        return result;
+    }
 
 private:
-    void divide_nodes(const Scene& whole, const GraphDivision& divide);
-    void eliminate(const Scene& whole);
+    void divide_nodes(const Scene& whole, const GraphDivision& divide) {
+        std::vector<int> vertex(part.size(), -1), leaders;
+        for (int k = 0; k < whole.nodes(); ++k)
+            if (whole.layout().size(k) > 0 && follows[k] < 0) {
+                vertex[k] = static_cast<int>(leaders.size());
+                leaders.push_back(k);
+            }
+        std::vector<std::pair<int, int>> edges;
+        for (const auto& group : whole.groups())
+            for (const Connection& c : group->connections)
+                edges.emplace_back(vertex[leader(c.first)], vertex[leader(c.second)]);
+        const std::vector<int> parts = divide(static_cast<int>(leaders.size()), edges);
+        for (std::size_t k = 0; k < leaders.size(); ++k) part[leaders[k]] = parts[k];
+    }
+    void eliminate(const Scene& whole) {
+        std::vector<int> seen(part.size(), 0);
+        const auto see = [&](NodeId of) { seen[of.index] += 1; };
+        const auto see_all = [&](const Coupling& coupling) {
+            for (const NodeField& vector : coupling) see(vector.node);
+        };
+        for (const auto& group : whole.groups())
+            for (const Connection& c : group->connections) {
+                see(c.first);
+                if (c.second != c.first) see(c.second);
+            }
+        for (const ScaledLoad& load : whole.loads())
+            if (!load.load.constant()) see_all(load.load.coupling());
+        for (const AnyConstraint& each : whole.constraints()) see_all(each.coupling());
+        for (const AttachedVector& attachment : whole.attachments()) see(attachment.to);
+        for (std::size_t k = 0; k < part.size(); ++k)
+            eliminated[k] = follows[k] >= 0 && seen[k] == 1;
+    }
 };
 
 }  // namespace ancf::detail
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/model/division.ipp>  // IWYU pragma: export
-#endif

@@ -74,15 +74,11 @@ public:
     /// @throws InvalidArgument unless every value is finite.
     NodeId add_node(const Argument& position, const Slopes& slopes = Slopes::Identity(),
                     const Point& curvature = Point::Zero()) {
-        detail::require(detail::all_finite(position),
-                        "Model::add_node: the position must be finite, got ",
-                        detail::components(position));
+        detail::require_finite("Model::add_node: the position", detail::components(position));
         detail::require(detail::all_finite(slopes),
                         "Model::add_node: slopes must be finite, got (by columns) ",
                         detail::components(slopes));
-        detail::require(detail::all_finite(curvature),
-                        "Model::add_node: the curvature must be finite, got ",
-                        detail::components(curvature));
+        detail::require_finite("Model::add_node: the curvature", detail::components(curvature));
         return add_initial_node(detail::node_vectors<Dimension>(position, slopes, curvature));
     }
 
@@ -114,9 +110,7 @@ public:
     /// Sets the acceleration of gravity, m/s^2.
     /// @throws InvalidArgument unless every component is finite.
     void set_gravity(const Argument& gravity, Amplitude amplitude = {}) {
-        detail::require(detail::all_finite(gravity),
-                        "Model::set_gravity: components must be finite, got ",
-                        detail::components(gravity));
+        detail::require_finite("Model::set_gravity: components", detail::components(gravity));
         std::array<double, 3> components = {};
         for (int k = 0; k < Dimension; ++k) components[k] = gravity[k];
         set_gravity_components(components, std::move(amplitude));

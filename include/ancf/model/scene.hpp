@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/attachment.hpp>
 #include <ancf/model/constraint.hpp>
 #include <ancf/model/element_group.hpp>
@@ -22,6 +23,7 @@
 #include <ancf/records.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -331,7 +333,10 @@ public:
     /// Returns the loads.
     [[nodiscard]] const std::vector<ScaledLoad>& loads() const noexcept { return loads_; }
     /// Tells whether the stiffness of every load is symmetric.
-    [[nodiscard]] bool has_symmetric_loads() const noexcept;
+    [[nodiscard]] bool has_symmetric_loads() const noexcept {
+        return std::all_of(loads_.begin(), loads_.end(),
+                           [](const ScaledLoad& load) { return load.load.symmetric(); });
+    }
     /// Returns the constraints.
     [[nodiscard]] const std::vector<AnyConstraint>& constraints() const noexcept {
         return constraints_;
@@ -449,7 +454,10 @@ private:
     void refresh() const;
     void update_state() const;
     void add_torsion() const;
-    [[nodiscard]] bool state_fits(const Layout& layout) const noexcept;
+    [[nodiscard]] bool state_fits(const Layout& layout) const noexcept {
+        const int size = layout.first(state_nodes_);
+        return state_.q.size() == size && state_.v.size() == size;
+    }
     void fit_state(const Layout& before) const;
     void check_widening(const char* call, NodeId node, Fields fields) const;
     void widen(NodeId node, Fields fields);

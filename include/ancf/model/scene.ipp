@@ -5,7 +5,6 @@
 
 #include <ancf/model/scene.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -361,11 +360,6 @@ ANCF_INLINE void Scene::add_load(AnyLoad load, Amplitude amplitude) {
     ++revision_.scene;
 }
 
-ANCF_INLINE bool Scene::has_symmetric_loads() const noexcept {
-    return std::all_of(loads_.begin(), loads_.end(),
-                       [](const ScaledLoad& load) { return load.load.symmetric(); });
-}
-
 ANCF_INLINE void Scene::add_constraint(AnyConstraint constraint) {
     for (const NodeField& at : constraint.coupling()) check(at.node);
     detail::require(constraint.equations() > 0, "Model::add: constraint ", constraint.name(),
@@ -460,11 +454,6 @@ ANCF_INLINE void Scene::add_torsion() const {
                 layout_.set_torsion_share(node, sum > 0.0 ? all[0] / sum : 0.5);
             }
         }
-}
-
-ANCF_INLINE bool Scene::state_fits(const Layout& layout) const noexcept {
-    const int size = layout.first(state_nodes_);
-    return state_.q.size() == size && state_.v.size() == size;
 }
 
 ANCF_INLINE void Scene::fit_state(const Layout& before) const {

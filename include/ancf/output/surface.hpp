@@ -93,8 +93,15 @@ private:
     void add_station(double s, const SectionForces& forces, const std::vector<Corner>& corners,
                      bool joined);
     void end_beam();
-    void add_polygon(const std::vector<int>& corners);
-    void append(Array array, const Vector<double, 3>& value);
+    void add_polygon(const std::vector<int>& corners) {
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
+        ends_.push_back(static_cast<int>(corners_.size()));
+    }
+    void append(Array array, const Vector<double, 3>& value) {
+        PointArray& target = arrays_[array];
+        for (std::size_t k = 0; k < target.components.size(); ++k)
+            target.values.push_back(value[static_cast<Eigen::Index>(k)]);
+    }
 
     std::vector<Vector<double, 3>> points_;
     std::array<PointArray, array_count> arrays_;

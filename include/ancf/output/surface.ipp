@@ -54,15 +54,4 @@ ANCF_INLINE void Surface::end_beam() {
     add_polygon(end);
 }
 
-ANCF_INLINE void Surface::add_polygon(const std::vector<int>& corners) {
-    corners_.insert(corners_.end(), corners.begin(), corners.end());
-    ends_.push_back(static_cast<int>(corners_.size()));
-}
-
-ANCF_INLINE void Surface::append(Array array, const Vector<double, 3>& value) {
-    PointArray& target = arrays_[array];
-    for (std::size_t k = 0; k < target.components.size(); ++k)
-        target.values.push_back(value[static_cast<Eigen::Index>(k)]);
-}
-
 }  // namespace ancf

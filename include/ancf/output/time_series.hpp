@@ -41,7 +41,7 @@ class DynamicProblem;
 class TimeSeries {
 public:
     /// The stream and the model outlive the series.
-    TimeSeries(std::ostream& out, const Scene& model);
+    TimeSeries(std::ostream& out, const Scene& model) : out_(out), model_(model) {}
 
     // its quantities refer to it
     TimeSeries(const TimeSeries&) = delete;
@@ -112,7 +112,9 @@ private:
     };
 
     void add(const std::string& name, const std::vector<std::string>& parts, Append append);
-    static void check_place(double xi);
+    static void check_place(double xi) {
+        detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
+    }
     ANCF_LAZY [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 

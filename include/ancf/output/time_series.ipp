@@ -14,19 +14,12 @@
 
 namespace ancf {
 
-ANCF_INLINE TimeSeries::TimeSeries(std::ostream& out, const Scene& model)
-    : out_(out), model_(model) {}
-
 ANCF_INLINE void TimeSeries::add(const std::string& name, const std::vector<std::string>& parts,
                                  Append append) {
     detail::require(!csv_, "TimeSeries: ", name, " must be added before the first row");
     Quantity quantity{{}, std::move(append)};
     for (const std::string& part : parts) quantity.columns.push_back(name + '_' + part);
     quantities_.push_back(std::move(quantity));
-}
-
-ANCF_INLINE void TimeSeries::check_place(double xi) {
-    detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
 }
 
 ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, int constraint, NodeId node) {

@@ -19,6 +19,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ancf::petsc {
 
@@ -32,7 +33,9 @@ struct SolverOptions {
     std::string prefix{};
 
     /// MUMPS, for every scene: the default.
-    [[nodiscard]] static SolverOptions direct(std::string prefix = {});
+    [[nodiscard]] static SolverOptions direct(std::string prefix = {}) {
+        return {SolverOptions().options, std::move(prefix)};
+    }
     /// Conjugate gradients with algebraic multigrid, for scenes without multipliers whose loads are
     /// symmetric; docs/petsc.md says how the rest is chosen.
     [[nodiscard]] static SolverOptions iterative(std::string prefix = {});

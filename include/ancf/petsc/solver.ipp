@@ -18,14 +18,9 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace ancf::petsc {
-
-ANCF_INLINE SolverOptions SolverOptions::direct(std::string prefix) {
-    return {SolverOptions().options, std::move(prefix)};
-}
 
 ANCF_INLINE SolverOptions SolverOptions::iterative(std::string prefix) {
     return {

@@ -9,6 +9,8 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
+
 namespace ancf {
 
 /// Young's modulus, shear modulus and density.
@@ -22,14 +24,23 @@ struct Material {
     /// @param poisson  Poisson's ratio, 1, in (-1, 0.5]
     /// @param density  kg/m^3, > 0
     /// @throws InvalidArgument naming the value that is out of range or not finite.
-    [[nodiscard]] static Material isotropic(double young, double poisson, double density);
+    [[nodiscard]] static Material isotropic(double young, double poisson, double density) {
+        detail::require_positive("young", young);
+        detail::require(poisson > -1.0 && poisson <= 0.5, "poisson must lie in (-1, 0.5], got ",
+                        poisson);
+        return from_moduli(young, young / (2.0 * (1.0 + poisson)), density);
+    }
 
     /// Returns the material of both moduli.
     /// @param young    Young's modulus, Pa, > 0
     /// @param shear    shear modulus, Pa, > 0
     /// @param density  kg/m^3, > 0
     /// @throws InvalidArgument naming the value that is not positive or not finite.
-    [[nodiscard]] static Material from_moduli(double young, double shear, double density);
+    [[nodiscard]] static Material from_moduli(double young, double shear, double density) {
+        const Material material{young, shear, density};
+        material.validate();
+        return material;
+    }
 
     /// Returns Poisson's ratio E/(2 G) - 1, 1; outside (-1, 0.5] when the moduli belong to no
     /// isotropic solid.
@@ -37,11 +48,11 @@ struct Material {
 
     /// Throws unless every value is positive and finite: for a material that was filled in by hand.
     /// @throws InvalidArgument naming the value.
-    void validate() const;
+    void validate() const {
+        detail::require_positive("young", young);
+        detail::require_positive("shear", shear);
+        detail::require_positive("density", density);
+    }
 };
 
 }  // namespace ancf
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/section/material.ipp>  // IWYU pragma: export
-#endif

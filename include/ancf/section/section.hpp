@@ -72,7 +72,10 @@ public:
     [[nodiscard]] bool has_shear_centre() const noexcept { return shear_centre_.has_value(); }
 
     /// Returns the shear centre from the reference axis, m: the centroid where none was given.
-    [[nodiscard]] SectionPoint shear_centre() const noexcept;
+    [[nodiscard]] SectionPoint shear_centre() const noexcept {
+        if (shear_centre_) return *shear_centre_;
+        return {moments_.y / moments_.area, moments_.z / moments_.area};
+    }
 
     /// Returns the outer boundary, counter-clockwise (y towards z), as a polygon for pictures; a
     /// section given by moments has the parallelogram of the same radii of gyration.

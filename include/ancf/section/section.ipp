@@ -128,11 +128,6 @@ ANCF_INLINE Section Section::with_torsion_constant(double torsion_constant) cons
     return section;
 }
 
-ANCF_INLINE SectionPoint Section::shear_centre() const noexcept {
-    if (shear_centre_) return *shear_centre_;
-    return {moments_.y / moments_.area, moments_.z / moments_.area};
-}
-
 ANCF_INLINE Section Section::with_shear_centre(SectionPoint point) const {
     detail::require_finite("shear centre y", point.y);
     detail::require_finite("shear centre z", point.z);

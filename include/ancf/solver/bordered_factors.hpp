@@ -19,6 +19,7 @@
 #include <ancf/solver/block_tridiagonal_layout.hpp>
 #include <ancf/types.hpp>
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -35,7 +36,10 @@ public:
     /// Looks for the narrowest border that leaves a chain of the narrowest blocks.
     /// @param matrix  compressed, square, all entries; values do not matter.
     /// @return        false where no border does; the factors are of no use then.
-    [[nodiscard]] bool analyze(const SparseMatrix& matrix);
+    [[nodiscard]] bool analyze(const SparseMatrix& matrix) {
+        pattern_ = matrix;
+        return divide(0);
+    }
 
     /// @param values  those of the pattern analysed.
     /// Widens the border where the chain has zeros on its diagonal: multipliers of its last nodes.
@@ -46,7 +50,10 @@ public:
     void solve(Scalar* x) const;
 
     /// Returns whether a matrix of the columns analysed has the rows analysed, too.
-    [[nodiscard]] bool has_pattern(const SparseMatrix& matrix) const;
+    [[nodiscard]] bool has_pattern(const SparseMatrix& matrix) const {
+        const int* inner = pattern_.innerIndexPtr();
+        return std::equal(inner, inner + detail::entries(pattern_), matrix.innerIndexPtr());
+    }
 
     /// Number of values in the pattern.
     [[nodiscard]] std::size_t entries() const noexcept {

@@ -7,18 +7,11 @@
 #include <ancf/solver/bordered_factors.hpp>
 #include <ancf/solver/direct_solver.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 namespace ancf::detail {
-
-template <class Scalar>
-bool BorderedFactors<Scalar>::analyze(const SparseMatrix& matrix) {
-    pattern_ = matrix;
-    return divide(0);
-}
 
 /// Divides the unknowns into a chain and a border of at least this width; false where none does.
 template <class Scalar>
@@ -80,12 +73,6 @@ bool BorderedFactors<Scalar>::factorize(const Scalar* values) {
     if (needed > border_ && (needed > max_border || !divide(needed))) return false;
     return scale(values) && factorize_chain(values) && factorize_border(values) &&
            proves_right(values);
-}
-
-template <class Scalar>
-bool BorderedFactors<Scalar>::has_pattern(const SparseMatrix& matrix) const {
-    const int* inner = pattern_.innerIndexPtr();
-    return std::equal(inner, inner + detail::entries(pattern_), matrix.innerIndexPtr());
 }
 
 /// Returns the width of the border that leaves no zero on the diagonal of the chain.

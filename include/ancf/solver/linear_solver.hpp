@@ -131,7 +131,10 @@ void require_storage(std::string_view solver, const SparseMatrix& matrix, Storag
 /// solver that was moved from starts again.
 class SolverStage {
 public:
-    void reset() noexcept;
+    void reset() noexcept {
+        columns_.clear();
+        factorised_ = false;
+    }
 
     void analysed(const SparseMatrix& matrix);
 
@@ -140,7 +143,10 @@ public:
     void begin_factorisation(std::string_view solver, const SparseMatrix& matrix);
 
     /// Takes note of the outcome and returns it.
-    const FactorReport& finished(const FactorReport& report) noexcept;
+    const FactorReport& finished(const FactorReport& report) noexcept {
+        factorised_ = report.status == Status::converged;
+        return report;
+    }
 
     /// @throws InvalidArgument unless a factorisation stands and the right-hand side has its size.
     void require_solvable(std::string_view solver, const VectorX& b) const;

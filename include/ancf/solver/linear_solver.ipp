@@ -36,11 +36,6 @@ ANCF_INLINE void require_storage(std::string_view solver, const SparseMatrix& ma
     }
 }
 
-ANCF_INLINE void SolverStage::reset() noexcept {
-    columns_.clear();
-    factorised_ = false;
-}
-
 ANCF_INLINE void SolverStage::analysed(const SparseMatrix& matrix) {
     const int* outer = matrix.outerIndexPtr();
     columns_.assign(1, 0);  // an empty matrix may have no such array
@@ -60,11 +55,6 @@ ANCF_INLINE void SolverStage::begin_factorisation(std::string_view solver,
     require(size() == 0 || std::equal(columns_.begin(), columns_.end(), matrix.outerIndexPtr()),
             solver, " analysed another pattern of as many entries");
     factorised_ = false;
-}
-
-ANCF_INLINE const FactorReport& SolverStage::finished(const FactorReport& report) noexcept {
-    factorised_ = report.status == Status::converged;
-    return report;
 }
 
 ANCF_INLINE void SolverStage::require_solvable(std::string_view solver, const VectorX& b) const {

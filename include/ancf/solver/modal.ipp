@@ -226,7 +226,8 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (!(violated <= 1e-6))
         report.message += detail::joined(
             {report.message.empty() ? "" : "; ", "the state violates its constraints by ", violated,
-             " of the scene's size at a load factor of ", options.factor});
+             " of the scene's size at a load factor of ", options.factor},
+            17);
     return report;
 }
 

@@ -111,8 +111,7 @@ public:
         }
         report_.message =
             joined({"the limit of ", options_.max_points, " points came at load factor ",
-                    here.factor, "; longer steps need a larger first_step or largest_step"},
-                   6);
+                    here.factor, "; longer steps need a larger first_step or largest_step"});
         return finish(Status::max_iterations, here);
     }
 
@@ -566,7 +565,7 @@ private:
 
     // Says why a point has no successor, from the last factorisation or fault.
     [[nodiscard]] std::string cause(Status status, const char* what, const Point& here) {
-        std::string text = joined({what, " at load factor ", here.factor, ": "}, 6);
+        std::string text = joined({what, " at load factor ", here.factor, ": "});
         if (report_.fault) return text + assembly_.describe(*report_.fault);
         std::string found;
         if (status == Status::singular && report_.points.empty())
@@ -599,8 +598,7 @@ private:
             }
         if (worst == constraints.size()) return {};
         return joined({"; where the path starts, constraint ", worst, " (",
-                       constraints[worst].name(), ") is not fulfilled: solve_statics() first"},
-                      6);
+                       constraints[worst].name(), ") is not fulfilled: solve_statics() first"});
     }
 
     [[nodiscard]] PathReport finish(Status status, const Point& last) {

@@ -95,19 +95,6 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
            16.0 * std::numeric_limits<double>::epsilon() * terms + angle * angle * moment;
 }
 
-/// Returns what a turn by 1 rad makes of each free coordinate at most: the scene's size of
-/// positions, 1 of slopes, one over that size of r_xx.
-[[nodiscard]] ANCF_INLINE VectorX levers(const Assembly& assembly) {
-    const Numbering& numbering = assembly.numbering();
-    const Layout& layout = assembly.model().layout();
-    const double size = ConvergenceMonitor(assembly.model(), numbering).size();
-    VectorX lever = VectorX::Ones(numbering.free_coordinates());
-    for (int k = 0; k < numbering.coordinates(); ++k)
-        if (const int equation = numbering.equation(k); equation >= 0)
-            lever[equation] = std::pow(size, length_power(layout.field_of(k)));
-    return lever;
-}
-
 /// Factorises the symmetric part of an assembly's tangent as L D L^T, constraints as springs.
 [[nodiscard]] ANCF_INLINE Stability stability_of_tangent(const Assembly& assembly, bool symmetric) {
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
@@ -142,7 +129,10 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     }
     VectorX residual;
     assembly.residual(residual);
-    if (!resists(lower, diagonal, factor, residual, levers(assembly))) return Stability::unknown;
+    // what a turn by 1 rad makes of each free coordinate at most
+    const double size = ConvergenceMonitor(assembly.model(), assembly.numbering()).size();
+    const VectorX lever = length_powers(size, assembly.model().layout(), assembly.numbering());
+    if (!resists(lower, diagonal, factor, residual, lever)) return Stability::unknown;
     if (positive) return Stability::stable;
     return symmetric ? Stability::unstable : Stability::unknown;
 }

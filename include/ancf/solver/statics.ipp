@@ -263,15 +263,14 @@ private:
     [[nodiscard]] std::string cause(const LoadStep& step) const {
         if (report_.fault) return assembly_.describe(*report_.fault);
         std::string text = joined({"the step to load factor ", step.factor, " failed after ",
-                                   step.iterations, " iterations"},
-                                  6);
+                                   step.iterations, " iterations"});
         if (step.status == Status::singular) text += ": its tangent is singular";
         if (!failure_.empty()) text += ": " + failure_;
         if (step.status == Status::singular || !failure_.empty()) return text;
         if (!step.residuals.empty())
-            text += joined({", the last relative residual was ", step.residuals.back()}, 6);
+            text += joined({", the last relative residual was ", step.residuals.back()});
         if (!step.corrections.empty())
-            text += joined({", the last relative correction ", step.corrections.back()}, 6);
+            text += joined({", the last relative correction ", step.corrections.back()});
         return text;
     }
 
@@ -291,8 +290,7 @@ private:
             if (square > 0.75 && angle != 0.0)
                 far_joint_ = joined({"; constraint ", k, " (", constraints_[k].name(),
                                      ") began more than ", largest_driven_turn,
-                                     " rad off the angle that it is driven to, ", angle, " rad"},
-                                    6);
+                                     " rad off the angle that it is driven to, ", angle, " rad"});
         }
     }
 

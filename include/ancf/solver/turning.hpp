@@ -75,14 +75,22 @@ private:
     static constexpr Field slope_rates[] = {Field::r_xx, Field::r_xy};
 
     [[nodiscard]] Slopes slopes(int node) const;
-    [[nodiscard]] bool is_free(int first) const;  // a vector, by its first coordinate
+    // Of a vector, by its first coordinate.
+    [[nodiscard]] bool is_free(int first) const {
+        for (int k = first; k < first + dimension_; ++k)
+            if (numbering_.equation(k) < 0) return false;
+        return true;
+    }
     [[nodiscard]] double twist(const std::array<int, 2>& chord, const VectorX& before,
                                const VectorX& change) const;
     void add_curvature_of_chord(const std::array<int, 2>& chord, const double* force,
                                 const VectorX& q, const SparseMatrix& pattern,
                                 double* values) const;
     [[nodiscard]] std::vector<double> chord_forces(const VectorX& residual) const;
-    void factorize();
+    void factorize() {
+        for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
+        factorised_ = true;
+    }
     void factorize(int component);
     void shift(int component, const std::vector<double>& wanted, VectorX& q);
 

@@ -315,12 +315,6 @@ ANCF_INLINE Turning::Slopes Turning::slopes(int node) const {
     return {first, count, whole};
 }
 
-ANCF_INLINE bool Turning::is_free(int first) const {
-    for (int k = first; k < first + dimension_; ++k)
-        if (numbering_.equation(k) < 0) return false;
-    return true;
-}
-
 ANCF_INLINE void Turning::twist(const VectorX& before, const VectorX& change, VectorX& q) const {
     if (dimension_ < 3) return;
     for (int node = 0; node < layout_.nodes(); ++node)
@@ -458,11 +452,6 @@ ANCF_INLINE std::vector<double> Turning::chord_forces(const VectorX& residual) c
             forces[3 * c + component] = at(chords_[c][1]) - at(chords_[c][0]);
     }
     return forces;
-}
-
-ANCF_INLINE void Turning::factorize() {
-    for (int k = 0; !factorised_ && k < dimension_; ++k) factorize(k);
-    factorised_ = true;
 }
 
 /// Factorises the graph of chords: sum over chords of (x_j - x_i - wanted)^2, and a little of the

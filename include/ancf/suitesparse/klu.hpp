@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/error.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
@@ -33,7 +34,11 @@ struct KluOptions {
 class Klu final : public ancf::detail::DirectSolver {
 public:
     /// @throws InvalidArgument for options outside their ranges.
-    explicit Klu(const KluOptions& options = {});
+    explicit Klu(const KluOptions& options = {})
+        : DirectSolver(options.singular_rcond), options_(options) {
+        ancf::detail::require(options.pivot_tolerance > 0.0 && options.pivot_tolerance <= 1.0,
+                              "pivot_tolerance must be in (0, 1], got ", options.pivot_tolerance);
+    }
 
     /// All entries are read.
     [[nodiscard]] Storage storage() const noexcept override { return Storage::full; }

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/suitesparse/equilibrated.hpp>
 #include <ancf/suitesparse/klu.hpp>
 
@@ -96,12 +95,6 @@ private:
 struct Klu::Session : detail::KluFactors<double> {
     using KluFactors::KluFactors;
 };
-
-ANCF_INLINE Klu::Klu(const KluOptions& options)
-    : DirectSolver(options.singular_rcond), options_(options) {
-    ancf::detail::require(options.pivot_tolerance > 0.0 && options.pivot_tolerance <= 1.0,
-                          "pivot_tolerance must be in (0, 1], got ", options.pivot_tolerance);
-}
 
 ANCF_INLINE void Klu::analyze_pattern(const SparseMatrix& matrix) {
     session_ = ancf::detail::hidden<Session>(options_.pivot_tolerance);

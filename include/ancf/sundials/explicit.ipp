@@ -220,8 +220,7 @@ private:
             ancf::detail::joined(
                 {"a stable step is ", most, " s long, as the scene vibrates at up to ",
                  system_.frequency(), " rad/s: that makes ", needed, " steps, and max_steps is ",
-                 options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"},
-                6));
+                 options_.max_steps, "; a stiff scene is one for GeneralizedAlpha"}));
     }
 
     // Whether a fixed step is below the stable one; ends the run where it is not.
@@ -247,10 +246,9 @@ private:
     // Returns that a fixed step is above the stable one; empty where it is not.
     [[nodiscard]] std::string instability() const {
         if (fixed_step_ <= system_.stable_step()) return {};
-        return ancf::detail::joined(
-            {"the fixed step of ", fixed_step_, " s is above the stable one of ",
-             system_.stable_step(), " s at ", now_.time, " s"},
-            6);
+        return ancf::detail::joined({"the fixed step of ", fixed_step_,
+                                     " s is above the stable one of ", system_.stable_step(),
+                                     " s at ", now_.time, " s"});
     }
 
     // Takes one step and reports it; false where the run ends.

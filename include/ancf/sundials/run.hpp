@@ -161,7 +161,7 @@ protected:
     /// Ends it by a return code, or by the element that the report blames.
     bool fail(int code, Status status, long max_steps) {
         code_ = code;
-        std::string message = ancf::detail::joined({names_(code), " at ", now_.time, " s"}, 6);
+        std::string message = ancf::detail::joined({names_(code), " at ", now_.time, " s"});
         if (code == IDA_TOO_MUCH_WORK)
             message += ancf::detail::joined({": ", max_steps, " steps were taken"});
         if (!context_.message().empty()) message += ": " + context_.message();

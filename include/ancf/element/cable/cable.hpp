@@ -129,7 +129,12 @@ public:
     /// Returns the unit tangent t.
     template <class Scalar>
     [[nodiscard]] Vector<Scalar, Dimension> tangent(const Vector<Scalar, dofs>& e,
-                                                    double xi) const noexcept;
+                                                    double xi) const noexcept {
+        using std::sqrt;
+        const Vector<Scalar, Dimension> p =
+            detail::interpolated<Dimension>(station(xi).p, detail::line_of<Dimension>(e));
+        return p / sqrt(detail::product(p, p));
+    }
 
     /// Returns the derivative of the unit tangent by e.
     [[nodiscard]] Jacobian tangent_jacobian(const Coordinates& e, double xi) const noexcept;

@@ -117,16 +117,6 @@ typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position
 }
 
 template <int Dimension, class Measure>
-template <class Scalar>
-Vector<Scalar, Dimension> Cable<Dimension, Measure>::tangent(const Vector<Scalar, dofs>& e,
-                                                             double xi) const noexcept {
-    using std::sqrt;
-    const Vector<Scalar, Dimension> p =
-        detail::interpolated<Dimension>(station(xi).p, detail::line_of<Dimension>(e));
-    return p / sqrt(detail::product(p, p));
-}
-
-template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::tangent_jacobian(
     const Coordinates& e, double xi) const noexcept {
     const Jacobian line = detail::line_jacobian<Dimension>(station(xi).p);

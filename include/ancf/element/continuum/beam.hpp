@@ -95,7 +95,14 @@ public:
     /// @param e,v  nodal coordinates and their rates
     template <int...>
     [[nodiscard]] Evaluation<detail::Rate<double>, dofs> viscous(
-        const Coordinates& e, const Coordinates& v) const noexcept;
+        const Coordinates& e, const Coordinates& v) const noexcept {
+        using Both = Pack<2>;
+        const auto place = detail::moving<Both>(e, Coordinates(Coordinates::Zero()));
+        return detail::damped(*this, e, v, detail::columns<Dimension, dofs>([&](const auto& unit) {
+            // B is linear in e, so that dB/dt is B(v)
+            return detail::rates(1.0, kernel_.force(place, detail::moving<Both>(v, unit)));
+        }));
+    }
 
     /// Returns what a rate of twist meets through r_y and through r_z where no shear force acts,
     /// N m^2: a torque divides between the slopes in this proportion.
@@ -106,13 +113,17 @@ public:
     /// Tells whether e is a beam: finite and, all along, neither flattened nor turned inside out:
     /// det [r0', r_y, r_z] > 1e-6 of the product of the three lengths, the slopes turning by less
     /// than 120 degrees from node to node. The energy is smooth at any finite e, admissible or not.
-    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
+    [[nodiscard]] bool admissible(const Coordinates& e) const noexcept {
+        return detail::all_finite(e) && detail::upright<Dimension>(e, line_.parameter_length());
+    }
 
     /// Returns the position r0 + y r_y + z r_z of a point of the body, m.
     /// @param xi    place along the element, 0 to 1
     /// @param y, z  place in the section, m; in the plane z has no effect
     [[nodiscard]] Point position(const Coordinates& e, double xi, double y = 0.0,
-                                 double z = 0.0) const noexcept;
+                                 double z = 0.0) const noexcept {
+        return position_jacobian(e, xi, y, z) * e;
+    }
 
     /// Returns the derivative of position() by e: the constant matrix of shape functions.
     [[nodiscard]] Jacobian position_jacobian(const Coordinates& e, double xi, double y = 0.0,
@@ -120,7 +131,9 @@ public:
 
     /// Returns the directors r_y, r_z (columns), 1.
     [[nodiscard]] Matrix<double, Dimension, slopes> directors(const Coordinates& e,
-                                                              double xi) const noexcept;
+                                                              double xi) const noexcept {
+        return vectors_at(e, xi).columns.template rightCols<slopes>();
+    }
 
     /// Returns the derivative of the directors, one below the other, by e.
     [[nodiscard]] Matrix<double, Dimension * slopes, dofs> directors_jacobian(
@@ -150,13 +163,20 @@ private:
 
     void set_up(const Material& material, const Section& section);
     /// Returns the weights of (r_j - r_i, r_x at i, r_x at j) in r0', by the arc length.
-    [[nodiscard]] Vector<double, 3> tangent_weights(double xi) const noexcept;
+    [[nodiscard]] Vector<double, 3> tangent_weights(double xi) const noexcept {
+        const StationShape<double> shape = line_.shape(xi);
+        return {shape.p[0], shape.p[1], shape.p[2]};
+    }
     /// Returns ds/dxi, m: the unit in which the stations measure y and z.
     [[nodiscard]] double unit(double xi) const noexcept {
         return line_.parameter_length() * line_.metric(xi);
     }
     [[nodiscard]] Station station(const RuleStation& place, double axial_stiffness) const;
-    [[nodiscard]] Vectors vectors_at(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] Vectors vectors_at(const Coordinates& e, double xi) const noexcept {
+        Vectors v = detail::continuum::Nodes<double, Dimension>(e).at(xi, tangent_weights(xi));
+        v.columns.template middleCols<slopes>(1) /= unit(xi);
+        return v;
+    }
     [[nodiscard]] Strain strain_at(const Coordinates& e, double xi) const noexcept;
 
     Law law_;                         ///< of the section, per length
@@ -213,11 +233,6 @@ void ContinuumBeam<Dimension>::set_up(const Material& material, const Section& s
             kernel_.stations.push_back(station(place, axial_stiffness));
     }
 }
-template <int Dimension>
-Vector<double, 3> ContinuumBeam<Dimension>::tangent_weights(double xi) const noexcept {
-    const StationShape<double> shape = line_.shape(xi);
-    return {shape.p[0], shape.p[1], shape.p[2]};
-}
 
 template <int Dimension>
 typename ContinuumBeam<Dimension>::Station ContinuumBeam<Dimension>::station(
@@ -257,18 +272,6 @@ Vector<double, 2> ContinuumBeam<Dimension>::torsion_stiffness() const noexcept {
             stiffness[k] = of[Law::pair(1 + k, 1 + k)] - coupled * coupled / of[0];
         }
     return stiffness;
-}
-
-template <int Dimension>
-template <int...>
-auto ContinuumBeam<Dimension>::viscous(const Coordinates& e, const Coordinates& v) const noexcept
-    -> Evaluation<detail::Rate<double>, dofs> {
-    using Both = Pack<2>;
-    const auto place = detail::moving<Both>(e, Coordinates(Coordinates::Zero()));
-    return detail::damped(*this, e, v, detail::columns<Dimension, dofs>([&](const auto& unit) {
-        // B is linear in e, so that dB/dt is B(v)
-        return detail::rates(1.0, kernel_.force(place, detail::moving<Both>(v, unit)));
-    }));
 }
 
 #if defined(ANCF_COMPILED)

@@ -54,19 +54,6 @@ template <int Components>
 }  // namespace detail::continuum
 
 template <int Dimension>
-bool ContinuumBeam<Dimension>::admissible(const Coordinates& e) const noexcept {
-    return detail::all_finite(e) && detail::upright<Dimension>(e, line_.parameter_length());
-}
-
-template <int Dimension>
-typename ContinuumBeam<Dimension>::Vectors ContinuumBeam<Dimension>::vectors_at(
-    const Coordinates& e, double xi) const noexcept {
-    Vectors v = detail::continuum::Nodes<double, Dimension>(e).at(xi, tangent_weights(xi));
-    v.columns.template middleCols<slopes>(1) /= unit(xi);
-    return v;
-}
-
-template <int Dimension>
 typename ContinuumBeam<Dimension>::Strain ContinuumBeam<Dimension>::strain_at(
     const Coordinates& e, double xi) const noexcept {
     Strain strain = detail::continuum::strain_coefficients(vectors_at(e, xi));
@@ -84,12 +71,6 @@ typename ContinuumBeam<Dimension>::Strain ContinuumBeam<Dimension>::strain_at(
 }
 
 template <int Dimension>
-typename ContinuumBeam<Dimension>::Point ContinuumBeam<Dimension>::position(
-    const Coordinates& e, double xi, double y, double z) const noexcept {
-    return position_jacobian(e, xi, y, z) * e;
-}
-
-template <int Dimension>
 typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_jacobian(
     const Coordinates& /*e*/, double xi, double y, double z) const noexcept {
     const double place[2] = {y, z};
@@ -102,12 +83,6 @@ typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_j
             jacobian(k, node_dofs + slope) = xi * place[c];
         }
     return jacobian;
-}
-
-template <int Dimension>
-Matrix<double, Dimension, ContinuumBeam<Dimension>::slopes> ContinuumBeam<Dimension>::directors(
-    const Coordinates& e, double xi) const noexcept {
-    return vectors_at(e, xi).columns.template rightCols<slopes>();
 }
 
 template <int Dimension>
@@ -156,11 +131,8 @@ SectionForces ContinuumBeam<Dimension>::section_forces(const Coordinates& e,
                 moment.dot(t),    moment.dot(n),    moment.dot(c)};
     } else {
         const Point a = v.col(2), couple = force.col(1);
-        SectionForces result;
-        result.axial = resultant.dot(t);
-        result.shear_y = resultant.dot(Point(-t(1), t(0)));
-        result.moment_z = a(0) * couple(1) - a(1) * couple(0);
-        return result;
+        const double moment = a(0) * couple(1) - a(1) * couple(0);
+        return {resultant.dot(t), resultant.dot(Point(-t(1), t(0))), 0.0, 0.0, 0.0, moment};
     }
 }
 

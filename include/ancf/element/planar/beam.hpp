@@ -109,7 +109,13 @@ public:
 
     /// Returns the generalised strains (eps, b_y, a_yy/2, g_y, h_yy) of e_xx = e1 + y e2 + y^2 e3
     /// and 2e_xy = e4 + y e5.
-    [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept;
+    [[nodiscard]] Vector<double, 5> strains(const Coordinates& e, double xi) const noexcept {
+        return this->beyond_reference(e, [&](const Coordinates& state) {
+            double strains[detail::planar_strain_count];
+            PlanarMeasure::strains(frame(state, xi).w, strains);
+            return Vector<double, 5>(Eigen::Map<const Vector<double, 5>>(strains));
+        });
+    }
 
     /// Returns the strains of a point [e_xx, e_yy, 2e_xy], 1.
     [[nodiscard]] Vector<double, 3> green_strain(const Coordinates& e, double xi, double y = 0.0,
@@ -134,7 +140,11 @@ public:
 
     /// Returns the position r0 + y d_y of a point of the body, m.
     [[nodiscard]] Vector<double, 2> position(const Coordinates& e, double xi, double y = 0.0,
-                                             double z = 0.0) const noexcept;
+                                             double /*z*/ = 0.0) const noexcept {
+        Vector<double, 2> r = line_.point(e, xi);
+        if (y != 0.0) r += y * directors(e, xi);
+        return r;
+    }
 
     /// Returns the derivative of position() by e.
     [[nodiscard]] Matrix<double, 2, dofs> position_jacobian(const Coordinates& e, double xi,
@@ -247,16 +257,6 @@ bool CrossSectionBeam<2, Directors, Shear, Measure, Line>::admissible(
 }
 
 template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 5> CrossSectionBeam<2, Directors, Shear, Measure, Line>::strains(
-    const Coordinates& e, double xi) const noexcept {
-    return this->beyond_reference(e, [&](const Coordinates& state) {
-        double strains[detail::planar_strain_count];
-        PlanarMeasure::strains(frame(state, xi).w, strains);
-        return Vector<double, 5>(Eigen::Map<const Vector<double, 5>>(strains));
-    });
-}
-
-template <class Directors, class Shear, class Measure, class Line>
 Vector<double, 3> CrossSectionBeam<2, Directors, Shear, Measure, Line>::green_strain(
     const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
     const Vector<double, 5> s = strains(e, xi);
@@ -281,28 +281,15 @@ SectionForces CrossSectionBeam<2, Directors, Shear, Measure, Line>::section_forc
     detail::planar_stress(detail::planar_stiffness(C), s.data(), stress);
     // r0' = (lam, 0), d = (s, 1), d' = (s' - kap, s kap) in (t, n)
     const double rate_t = f.w.s1 - f.w.kap, rate_n = f.w.s * f.w.kap;
-    SectionForces forces{};
     if constexpr (PlanarMeasure::engineering) {
         // along the unit director (s, cosine) and the section's normal (cosine, -s)
         const double cosine = director_cosine(f);
-        forces.axial = stress[0] * cosine + stress[3] * f.w.s;
-        forces.shear_y = stress[3] * cosine - stress[0] * f.w.s;
-        forces.moment_z = -stress[1];
-        return forces;
+        const double axial = stress[0] * cosine + stress[3] * f.w.s;
+        return {axial, stress[3] * cosine - stress[0] * f.w.s, 0.0, 0.0, 0.0, -stress[1]};
     }
-    forces.axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
-    forces.shear_y = stress[1] * rate_n + stress[3];
+    const double axial = stress[0] * f.w.lam + stress[1] * rate_t + stress[3] * f.w.s;
     const double moment_t = stress[1] * f.w.lam + stress[2] * rate_t, moment_n = stress[2] * rate_n;
-    forces.moment_z = f.w.s * moment_n - moment_t;
-    return forces;
-}
-
-template <class Directors, class Shear, class Measure, class Line>
-Vector<double, 2> CrossSectionBeam<2, Directors, Shear, Measure, Line>::position(
-    const Coordinates& e, double xi, double y, double /*z*/) const noexcept {
-    Vector<double, 2> r = line_.point(e, xi);
-    if (y != 0.0) r += y * directors(e, xi);
-    return r;
+    return {axial, stress[1] * rate_n + stress[3], 0.0, 0.0, 0.0, f.w.s * moment_n - moment_t};
 }
 
 template <class Directors, class Shear, class Measure, class Line>

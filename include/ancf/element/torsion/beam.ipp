@@ -109,12 +109,7 @@ ANCF_LAZY SectionForces TorsionBeam::section_forces(const Coordinates& e,
     detail::Invariants<double> w;
     (void)frame(e, xi, w);
     const Vector<double, 2> moment = bending_ * s.segment<2>(1);
-    SectionForces forces{};
-    forces.axial = axial_ * s[0] * w.lam;
-    forces.torque = torsion_ * s[3];
-    forces.moment_y = moment[1];
-    forces.moment_z = -moment[0];
-    return forces;
+    return {axial_ * s[0] * w.lam, 0.0, 0.0, torsion_ * s[3], moment[1], -moment[0]};
 }
 
 ANCF_LAZY Matrix<double, 3, TorsionBeam::dofs> TorsionBeam::position_jacobian(

@@ -207,9 +207,7 @@ template <class Element>
 void add_line_load(BasicModel<Element::dimension>& model, const Beam<Element>& beam,
                    const VectorArgument<Element::dimension>& force_per_length,
                    const Amplitude& amplitude = {}) {
-    detail::require(detail::all_finite(force_per_length),
-                    "add_line_load: components must be finite, got ",
-                    detail::components(force_per_length));
+    detail::require_finite("add_line_load: components", detail::components(force_per_length));
     const auto& group = model.template group<Element>();
     for (const int index : beam.elements) {
         const VectorX force = detail::line_load(group.element(index), force_per_length);

@@ -21,6 +21,7 @@
 #include <ancf/types.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -55,8 +56,7 @@ struct FrameOptions {
     /// @throws InvalidArgument for a stiffness that is not positive or an axis that is not finite.
     void check() const {
         detail::require_positive("FrameOptions: joint_stiffness", joint_stiffness);
-        detail::require(y_axis.allFinite(), "FrameOptions: y_axis must be finite, got ",
-                        detail::components(y_axis));
+        detail::require_finite("FrameOptions: y_axis", detail::components(y_axis));
     }
 };
 
@@ -65,7 +65,10 @@ struct NetOptions {
     double strain = 0.0;  ///< initial strain of the ropes; a flat net without has no stiffness
 
     /// @throws InvalidArgument for a strain that is not finite or not above -1.
-    void check() const;
+    void check() const {
+        detail::require(std::isfinite(strain) && strain > -1.0,
+                        "NetOptions: strain must be finite and above -1, got ", strain);
+    }
 };
 
 /// A frame or a net as a builder added it to a model.

@@ -7,16 +7,6 @@
 #include <ancf/model/builders/frame.hpp>
 
 #include <algorithm>
-#include <cmath>
-
-namespace ancf {
-
-ANCF_INLINE void NetOptions::check() const {
-    detail::require(std::isfinite(strain) && strain > -1.0,
-                    "NetOptions: strain must be finite and above -1, got ", strain);
-}
-
-}  // namespace ancf
 
 namespace ancf::detail {
 

@@ -72,12 +72,18 @@ struct JointSide {
     [[nodiscard]] int vectors() const noexcept {
         return kind == SideKind::space ? 0 : kind == SideKind::tangent ? 1 : 2;
     }
-    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string name() const {
+        return kind == SideKind::space ? "space" : "node " + std::to_string(at.node.index);
+    }
 
     static JointSide frame(const BasicModel<3>& model, const FrameAt& at);
     static JointSide tangent(const BasicModel<3>& model, NodeId node);
     /// Space, at the place of a node.
-    static JointSide space(const BasicModel<3>& model, NodeId at);
+    static JointSide space(const BasicModel<3>& model, NodeId at) {
+        JointSide side{SideKind::space, NodeId{}};
+        side.place = vec3<double>(model.position(at));
+        return side;
+    }
 };
 
 template <class Scalar>
@@ -95,7 +101,9 @@ public:
     [[nodiscard]] int equations() const {
         return positions() + static_cast<int>(constants_.size());
     }
-    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string name() const {
+        return what_ + " of " + a_.name() + " and " + b_.name();
+    }
 
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
@@ -109,13 +117,22 @@ public:
 protected:
     FrameJoint(std::string what, JointSide a, JointSide b, bool positions);
     /// Holds the positions and the frames of two nodes or, without b, of a node and space.
-    FrameJoint(std::string what, const BasicModel<3>& model, const FrameAt& a, const FrameAt* b);
+    FrameJoint(std::string what, const BasicModel<3>& model, const FrameAt& a, const FrameAt* b)
+        : FrameJoint(std::move(what), JointSide::frame(model, a),
+                     b == nullptr ? JointSide::space(model, a.node) : JointSide::frame(model, *b),
+                     true) {}
 
     /// Adds the equation sum C_ij A_i.B_j = constant.
-    void add_form(const Block<double>& coefficients, double constant = 0.0);
+    void add_form(const Block<double>& coefficients, double constant = 0.0) {
+        sines_.push_back(coefficients);
+        constants_.push_back(constant);
+    }
 
     /// Tells the cosine of the angle that the equations are the sine of.
-    void hold_angle(const Block<double>& cosine);
+    void hold_angle(const Block<double>& cosine) {
+        cosine_ = cosine;
+        angular_ = true;
+    }
 
     /// Holds the frames' relative turn at that of the start, further turned about an axis of A.
     void hold_turn(const Vec3<double>& axis_in_a, std::optional<Motion> angle);
@@ -191,7 +208,10 @@ public:
     Weld(const BasicModel<3>& model, const FrameAt& a) : Weld(model, a, nullptr) {}
 
 private:
-    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b);
+    Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b)
+        : FrameJoint("weld", model, a, b) {
+        hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
+    }
 };
 
 /// A hinge whose angle is prescribed: B turns about the axis against A by angle(t) since the start;
@@ -276,7 +296,9 @@ public:
     /// As of every constraint, see AnyConstraint.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_y}, {node_, Field::r_z}}; }
     [[nodiscard]] int equations() const { return 3; }
-    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string name() const {
+        return "rigid section of node " + std::to_string(node_.index);
+    }
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;

@@ -48,10 +48,6 @@ ANCF_INLINE bool all_finite(const std::array<Vec3<double>, 3>& axes) {
     return std::isfinite(dot(axes[0], axes[0]) + dot(axes[1], axes[1]) + dot(axes[2], axes[2]));
 }
 
-ANCF_INLINE std::string JointSide::name() const {
-    return kind == SideKind::space ? "space" : "node " + std::to_string(at.node.index);
-}
-
 ANCF_INLINE JointSide JointSide::frame(const BasicModel<3>& model, const FrameAt& at) {
     JointSide side{SideKind::frame, at};
     if (at.of_section && model.layout().index({at.node, Field::r_z}) >= 0) {
@@ -73,12 +69,6 @@ ANCF_INLINE JointSide JointSide::tangent(const BasicModel<3>& model, NodeId node
     side.axes = Triad<double>::of_tangent(vec3<double>(model.value(node, Field::r_x))).axes;
     require(all_finite(side.axes), "a joint needs a tangent: r_x of node ", node.index,
             " has no length");
-    return side;
-}
-
-ANCF_INLINE JointSide JointSide::space(const BasicModel<3>& model, NodeId at) {
-    JointSide side{SideKind::space, NodeId{}};
-    side.place = vec3<double>(model.position(at));
     return side;
 }
 
@@ -152,22 +142,6 @@ ANCF_INLINE FrameJoint::FrameJoint(std::string what, JointSide a, JointSide b, b
             "a ", what_, " joins two nodes, got node ", a_.at.node.index, " twice");
 }
 
-ANCF_INLINE FrameJoint::FrameJoint(std::string what, const BasicModel<3>& model, const FrameAt& a,
-                                   const FrameAt* b)
-    : FrameJoint(std::move(what), JointSide::frame(model, a),
-                 b == nullptr ? JointSide::space(model, a.node) : JointSide::frame(model, *b),
-                 true) {}
-
-ANCF_INLINE void FrameJoint::add_form(const Block<double>& coefficients, double constant) {
-    sines_.push_back(coefficients);
-    constants_.push_back(constant);
-}
-
-ANCF_INLINE void FrameJoint::hold_angle(const Block<double>& cosine) {
-    cosine_ = cosine;
-    angular_ = true;
-}
-
 ANCF_INLINE void FrameJoint::hold_turn(const Vec3<double>& axis_in_a, std::optional<Motion> angle) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) relative_(i, j) = dot(a_.axes[i], b_.axes[j]);
@@ -188,10 +162,6 @@ ANCF_INLINE Coupling FrameJoint::coupling() const {
         if (side->vectors() == 2) all.push_back({side->at.node, side->at.second});
     }
     return all;
-}
-
-ANCF_INLINE std::string FrameJoint::name() const {
-    return what_ + " of " + a_.name() + " and " + b_.name();
 }
 
 template <class Scalar>
@@ -299,11 +269,6 @@ ANCF_INLINE Revolute::Revolute(const BasicModel<3>& model, const FrameAt& a, con
     hold_angle(detail::outer(w, detail::turned_back(this->b().axes, unit)));
 }
 
-ANCF_INLINE Weld::Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b)
-    : FrameJoint("weld", model, a, b) {
-    hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
-}
-
 ANCF_INLINE DrivenRevolute::DrivenRevolute(const BasicModel<3>& model, const FrameAt& a,
                                            const FrameAt* b, const Vector<double, 3>& axis,
                                            Motion angle)
@@ -334,10 +299,6 @@ ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, detail::J
     for (const detail::Vec3<double>& normal : detail::normals_of(t))
         add_form(detail::outer(detail::turned_back(a().axes, normal), {{1.0, 0.0, 0.0}}));
     hold_angle(detail::outer(detail::turned_back(a().axes, t), {{1.0, 0.0, 0.0}}));
-}
-
-ANCF_INLINE std::string RigidSection::name() const {
-    return "rigid section of node " + std::to_string(node_.index);
 }
 
 template <class Scalar>

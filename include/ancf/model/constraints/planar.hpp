@@ -51,9 +51,15 @@ public:
 
     /// @{
     /// As of every constraint, see AnyConstraint.
-    [[nodiscard]] Coupling coupling() const;
+    [[nodiscard]] Coupling coupling() const {
+        if (to_space_) return {{a_, Field::r}, {a_, slope_a_}};
+        return {{a_, Field::r}, {b_, Field::r}, {a_, slope_a_}, {b_, slope_b_}};
+    }
     [[nodiscard]] int equations() const { return 3; }
-    [[nodiscard]] std::string name() const;
+    [[nodiscard]] std::string name() const {
+        return "planar weld of node " + std::to_string(a_.index) + " and " +
+               (to_space_ ? std::string("space") : "node " + std::to_string(b_.index));
+    }
 
     /// Returns the angle that it is driven to, rad.
     [[nodiscard]] double driven_angle(double time) const { return angle_.value(time); }
@@ -78,12 +84,7 @@ private:
     template <class Scalar>
     [[nodiscard]] Held<Scalar> held(const DynamicVector<Scalar>& q, const Scalar& time) const;
 
-    // d(th_b - th_a)/dq
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> angle_gradient(const DynamicVector<Scalar>& q) const;
-    [[nodiscard]] MatrixX angle_hessian(const VectorX& q) const;
-
-    [[nodiscard]] int place_of_a() const noexcept { return to_space_ ? 2 : 4; }
+    [[nodiscard]] int first_slope() const noexcept { return to_space_ ? 2 : 4; }
 
     NodeId a_, b_;
     bool to_space_;

@@ -32,6 +32,33 @@ ANCF_INLINE double planar_heading(const char* user, const BasicModel<2>& model, 
     return std::atan2(p[1], p[0]);
 }
 
+/// Returns the derivative of th_b - th_a by q, whose last coordinates, from `first` on, are the
+/// slopes p of a and, unless it is space, of b.
+template <class Scalar>
+[[nodiscard]] DynamicVector<Scalar> planar_turn_gradient(const DynamicVector<Scalar>& q,
+                                                         int first) {
+    DynamicVector<Scalar> d = DynamicVector<Scalar>::Zero(q.size());
+    for (int k = first; k < q.size(); k += 2) {
+        const Scalar square = (k == first ? -1.0 : 1.0) * (q[k] * q[k] + q[k + 1] * q[k + 1]);
+        d[k] = -q[k + 1] / square;
+        d[k + 1] = q[k] / square;
+    }
+    return d;
+}
+
+/// Returns the second derivative likewise.
+[[nodiscard]] ANCF_INLINE MatrixX planar_turn_hessian(const VectorX& q, int first) {
+    MatrixX h = MatrixX::Zero(q.size(), q.size());
+    for (int k = first; k < q.size(); k += 2) {
+        const double x = q[k], y = q[k + 1], square = x * x + y * y;
+        const double scale = (k == first ? -1.0 : 1.0) / (square * square);
+        h(k, k) = 2.0 * scale * x * y;
+        h(k + 1, k + 1) = -h(k, k);
+        h(k, k + 1) = h(k + 1, k) = scale * (y * y - x * x);
+    }
+    return h;
+}
+
 }  // namespace detail
 
 ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, const NodeId* b,
@@ -50,23 +77,13 @@ ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, const N
     start_ -= detail::planar_heading("PlanarWeld", model, a_, slope_a_);
 }
 
-ANCF_INLINE Coupling PlanarWeld::coupling() const {
-    if (to_space_) return {{a_, Field::r}, {a_, slope_a_}};
-    return {{a_, Field::r}, {b_, Field::r}, {a_, slope_a_}, {b_, slope_b_}};
-}
-
-ANCF_INLINE std::string PlanarWeld::name() const {
-    return "planar weld of node " + std::to_string(a_.index) + " and " +
-           (to_space_ ? std::string("space") : "node " + std::to_string(b_.index));
-}
-
 template <class Scalar>
 PlanarWeld::Held<Scalar> PlanarWeld::held(const DynamicVector<Scalar>& q,
                                           const Scalar& time) const {
     using std::cos;
     using std::sin;
     using std::sqrt;
-    const int at = place_of_a();
+    const int at = first_slope();
     const Scalar a[2] = {q[at], q[at + 1]};
     Scalar b[2] = {Scalar(1.0), Scalar(0.0)};
     if (!to_space_)
@@ -83,34 +100,6 @@ PlanarWeld::Held<Scalar> PlanarWeld::held(const DynamicVector<Scalar>& q,
 }
 
 template <class Scalar>
-DynamicVector<Scalar> PlanarWeld::angle_gradient(const DynamicVector<Scalar>& q) const {
-    DynamicVector<Scalar> d = DynamicVector<Scalar>::Zero(q.size());
-    const auto add = [&](int at, double sign) {
-        const Scalar square = q[at] * q[at] + q[at + 1] * q[at + 1];
-        d[at] = -sign * q[at + 1] / square;
-        d[at + 1] = sign * q[at] / square;
-    };
-    add(place_of_a(), -1.0);
-    if (!to_space_) add(6, 1.0);
-    return d;
-}
-
-ANCF_INLINE MatrixX PlanarWeld::angle_hessian(const VectorX& q) const {
-    MatrixX h = MatrixX::Zero(q.size(), q.size());
-    const auto add = [&](int at, double sign) {
-        const double x = q[at];
-        const double y = q[at + 1];
-        const double scale = sign / ((x * x + y * y) * (x * x + y * y));
-        h(at, at) = 2.0 * scale * x * y;
-        h(at + 1, at + 1) = -h(at, at);
-        h(at, at + 1) = h(at + 1, at) = scale * (y * y - x * x);
-    };
-    add(place_of_a(), -1.0);
-    if (!to_space_) add(6, 1.0);
-    return h;
-}
-
-template <class Scalar>
 void PlanarWeld::terms(const DynamicVector<Scalar>& q, const Scalar& time,
                        ConstraintTerms<Scalar>& out) const {
     for (int k = 0; k < 2; ++k) {
@@ -119,7 +108,7 @@ void PlanarWeld::terms(const DynamicVector<Scalar>& q, const Scalar& time,
         if (!to_space_) out.jacobian(k, 2 + k) = Scalar(-1.0);
     }
     const Held<Scalar> now = held(q, time);
-    const DynamicVector<Scalar> gradient = angle_gradient(q);
+    const DynamicVector<Scalar> gradient = detail::planar_turn_gradient(q, first_slope());
     out.violation[2] = now.value;
     for (Eigen::Index k = 0; k < q.size(); ++k) out.jacobian(2, k) = now.first * gradient[k];
     out.rate[2] = -now.first * detail::continued(angle_.rate, angle_.acceleration, time);
@@ -128,8 +117,8 @@ void PlanarWeld::terms(const DynamicVector<Scalar>& q, const Scalar& time,
 ANCF_INLINE void PlanarWeld::evaluate(const ConstraintState& at, ConstraintResult& out) const {
     terms(at.q, at.time, out);
     const Held<double> now = held(at.q, at.time);
-    const VectorX gradient = angle_gradient(at.q);
-    const MatrixX curvature = angle_hessian(at.q);
+    const VectorX gradient = detail::planar_turn_gradient(at.q, first_slope());
+    const MatrixX curvature = detail::planar_turn_hessian(at.q, first_slope());
     double speed = -angle_.rate(at.time), bend = -angle_.acceleration(at.time);
     for (Eigen::Index j = 0; j < at.q.size(); ++j) {
         speed += gradient[j] * at.v[j];

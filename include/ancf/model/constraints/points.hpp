@@ -63,8 +63,14 @@ public:
 
     /// The part of d's rate that time alone makes.
     template <class Scalar>
-    [[nodiscard]] Vector<Scalar, Dimension> drift(const Scalar& time) const;
-    [[nodiscard]] Vector<double, Dimension> drift_rate(double time) const;
+    [[nodiscard]] Vector<Scalar, Dimension> drift(const Scalar& time) const {
+        if (!path_) return Vector<Scalar, Dimension>::Zero();
+        return -continued(path_->rate, path_->acceleration, time);
+    }
+    [[nodiscard]] Vector<double, Dimension> drift_rate(double time) const {
+        if (!path_) return Vector<double, Dimension>::Zero();
+        return -path_->acceleration(time);
+    }
 
     /// The sum of weighted vectors: W q.
     template <class Scalar>

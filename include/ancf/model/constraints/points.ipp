@@ -9,7 +9,6 @@
 #include <ancf/model/constraints/points.hpp>
 
 #include <cmath>
-#include <complex>
 
 namespace ancf {
 
@@ -24,7 +23,7 @@ namespace detail {
 ANCF_INLINE MaterialPoint point_of_line(const Connection& at, int element, bool quintic,
                                         double length, double xi) {
     require(xi >= 0.0 && xi <= 1.0, "point_along: xi must lie in [0, 1], got ", xi);
-    std::string name = joined({"the point at ", xi, " of element ", element}, 6);
+    std::string name = joined({"the point at ", xi, " of element ", element});
     const NodeId i = at.first, j = at.second;
     if (quintic) {
         const auto w = QuinticLine::value(xi, length);
@@ -89,19 +88,6 @@ Vector<Scalar, Dimension> PointPair<Dimension>::difference(const DynamicVector<S
     const Vector<Scalar, Dimension> place = continued(path_->value, path_->rate, time);
     for (int i = 0; i < Dimension; ++i) d[i] -= place[i];
     return d;
-}
-
-template <int Dimension>
-template <class Scalar>
-Vector<Scalar, Dimension> PointPair<Dimension>::drift(const Scalar& time) const {
-    if (!path_) return Vector<Scalar, Dimension>::Zero();
-    return -continued(path_->rate, path_->acceleration, time);
-}
-
-template <int Dimension>
-Vector<double, Dimension> PointPair<Dimension>::drift_rate(double time) const {
-    if (!path_) return Vector<double, Dimension>::Zero();
-    return -path_->acceleration(time);
 }
 
 template <int Dimension>

@@ -35,7 +35,12 @@ public:
     /// @param matrix  D, in the order of the coupling; N s/m for positions. Where it is not
     ///                symmetric take full storage: from its lower half steps converge slowly.
     /// @throws InvalidArgument for a matrix that is not square or not finite.
-    LinearDamping(Coupling coupling, MatrixX matrix);
+    LinearDamping(Coupling coupling, MatrixX matrix)
+        : coupling_(std::move(coupling)), matrix_(std::move(matrix)) {
+        detail::require(matrix_.rows() == matrix_.cols() && detail::all_finite(matrix_),
+                        "LinearDamping: the matrix must be square with finite entries, got ",
+                        matrix_.rows(), " x ", matrix_.cols());
+    }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }

@@ -10,13 +10,6 @@
 
 namespace ancf {
 
-ANCF_INLINE LinearDamping::LinearDamping(Coupling coupling, MatrixX matrix)
-    : coupling_(std::move(coupling)), matrix_(std::move(matrix)) {
-    detail::require(matrix_.rows() == matrix_.cols() && detail::all_finite(matrix_),
-                    "LinearDamping: the matrix must be square with finite entries, got ",
-                    matrix_.rows(), " x ", matrix_.cols());
-}
-
 ANCF_LAZY void LinearDamping::evaluate(const LoadState& state, LoadResult& out) const {
     detail::require(matrix_.rows() == state.v.size(), "LinearDamping: ", state.v.size(),
                     " coordinates are coupled, the matrix has ", matrix_.rows(), " rows");

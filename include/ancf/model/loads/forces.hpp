@@ -6,10 +6,14 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
+
+#include <utility>
 
 namespace ancf {
 
@@ -21,12 +25,19 @@ public:
     static constexpr bool constant_force = true;  ///< it has no derivatives
 
     /// @throws InvalidArgument unless the force is finite.
-    Force(NodeId node, const VectorArgument<Dimension>& force);
+    Force(NodeId node, const VectorArgument<Dimension>& force) : node_(node), force_(force) {
+        detail::require_finite("Force: components", detail::components(force));
+    }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r}}; }
     /// Evaluates it where it stands.
-    void evaluate(const LoadState& state, LoadResult& out) const;
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        for (int i = 0; i < Dimension; ++i) {
+            out.force[i] = force_[i];
+            out.potential -= force_[i] * state.q[i];
+        }
+    }
 
 private:
     NodeId node_;
@@ -42,12 +53,20 @@ public:
 
     /// @param force  in the order of the coupling; N and N m. A model refuses one of another size.
     /// @throws InvalidArgument unless the force is finite.
-    GeneralisedForce(Coupling coupling, VectorX force);
+    GeneralisedForce(Coupling coupling, VectorX force)
+        : coupling_(std::move(coupling)), force_(std::move(force)) {
+        detail::require_finite("GeneralisedForce: components", detail::components(force_));
+    }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
     /// Evaluates it where it stands.
-    void evaluate(const LoadState& state, LoadResult& out) const;
+    void evaluate(const LoadState& state, LoadResult& out) const {
+        detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
+                        " coordinates are coupled, got ", force_.size(), " force components");
+        out.force = force_;
+        out.potential = -detail::dot(force_, state.q);
+    }
 
 private:
     Coupling coupling_;
@@ -58,13 +77,4 @@ private:
 template <int Dimension>
 Force(NodeId, Vector<double, Dimension>) -> Force<Dimension>;
 
-#if defined(ANCF_COMPILED)
-extern template class Force<2>;
-extern template class Force<3>;
-#endif
-
 }  // namespace ancf
-
-#if !defined(ANCF_COMPILED)
-#include <ancf/model/loads/forces.ipp>  // IWYU pragma: export
-#endif

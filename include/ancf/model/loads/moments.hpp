@@ -11,6 +11,7 @@
 #pragma once
 
 #include <ancf/element/fields.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
 #include <ancf/types.hpp>
@@ -71,7 +72,10 @@ public:
 
     /// Returns the generalised force on the slope, 2 x 1, N m.
     template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 2> force(const Vector<Scalar, 2>& slope) const;
+    [[nodiscard]] Vector<Scalar, 2> force(const Vector<Scalar, 2>& slope) const {
+        const Scalar scale = moment_ / (slope[0] * slope[0] + slope[1] * slope[1]);
+        return {-scale * slope[1], scale * slope[0]};
+    }
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
@@ -90,7 +94,9 @@ public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the moment is finite.
-    TangentMoment(NodeId node, const VectorArgument<3>& moment);
+    TangentMoment(NodeId node, const VectorArgument<3>& moment) : node_(node), moment_(moment) {
+        detail::require_finite("TangentMoment: components", detail::components(moment));
+    }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}}; }
@@ -125,10 +131,16 @@ public:
 
     /// @param moment  in global axes (space) or in (t, n, c) (frame), N m.
     /// @throws InvalidArgument unless the moment is finite.
-    Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment = Attachment::space);
+    Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment = Attachment::space)
+        : node_(node), moment_(moment), attachment_(attachment) {
+        detail::require_finite("Moment: components", detail::components(moment));
+    }
 
     /// Returns the nodal vectors it acts on.
-    [[nodiscard]] Coupling coupling() const;
+    [[nodiscard]] Coupling coupling() const {
+        if (on_section_) return {{node_, Field::r_y}, {node_, Field::r_z}};
+        return {{node_, Field::r_x}, {node_, Field::r_y}};
+    }
 
     /// Takes the section of its node, where that has one; the model calls it.
     /// @throws InvalidArgument for a node that carries no r_y.
@@ -161,7 +173,9 @@ public:
     static constexpr int dimension = 3;  ///< of the model it belongs to
 
     /// @throws InvalidArgument unless the force is finite.
-    FollowerForce(NodeId node, const VectorArgument<3>& force);
+    FollowerForce(NodeId node, const VectorArgument<3>& force) : node_(node), force_(force) {
+        detail::require_finite("FollowerForce: components", detail::components(force));
+    }
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const {

@@ -5,7 +5,6 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/constants.hpp>
-#include <ancf/error.hpp>
 #include <ancf/model/loads/moments.hpp>
 #include <ancf/model/triad.hpp>
 
@@ -59,12 +58,6 @@ ANCF_INLINE PlanarSlopeMoment::PlanarSlopeMoment(NodeId node, Field slope, doubl
     detail::require_finite("PlanarSlopeMoment: moment", moment);
 }
 
-template <class Scalar>
-Vector<Scalar, 2> PlanarSlopeMoment::force(const Vector<Scalar, 2>& slope) const {
-    const Scalar scale = moment_ / (slope[0] * slope[0] + slope[1] * slope[1]);
-    return {-scale * slope[1], scale * slope[0]};
-}
-
 ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
     const double x = state.q[0];
     const double y = state.q[1];
@@ -76,12 +69,6 @@ ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult&
     out.stiffness(0, 1) = out.stiffness(1, 0) = scale * (y * y - x * x);
     out.potential = -moment_ * std::atan2(y, x);
     out.period = 2.0 * pi * std::abs(moment_);
-}
-
-ANCF_INLINE TangentMoment::TangentMoment(NodeId node, const VectorArgument<3>& moment)
-    : node_(node), moment_(moment) {
-    detail::require(detail::all_finite(moment), "TangentMoment: components must be finite, got ",
-                    detail::components(moment));
 }
 
 template <class Scalar>
@@ -101,17 +88,6 @@ ANCF_INLINE void TangentMoment::evaluate(const LoadState& state, LoadResult& out
         for (int j = 0; j < 3; ++j)
             out.stiffness(i, j) = (turn(i, j) - 2.0 / square * turned[i] * slope[j]) / square;
     }
-}
-
-ANCF_INLINE Moment::Moment(NodeId node, const VectorArgument<3>& moment, Attachment attachment)
-    : node_(node), moment_(moment), attachment_(attachment) {
-    detail::require(detail::all_finite(moment), "Moment: components must be finite, got ",
-                    detail::components(moment));
-}
-
-ANCF_INLINE Coupling Moment::coupling() const {
-    if (on_section_) return {{node_, Field::r_y}, {node_, Field::r_z}};
-    return {{node_, Field::r_x}, {node_, Field::r_y}};
 }
 
 ANCF_INLINE void Moment::settle(const Layout& layout) {
@@ -156,12 +132,6 @@ ANCF_INLINE void Moment::evaluate(const LoadState& state, LoadResult& out) const
         if (attachment_ == Attachment::frame) turned = cross(spin[j], at.moment);
         for (int i = 0; i < 6; ++i) out.stiffness(i, j) = by_slopes(i, j) + dot(spin[i], turned);
     }
-}
-
-ANCF_INLINE FollowerForce::FollowerForce(NodeId node, const VectorArgument<3>& force)
-    : node_(node), force_(force) {
-    detail::require(detail::all_finite(force), "FollowerForce: components must be finite, got ",
-                    detail::components(force));
 }
 
 template <class Scalar>

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <ancf/element/vec3.hpp>
+#include <ancf/error.hpp>
 #include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/layout.hpp>
@@ -17,6 +18,8 @@
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
 #include <ancf/vector_argument.hpp>
+
+#include <utility>
 
 namespace ancf {
 namespace detail {
@@ -83,7 +86,9 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 protected:
-    HingeSpring(Angle angle, double stiffness);
+    HingeSpring(Angle angle, double stiffness) : angle_(std::move(angle)), stiffness_(stiffness) {
+        require_not_negative("rotational spring: the stiffness", stiffness);
+    }
 
 private:
     Angle angle_;
@@ -110,7 +115,9 @@ public:
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 protected:
-    HingeDamper(Angle angle, double damping);
+    HingeDamper(Angle angle, double damping) : angle_(std::move(angle)), damping_(damping) {
+        require_not_negative("rotational damper: the damping", damping);
+    }
 
 private:
     Angle angle_;

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/constraints/frames.hpp>
 #include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/triad.hpp>
@@ -11,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <utility>
 
 namespace ancf {
 namespace detail {
@@ -94,32 +92,13 @@ Scalar PlanarHingeAngle::value(const DynamicVector<Scalar>& q,
     const bool space = q.size() == 2;
     const Scalar x = space ? Scalar(1.0) : q[2], y = space ? Scalar(0.0) : q[3];
     const Scalar s = q[0] * y - q[1] * x, c = q[0] * x + q[1] * y;
-    gradient.resize(q.size());
-    for (int k = 0; k < q.size(); k += 2) {
-        const Scalar square = (k == 0 ? -1.0 : 1.0) * (q[k] * q[k] + q[k + 1] * q[k + 1]);
-        gradient[k] = -q[k + 1] / square;
-        gradient[k + 1] = q[k] / square;
-    }
+    gradient = planar_turn_gradient(q, 0);
     const double sine = std::sin(start_), cosine = std::cos(start_);
     return angle_of(s * cosine - c * sine, c * cosine + s * sine);
 }
 
 ANCF_INLINE MatrixX PlanarHingeAngle::hessian(const VectorX& q) const {
-    MatrixX h = MatrixX::Zero(q.size(), q.size());
-    for (int k = 0; k < q.size(); k += 2) {
-        const double x = q[k], y = q[k + 1], square = x * x + y * y;
-        const double scale = (k == 0 ? -1.0 : 1.0) / (square * square);
-        h(k, k) = 2.0 * scale * x * y;
-        h(k + 1, k + 1) = -h(k, k);
-        h(k, k + 1) = h(k + 1, k) = scale * (y * y - x * x);
-    }
-    return h;
-}
-
-template <class Angle>
-HingeSpring<Angle>::HingeSpring(Angle angle, double stiffness)
-    : angle_(std::move(angle)), stiffness_(stiffness) {
-    require_not_negative("rotational spring: the stiffness", stiffness);
+    return planar_turn_hessian(q, 0);
 }
 
 template <class Angle>
@@ -139,12 +118,6 @@ void HingeSpring<Angle>::evaluate(const LoadState& state, LoadResult& out) const
     if (state.derivatives)
         out.stiffness =
             -stiffness_ * (gradient * gradient.transpose() + angle * angle_.hessian(state.q));
-}
-
-template <class Angle>
-HingeDamper<Angle>::HingeDamper(Angle angle, double damping)
-    : angle_(std::move(angle)), damping_(damping) {
-    require_not_negative("rotational damper: the damping", damping);
 }
 
 template <class Angle>

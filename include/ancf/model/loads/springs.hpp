@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <ancf/error.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
@@ -52,7 +53,11 @@ public:
 private:
     using Points = detail::PointPair<Dimension>;
 
-    Spring(Points points, double stiffness, double length);
+    Spring(Points points, double stiffness, double length)
+        : points_(std::move(points)), stiffness_(stiffness), length_(length) {
+        detail::require_not_negative("Spring: the stiffness", stiffness);
+        detail::require_not_negative("Spring: the length", length);
+    }
 
     Points points_;
     double stiffness_;
@@ -94,7 +99,9 @@ public:
 private:
     using Points = detail::PointPair<Dimension>;
 
-    Damper(Points points, double damping);
+    Damper(Points points, double damping) : points_(std::move(points)), damping_(damping) {
+        detail::require_not_negative("Damper: the damping", damping);
+    }
 
     Points points_;
     double damping_;

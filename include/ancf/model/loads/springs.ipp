@@ -3,20 +3,12 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/loads/springs.hpp>
 
 #include <cmath>
 #include <complex>
 
 namespace ancf {
-
-template <int Dimension>
-Spring<Dimension>::Spring(Points points, double stiffness, double length)
-    : points_(std::move(points)), stiffness_(stiffness), length_(length) {
-    detail::require_not_negative("Spring: the stiffness", stiffness);
-    detail::require_not_negative("Spring: the length", length);
-}
 
 template <int Dimension>
 template <class Scalar>
@@ -43,12 +35,6 @@ void Spring<Dimension>::evaluate(const LoadState& state, LoadResult& out) const 
                  (Matrix<double, Dimension>::Identity() - n * n.transpose());
     }
     points_.add_block(block, out.stiffness);
-}
-
-template <int Dimension>
-Damper<Dimension>::Damper(Points points, double damping)
-    : points_(std::move(points)), damping_(damping) {
-    detail::require_not_negative("Damper: the damping", damping);
 }
 
 template <int Dimension>
