@@ -50,6 +50,12 @@ constexpr double young = 2.07e11, poisson = 0.3, density = 7850.0;
 
 ancf::Material steel() { return ancf::Material::isotropic(young, poisson, density); }
 
+ancf::ModalOptions four_modes() {
+    ancf::ModalOptions options;
+    options.count = 4;
+    return options;
+}
+
 ancf::CrossSectionOptions options(ancf::SectionModel model = ancf::SectionModel::paper) {
     ancf::CrossSectionOptions result;
     result.rule = ancf::Rule::mixed();
@@ -593,6 +599,44 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         CHECK(report.status == Status::singular);
         CHECK(report.modes.empty());
         CHECK_THAT(report.message, ContainsSubstring("the load makes no stress"));
+        // round-off of an attached beam: 1e14, as converged
+        Scene branched = cantilever(2, 0.1);
+        const auto branch = ancf::straight_beam<Element>(
+            branched, steel(), ancf::rectangle(0.1, 0.1), {0.5, 0.0, 0.0}, {0.8, 0.7, 0.1}, 2);
+        branched.attach(branch.first(), {1});
+        branched.add(ancf::Spring<3>(ancf::point_along<Element>(branched, branch.elements[0], 0.3),
+                                     {0.9, 0.9, 0.7}, 30.0, 0.5));
+        ancf::EigenLu full;
+        const auto none = ancf::buckling_modes(branched, full);
+        CHECK(none.status == Status::singular);
+        CHECK(none.modes.empty());
+    }
+    SECTION("a bar that spins beside the column is singular, or leaves its loads alone") {
+        const std::vector<double> loads = {1.0, 1.5625, 8.99, 14.05};  // sides of 4 and 5 cm
+        const auto material = ancf::Material::isotropic(2e11, poisson, density);
+        int found = 0;
+        for (int k = 1; k < 16; k += 2) {
+            Scene scene;
+            const auto section = ancf::rectangle(0.05, 0.04);
+            const auto column = ancf::straight_beam<ancf::TorsionBeam>(scene, material, section,
+                                                                       {0, 0, 0}, {1, 0, 0}, 4);
+            scene.clamp(column.first());
+            scene.add(ancf::Force<3>(
+                column.last(),
+                {-pi * pi / 4.0 * material.young * 0.05 * std::pow(0.04, 3) / 12.0, 0, 0}));
+            const auto bar = ancf::straight_beam<ancf::TorsionBeam>(
+                scene, material, section, {0, 1, 0}, {0.3 + 0.1 * k, 1.2, 0.2 + 0.03 * k},
+                2 + k % 2);
+            for (const ancf::NodeId end : {bar.first(), bar.last()})
+                scene.add(ancf::Pin<3>(end, scene.position(end)));
+            ancf::EigenLu full;
+            const auto report = ancf::buckling_modes(scene, full, four_modes());
+            if (report.status == Status::singular) continue;
+            REQUIRE(report.status == Status::converged);
+            for (std::size_t j = 0; j < report.modes.size(); ++j, ++found)
+                CHECK(report.modes[j].value == Approx(loads[j]).epsilon(2e-3));
+        }
+        CHECK(found > 0);  // one of 2.7 was round-off
     }
     SECTION("a scene that its supports or joints press is refused") {
         const ancf::Motion press{[](double f) { return 1.0 - 1e-3 * f; },

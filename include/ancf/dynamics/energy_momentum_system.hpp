@@ -139,11 +139,16 @@ private:
     /// Writes the values of some functions of local coordinates, and their gradients by rows.
     using Functions = std::function<void(const VectorX& q, VectorX& values, MatrixX& gradients)>;
 
-    [[nodiscard]] bool is_invariant(const LocalLoad& local, const Functions& functions) const {
+    /// @param strain  of the state looked at: a spring at rest, of a length or an angle, shows
+    ///                nothing.
+    [[nodiscard]] bool is_invariant(const LocalLoad& local, double strain,
+                                    const Functions& functions) const {
         const int dimension = problem_.model().dimension();
         VectorX q, rest, values;
         MatrixX gradients;
         gather(problem_.model().state().q, local.at.read(), q);
+        for (Eigen::Index i = 0; i < q.size(); ++i)
+            q[i] += strain * (q[i] + (local.power[i / dimension] == 0 ? std::cos(i) : 0.0));
         functions(q, rest, gradients);
         // two finite turns about different axes, each with a shift
         for (int trial = 0; trial < 2; ++trial) {
@@ -185,9 +190,8 @@ private:
     [[nodiscard]] bool is_invariant(const AnyLoad& load, const LocalLoad& local) const {
         const double time = problem_.model().state().time;
         if (load.constant()) return false;
-        return is_invariant(local, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
-            const LoadResult out = result_of(load, {1.1 * q, VectorX::Zero(q.size()), time, false});
-            // a spring that is not stretched shows nothing
+        return is_invariant(local, 0.1, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
+            const LoadResult out = result_of(load, {q, VectorX::Zero(q.size()), time, false});
             const double none = std::numeric_limits<double>::quiet_NaN();
             values.setConstant(1, out.potential != 0.0 ? out.potential : none);
             gradients = -out.force.transpose();
@@ -198,7 +202,7 @@ private:
         const double time = problem_.model().state().time;
         const int equations = constraint.equations();
         ConstraintResult out;
-        return is_invariant(local, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
+        return is_invariant(local, 0.0, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
             out.reset(equations, q.size());
             constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(equations), time}, out);
             values = out.violation;

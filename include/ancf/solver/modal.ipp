@@ -154,10 +154,11 @@ with_cause(ModalReport report, const Scene& model, const Assembly& assembly, con
 }
 
 /// Finds the modes of a factorised A and turns th into values.
+/// @param least  the least |th| that counts, relative to the round-off of x^T A x
 template <class Value>
 [[nodiscard]] ModalReport modes_of(const Assembly& assembly, const SparseMatrix& A,
                                    const SparseMatrix& B, LinearSolver& solver,
-                                   const ModalOptions& options, const Value& value) {
+                                   const ModalOptions& options, double least, const Value& value) {
     ModalReport report;
     const Numbering& numbering = assembly.numbering();
     Subspace<MatrixX> space(A, B, solver);
@@ -167,8 +168,9 @@ template <class Value>
     if (report.status != Status::converged && report.status != Status::max_iterations)
         return report;
     const auto count = std::min<Eigen::Index>(options.count, space.values.size());
+    const VectorX noise = space.noise(space.vectors.leftCols(count));
     for (Eigen::Index k = 0; k < count; ++k) {
-        if (space.values[k] == 0.0) break;
+        if (std::abs(space.values[k]) <= least * noise[k]) continue;
         Mode mode;
         double scale = 1.0;
         mode.value = value(space.values[k], scale);
@@ -212,8 +214,9 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
     };
-    ModalReport report = detail::with_cause(
-        detail::modes_of(assembly, A, mass, solver, options, value), model, assembly, A, solver);
+    ModalReport report =
+        detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value), model,
+                           assembly, A, solver);
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     const int wanted = std::min(options.count, std::max(left, 1));
     const auto found = static_cast<int>(report.modes.size());
@@ -260,11 +263,14 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     SparseMatrix B = -change;
     detail::require_potential(model, unloaded, B);
     if (solver.storage() == Storage::full) detail::symmetrise(B);
+    // B is the difference of two tangents: without load it has their round-off alone
     ModalReport report =
-        detail::with_cause(detail::modes_of(assembly, unloaded, B, solver, options,
-                                            [](double th, double&) { return 1.0 / th; }),
-                           model, assembly, unloaded, solver,
-                           "the load makes no stress, or the scene without it is not stable");
+        detail::modes_of(assembly, unloaded, B, solver, options, largest > 0.0 ? 0.0 : 10.0,
+                         [](double th, double&) { return 1.0 / th; });
+    if (report.status == Status::converged && report.modes.empty())
+        report.status = Status::singular;
+    report = detail::with_cause(std::move(report), model, assembly, unloaded, solver,
+                                "the load makes no stress, or the scene without it is not stable");
     constexpr double small = 0.01;
     detail::require(report.modes.empty() || borne <= small * std::abs(report.modes[0].value),
                     "buckling_modes: the model's state is not in equilibrium without load, its "

@@ -37,7 +37,7 @@ public:
     /// round-off of x^T A x.
     /// @param free  number of coordinates, at least 1; the rest of the unknowns are multipliers
     /// @return      singular where x^T A x is negative for a vector that the block contains, or is
-    ///              round-off for its slowest mode: then A moves something without resistance
+    ///              round-off for a wanted mode: then A moves something without resistance
     [[nodiscard]] Status run(int free, int count, double tolerance, int max_iterations) {
         // what constraints leave; a block beyond it would be filled by round-off
         const Eigen::Index all = std::max<Eigen::Index>(2 * free - A_.rows(), 1);
@@ -57,14 +57,14 @@ public:
                 vectors.col(k) = column;
             }
             if (!vectors.allFinite()) return Status::not_finite;
-            if (!reduce(count) || slides(free)) return Status::singular;
+            if (!reduce(count) || slides(free, count)) return Status::singular;
             // by magnitude: of a pair of either sign either may come first
             const VectorX wanted =
                 values.head(std::min<Eigen::Index>(count, values.size())).cwiseAbs();
             if (wanted.size() == last.size()) {
                 // the reduced problem knows all values to the round-off of the largest
                 const VectorX round_off =
-                    noise(wanted.size()).cwiseProduct(wanted).array() +
+                    noise(vectors.leftCols(wanted.size())).cwiseProduct(wanted).array() +
                     std::numeric_limits<double>::epsilon() * wanted.maxCoeff();
                 if (((wanted - last).cwiseAbs() - tolerance * wanted - round_off).maxCoeff() <= 0.0)
                     return Status::converged;
@@ -81,6 +81,13 @@ public:
         const VectorX Ax = product(A_, vectors.col(k));
         return (product(B_, vectors.col(k)) - values[k] * Ax).norm() /
                (std::abs(values[k]) * Ax.norm());
+    }
+
+    /// Returns the round-off of x^T A x of some vectors, eps |x|^T |A| |x|.
+    [[nodiscard]] VectorX noise(const Dense& of) const {
+        const Dense x = of.cwiseAbs();
+        return std::numeric_limits<double>::epsilon() *
+               x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
     }
 
     VectorX values;  ///< by falling magnitude
@@ -160,19 +167,11 @@ private:
         return matrix * x;
     }
 
-    // Returns the round-off of x^T A x of the first vectors, eps |x|^T |A| |x|.
-    [[nodiscard]] VectorX noise(Eigen::Index count) const {
-        const Dense x = vectors.leftCols(count).cwiseAbs();
-        return std::numeric_limits<double>::epsilon() *
-               x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
-    }
-
-    // Tells whether x^T A x = 1 of the first vector is below its round-off, multipliers aside.
-    [[nodiscard]] bool slides(int free) const {
-        Dense size = vectors.leftCols(1).cwiseAbs();
-        size.bottomRows(size.rows() - free).setZero();
-        const double magnitude = transposed_times(size, product(magnitude_, size))(0, 0);
-        return std::numeric_limits<double>::epsilon() * magnitude >= 1.0;
+    // Tells whether x^T A x = 1 of a wanted vector is below its round-off, multipliers aside.
+    [[nodiscard]] bool slides(int free, Eigen::Index count) const {
+        Dense wanted = vectors.leftCols(std::min(count, vectors.cols()));
+        wanted.bottomRows(wanted.rows() - free).setZero();
+        return noise(wanted).maxCoeff() >= 1.0;
     }
 
     // Solves the problem on the span of the vectors; those that add nothing are left out. Returns
@@ -187,7 +186,7 @@ private:
         const Eigen::SelfAdjointEigenSolver<Dense> metric(unit);
         const VectorX& weights = metric.eigenvalues();
         const double least = 1e-13 * weights[weights.size() - 1];
-        const double round_off = noise(diagonal.size()).cwiseQuotient(diagonal).sum();
+        const double round_off = noise(vectors).cwiseQuotient(diagonal).sum();
         if (weights[0] < -std::max(least, 4.0 * round_off)) return false;
         Eigen::Index first = 0;
         while (first < weights.size() && weights[first] <= least) ++first;
