@@ -82,8 +82,13 @@ public:
     /// Ends a run, where energies are followed, that has a fifth of its kinetic and strain energy
     /// from nothing, once a step has turned the scene further than this; not one that may pass
     /// elements that are no beam, whose energy tells nothing.
-    /// @param turn  rad
-    void forbid_gain(double turn) noexcept { most_turn_ = turn; }
+    /// @param turn    rad
+    /// @param driven  whether also where supports or constraints drive the scene; steps that do not
+    ///                resolve its vibrations know their power badly.
+    void forbid_gain(double turn, bool driven = true) noexcept {
+        most_turn_ = turn;
+        gains_driven_ = driven;
+    }
 
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point) {
@@ -94,16 +99,17 @@ public:
 
     /// Takes an accepted step.
     /// @param between  gives the points inside, where they are not those of the cubic.
+    /// @param length   s, where the times of the points do not tell it.
     /// @return false where the run ends; the report says why.
     [[nodiscard]] bool step(const MotionPoint& from, const MotionPoint& to,
-                            const Between& between = {}) {
-        const double width = to.time - from.time;
+                            const Between& between = {}, double length = 0.0) {
+        const double width = length > 0.0 ? length : to.time - from.time;
         report_.time = to.time;
         ++report_.steps;
         report_.smallest_step = report_.steps == 1 ? width : std::min(report_.smallest_step, width);
         report_.largest_step = std::max(report_.largest_step, width);
         note(to, width);
-        observe(from, to, 1e-9 * width, between);
+        observe(from, to, 1e-9 * (to.time - from.time), between);
         return goes_on(to.time);
     }
 
@@ -157,7 +163,8 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
-    Energies before_;                                             // one step ago
+    bool gains_driven_ = true;         // whether that counts where the scene is driven
+    Energies before_;                  // one step ago
     VectorX force_before_, q_before_;  // one step ago, of all coordinates
     double most_held_ = 0.0;           // kinetic and strain energy, J
     double gain_ = 0.0;                // J: beyond the work of loads and drives

@@ -184,6 +184,8 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
         const double driven = 0.5 * width * (before_.constraint_power + energies.constraint_power);
         const double work =
             0.5 * problem_.sum_of_parts(problem_.own_dot(force_before_ + force, q - q_before_));
+        if (driven != 0.0 && !gains_driven_)
+            return forbid_gain(std::numeric_limits<double>::infinity());
         gain_ += held - before_.kinetic - before_.strain - driven - work;
         largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
     }
@@ -197,8 +199,7 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
     report_.message = joined({"the scene has gained ", gain_,
                               " J that neither loads nor drives gave it, by steps of up to ",
                               largest_turn_, " rad, at ", point.time,
-                              " s; shorter steps, a smaller rho or adaptive steps (tolerance > 0) "
-                              "may pass"});
+                              " s; shorter steps, a smaller tolerance or a smaller rho may pass"});
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,

@@ -141,14 +141,8 @@ protected:
 
     /// Reports a step of a length, s, to now_; false where it ends the run.
     [[nodiscard]] bool record(double length, const ancf::detail::Between& between) {
-        const bool first = outcome_.steps == 0;
-        const double smallest = first ? length : std::min(outcome_.smallest_step, length);
-        const double largest = std::max(outcome_.largest_step, length);
-        // as one of no length: outputs close to its end are interpolated too
-        const bool goes_on = recorder_.step(now_, now_, between);
-        outcome_.smallest_step = smallest;
-        outcome_.largest_step = largest;
-        return goes_on;
+        // from its end: outputs close to the end are interpolated too
+        return recorder_.step(now_, now_, between, length);
     }
 
     /// Ends the run. @return false.
