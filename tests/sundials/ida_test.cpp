@@ -454,6 +454,23 @@ TEST_CASE("Ida: a bar a hundred times as stiff as steel turns in space by few ma
     CHECK(report.energy_drift <= 5.0 * std::pow(tolerance, 0.6) * report.kinetic_largest);
 }
 
+TEST_CASE("Ida: a motion that gains energy from nothing does not end as converged", "[ida][spin]") {
+    // so stiff that a step of this tolerance leaves it strained by more energy than it has
+    Hanging bar;
+    bar.beam =
+        ancf::straight_beam<Element>(*bar.model, ancf::Material::isotropic(2.1e15, 0.3, 7800.0),
+                                     ancf::rectangle(0.01, 0.01), {0, 0, 0}, {1, 0, 0}, 4);
+    bar.model->add(ancf::Pin<3>(bar.beam.first(), Point::Zero()));
+    bar.model->set_rigid_rates({0, 0, 0}, {0.0, 0.0, 20.0});
+    ancf::DynamicProblem problem(*bar.model);
+    IdaOptions options;
+    options.tolerance = 1e-4;
+    const auto report = Ida(options).integrate(problem, until(2.0, {}));
+    CAPTURE(report.steps, report.energy_drift);
+    CHECK(report.status == Status::diverged);
+    CHECK_THAT(report.message, ContainsSubstring("has gained"));
+}
+
 /// A steel link of 0.1 m in the plane.
 struct SteelLink {
     static constexpr double length = 0.1, thickness = 0.01, density = 7800.0;  // m, m, kg/m^3

@@ -223,8 +223,8 @@ private:
     ///
     /// A stiff body that has turned since the matrix at hand was made can be thrown far off by it:
     /// the step then starts again, with a matrix of its own, and then with the strains of the
-    /// prediction. Where vibrations are faster than the steps, their accelerations predict badly: it
-    /// starts once more without accelerations, unless the scene moves far in it.
+    /// prediction. Where vibrations are faster than the steps, their accelerations predict badly:
+    /// it starts once more without accelerations, unless the scene moves far in it.
     [[nodiscard]] Status newton(double h) {
         predict(h);
         keep_strains(h);

@@ -269,7 +269,7 @@ private:
         call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
     }
 
-    // Prepares the next step.
+    // Prepares the next step. Until then the report has the counts of the step before the last.
     void begin_step() {
         system_.begin_step(now_.time, y_.get());
         if (report_.order > 2) return;
