@@ -83,11 +83,11 @@ public:
     /// from nothing, once a step has turned the scene further than this; not one that may pass
     /// elements that are no beam, whose energy tells nothing.
     /// @param turn    rad
-    /// @param driven  whether also where supports or constraints drive the scene; steps that do not
-    ///                resolve its vibrations know their power badly.
-    void forbid_gain(double turn, bool driven = true) noexcept {
+    /// @param doubt   whether the work of loads and drives is known badly, as by steps that do not
+    ///                resolve vibrations and jumps: a gain is to exceed all of it.
+    void forbid_gain(double turn, bool doubt = false) noexcept {
         most_turn_ = turn;
-        gains_driven_ = driven;
+        doubts_work_ = doubt;
     }
 
     /// Takes the start and observes it where asked.
@@ -163,7 +163,8 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
-    bool gains_driven_ = true;         // whether that counts where the scene is driven
+    bool doubts_work_ = false;
+    double worked_ = 0.0;              // J: of loads and drives, either sign counted as positive
     Energies before_;                  // one step ago
     VectorX force_before_, q_before_;  // one step ago, of all coordinates
     double most_held_ = 0.0;           // kinetic and strain energy, J

@@ -184,15 +184,15 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
         const double driven = 0.5 * width * (before_.constraint_power + energies.constraint_power);
         const double work =
             0.5 * problem_.sum_of_parts(problem_.own_dot(force_before_ + force, q - q_before_));
-        if (driven != 0.0 && !gains_driven_)
-            return forbid_gain(std::numeric_limits<double>::infinity());
+        worked_ += std::abs(driven) + std::abs(work);
         gain_ += held - before_.kinetic - before_.strain - driven - work;
         largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
     }
     before_ = energies;
     force_before_ = force;
     q_before_ = q;
-    if (largest_turn_ <= most_turn_ || !(gain_ > 0.2 * most_held_) ||
+    if (largest_turn_ <= most_turn_ ||
+        !(gain_ > 0.2 * most_held_ + (doubts_work_ ? worked_ : 0.0)) ||
         report_.status != Status::converged)
         return;
     report_.status = Status::diverged;

@@ -110,7 +110,7 @@ private:
         call(IDASetLinearSolver(ida, turned_.get(), matrix_.get()));
         call(IDASetJacFn(ida, &IdaSystem::jacobian));
         if (report_.order == 2) {
-            recorder_.forbid_gain(0.0, false);
+            recorder_.forbid_gain(0.01, true);
             measure_rate();
             highest_frequency_ = report_.highest_frequency;
             if (options_.order == Order::two)
