@@ -222,7 +222,8 @@ public:
             return code;
         });
     }
-    /// Takes the strains of the prediction back as a correction: slopes of the step's start, turned.
+    /// Takes the strains of the prediction back as a correction: slopes of the step's start,
+    /// turned.
     /// @param c         IDA's.
     /// @param rescaled  what IDA divides a correction by.
     int keep_strains(double c, double rescaled, N_Vector correction) noexcept {
