@@ -234,15 +234,19 @@ private:
             const Status status = iterate(h, false);
             const bool failed = status != Status::converged || report_.factorisations > matrices;
             if (failed && !served) frames_.fail();
-            if (status == Status::converged) return status;
+            if (status == Status::converged) {
+                frames_.compare(problem_, next_.q);
+                return status;
+            }
         }
         predict(h);
         keep_strains(h);
         Status status = iterate(h, true);
-        if (status != Status::converged && frames_.turn()) {
+        if (status != Status::converged && frames_.keeps()) {
             predict(h);
             status = iterate(h, true);
         }
+        if (status == Status::converged) frames_.compare(problem_, next_.q);
         if (status == Status::converged || moves_far(now_, h)) return status;
         predict(h);
         add(h, -now_.acceleration);
@@ -361,11 +365,11 @@ private:
         next_.v = now_.v + h * (1.0 - gamma_) * now_.algorithmic + h * gamma_ * next_.algorithmic;
     }
 
-    /// Takes back the strains of the prediction, in frames that turn.
+    /// Takes back the strains of the prediction, in frames that turn and keep them.
     void keep_strains(double h) {
         if (!frames_.turn()) return;
         VectorX kept = next_.q;
-        frames_.keep_strains(now_.q, kept);
+        frames_.begin_step(now_.q, kept);
         add(h, (kept - next_.q) / (h * h * beta_hat_));
     }
 

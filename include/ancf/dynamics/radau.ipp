@@ -231,7 +231,7 @@ private:
             place_stages(step);
             for (std::size_t i = 0; i < stages_; ++i) {
                 VectorX q = stage_[i].q;
-                frames_.keep_strains(now_.q, q);
+                frames_.begin_step(now_.q, q);
                 Y_[i] += (q - stage_[i].q) / (h * h);
             }
         }
@@ -275,9 +275,9 @@ private:
             // they are round-off of nothing, and tell nothing of the matrices
             if (change <= nothing) contraction_ = 0.0;
             if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
-            // in frames that turn a first correction takes back the false strain of the prediction,
-            // which turns what has little inertia, and the second takes back that turn
-            const bool astray = ++since == 2 && frames_.turn() && ratio > 0.1;
+            // in frames that turn a first correction takes back false strain, which turns what has
+            // little inertia, and the second takes back that turn
+            const bool astray = ++since == 2 && frames_.keeps() && ratio > 0.1;
             if (since > 1 && !astray) {
                 // a first ratio may flatter: it stands beside that of the step before
                 const double contraction =
@@ -302,6 +302,7 @@ private:
         if (tangents > 0) fresh_ = contraction_;
         place_stages(step);
         next_.q = stage_.back().q;
+        frames_.compare(problem_, next_.q);
         next_.v = stage_.back().v;
         next_.lambda = lambda_.back();
         next_.acceleration = acceleration_.back();

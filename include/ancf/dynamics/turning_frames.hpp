@@ -99,6 +99,27 @@ public:
             q.segment(first, dimension_) = turned.segment(first, dimension_);
     }
 
+    /// Begins a step: takes back the strains of a prediction, unless the last step was predicted
+    /// better with them.
+    /// @param from  of the step's start.
+    /// @param q     the prediction; of several the last one tells.
+    void begin_step(const VectorX& from, VectorX& q) {
+        strained_ = q;
+        unstrained_ = q;
+        keep_strains(from, unstrained_);
+        if (keeps_) q = unstrained_;
+    }
+    /// Compares the predictions of the step with its end. Strains are to be twice as near: a stiff
+    /// body feels false ones first.
+    void compare(const DynamicProblem& problem, const VectorX& end) {
+        if (turn_ && strained_.size() > 0)
+            keeps_ = problem.largest_ratio(end - unstrained_) <=
+                     2.0 * problem.largest_ratio(end - strained_);
+        strained_.resize(0);
+    }
+    /// Tells whether steps begin with the strains of their start.
+    [[nodiscard]] bool keeps() const { return turn_ && keeps_; }
+
     /// Tells whether the frames turn.
     [[nodiscard]] bool turn() const { return turn_; }
 
@@ -127,14 +148,15 @@ public:
 
     /// Returns what a run that goes on needs.
     [[nodiscard]] VectorX memory() const {
-        VectorX numbers(7);
-        numbers << (turn_ ? 1.0 : 0.0), failures_, patience_, trial_, work_, time_, rate_;
+        VectorX numbers(8);
+        numbers << (turn_ ? 1.0 : 0.0), failures_, patience_, trial_, work_, time_, rate_,
+            (keeps_ ? 1.0 : 0.0);
         return numbers;
     }
 
     /// Takes it from a memory.
     void recall(const Memory& memory) {
-        const VectorX& numbers = memory.get("frames", 7);
+        const VectorX& numbers = memory.get("frames", 8);
         turn_ = numbers[0] != 0.0;
         failures_ = numbers[1];
         patience_ = numbers[2];
@@ -142,6 +164,7 @@ public:
         work_ = numbers[4];
         time_ = numbers[5];
         rate_ = numbers[6];
+        keeps_ = numbers[7] != 0.0;
     }
 
 private:
@@ -182,6 +205,8 @@ private:
     double work_ = 0.0;   // corrections and tangents since they turn or do not
     double time_ = 0.0;   // s, of the steps since then
     double rate_ = 0.0;   // work in a second before
+    bool keeps_ = true;   // whether a prediction without strains was no worse, in the last step
+    VectorX strained_, unstrained_;  // predictions of a step; empty: none
 };
 
 /// Returns a typical energy of a step, J: the kinetic one of its start, or of what the
