@@ -275,10 +275,7 @@ private:
             // they are round-off of nothing, and tell nothing of the matrices
             if (change <= nothing) contraction_ = 0.0;
             if (change <= nothing || (ratio >= 1.0 && change <= enough)) break;
-            // in frames that turn a first correction takes back false strain, which turns what has
-            // little inertia, and the second takes back that turn
-            const bool astray = ++since == 2 && frames_.keeps() && ratio > 0.1;
-            if (since > 1 && !astray) {
+            if (++since > 1) {
                 // a first ratio may flatter: it stands beside that of the step before
                 const double contraction =
                     since == 2 ? std::max(ratio, 0.5 * expected) : std::sqrt(ratio * ratio_before);
@@ -292,8 +289,8 @@ private:
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
             }
             // one correction tells nothing of new matrices, and leaves g off its zero by kept ones
-            if (!astray && (iterations_ > 1 || (tangents == 0 && !constrained)) &&
-                is_told(since, change) && eta_ * excess <= 1.0)
+            if ((iterations_ > 1 || (tangents == 0 && !constrained)) && is_told(since, change) &&
+                eta_ * excess <= 1.0)
                 break;
             before = change;
             ratio_before = ratio;

@@ -120,6 +120,8 @@ public:
     /// Tells whether steps begin with the strains of their start.
     [[nodiscard]] bool keeps() const { return turn_ && keeps_; }
 
+    /// Begins with frames that turn, in a scene that is known to be stiff.
+    void turn_at_once() { turn_ = true; }
     /// Tells whether the frames turn.
     [[nodiscard]] bool turn() const { return turn_; }
 

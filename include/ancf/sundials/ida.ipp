@@ -111,6 +111,7 @@ private:
         call(IDASetJacFn(ida, &IdaSystem::jacobian));
         if (report_.order == 2) {
             recorder_.forbid_gain(0.01, true);
+            system_.frames().turn_at_once();
             measure_rate();
             highest_frequency_ = report_.highest_frequency;
             if (options_.order == Order::two)
@@ -259,12 +260,15 @@ private:
                     : 0.0;
             const double left = run.size_.left(size, corrections);
             const double left_strain = run.strain_.left(strain, corrections);
-            if (corrections == 1 && run.size_.rate > 0.1 && run.system_.frames().turn()) {
+            // not by an old matrix, which tells nothing
+            if (corrections == 1 && run.size_.rate > 0.1 && run.system_.frames().turn() &&
+                run.system_.fresh()) {
                 run.goes_astray_ = true;
                 return SUN_NLS_CONTINUE;
             }
-            if (corrections == 6 || run.size_.rate > 0.9) return SUN_NLS_CONV_RECVR;
-            return std::max(left, left_strain) <= allowed ? converged : SUN_NLS_CONTINUE;
+            if (run.size_.rate > 0.9) return SUN_NLS_CONV_RECVR;
+            if (std::max(left, left_strain) <= allowed) return converged;
+            return corrections == 5 ? SUN_NLS_CONV_RECVR : SUN_NLS_CONTINUE;
         };
         call(SUNNonlinSolSetConvTestFn(newton_.get(), test, this));
     }

@@ -237,6 +237,8 @@ public:
             return good;
         });
     }
+    /// Tells whether the Jacobian is of the step.
+    [[nodiscard]] bool fresh() const noexcept { return fresh_; }
     /// Returns IDA's c of the Jacobian.
     [[nodiscard]] double c() const noexcept { return c_; }
     /// Returns the work of the residual along the last correction, J.
@@ -248,6 +250,7 @@ public:
     void begin_step(double time, N_Vector y) {
         begin_ = time;
         begin_y_ = view(y);
+        fresh_ = false;
         turn_.clear();
     }
     /// Returns which driven joint turns by too much in the step last tried; empty where none does.
@@ -307,6 +310,7 @@ private:
         }
         linearised_ = std::exchange(q_, at);
         c_ = c;
+        fresh_ = true;
         const JacobianParts parts{problem_.tangent(), problem_.mass(),
                                   request_ == Request::tangent ? nullptr : &problem_.damping(),
                                   stabilised_ ? &velocity_level_ : nullptr};
@@ -333,6 +337,7 @@ private:
     VectorX begin_y_, linearised_;  // y of the step's start, q of the Jacobian
     ancf::detail::TurningFrames frames_;
     double work_ = 0.0, c_ = 0.0;
+    bool fresh_ = false;  // whether the Jacobian is of the step
     SparseMatrix velocity_level_;
     double begin_ = 0.0;
     std::string turn_;
