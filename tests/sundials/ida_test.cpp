@@ -454,6 +454,31 @@ TEST_CASE("Ida: a bar a hundred times as stiff as steel turns in space by few ma
     CHECK(report.energy_drift <= 5.0 * std::pow(tolerance, 0.6) * report.kinetic_largest);
 }
 
+TEST_CASE("Ida: what is observed and followed does not change a stiff motion", "[ida][spin]") {
+    const auto end = [](bool observes, bool follows) {
+        Hanging bar = steel_beam(4);
+        bar.model->pin(bar.beam.first());
+        ancf::DynamicProblem problem(*bar.model);
+        IdaOptions options;
+        options.tolerance = 1e-4;
+        options.follow_energy = follows;
+        ancf::Schedule schedule;
+        schedule.end = 0.5;
+        if (observes) schedule = ancf::equal_intervals(0.0, 0.5, 1e-3);
+        int seen = 0;
+        schedule.observe = [&](const ancf::Snapshot&) { ++seen; };
+        const auto report = Ida(options).integrate(problem, schedule);
+        CHECK(seen == (observes ? 501 : 0));
+        CHECK(report.status == Status::converged);
+        CHECK(report.order == 2);
+        return ancf::VectorX(bar.model->state().q);
+    };
+    const ancf::VectorX plain = end(false, true);
+    CHECK(end(true, true) == plain);
+    CHECK(end(false, false) == plain);
+    CHECK(end(true, false) == plain);
+}
+
 TEST_CASE("Ida: a stiff free bar has the energy of the push that it got", "[ida][spin]") {
     Hanging bar;
     bar.beam =

@@ -51,7 +51,8 @@ public:
         memory.empty() ? begin_anew() : recall_run(memory);
         next_ = now_;
         if (!control_.is_adaptive())
-            recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02));
+            recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02),
+                                  "shorter steps, a smaller rho or adaptive steps (tolerance > 0)");
         recorder_.start(now_);
         while (goes_on(now_) && advance()) {
             std::swap(now_, next_);

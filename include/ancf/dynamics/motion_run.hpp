@@ -83,12 +83,18 @@ public:
     /// from nothing, once a step has turned the scene further than this; not one that may pass
     /// elements that are no beam, whose energy tells nothing.
     /// @param turn    rad
+    /// @param advice  what may pass, for the message; it stays.
     /// @param doubt   whether the work of loads and drives is known badly, as by steps that do not
     ///                resolve vibrations and jumps: a gain is to exceed all of it.
-    void forbid_gain(double turn, bool doubt = false) noexcept {
+    void forbid_gain(double turn, const char* advice, bool doubt = false) noexcept {
         most_turn_ = turn;
+        advice_ = advice;
         doubts_work_ = doubt;
     }
+
+    /// Returns the strain energy of the last point, J; by an evaluation where no energies are
+    /// followed. It does not depend on that, nor on what was observed.
+    [[nodiscard]] double strain_energy(const MotionPoint& point);
 
     /// Takes the start and observes it where asked.
     void start(const MotionPoint& point) {
@@ -163,8 +169,10 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
+    const char* advice_ = "";
     bool doubts_work_ = false;
     double worked_ = 0.0;              // J: of loads and drives, either sign counted as positive
+    double strain_ = 0.0;              // energy of the last point, J
     Energies before_;                  // one step ago
     VectorX force_before_, q_before_;  // one step ago, of all coordinates
     double most_held_ = 0.0;           // kinetic and strain energy, J

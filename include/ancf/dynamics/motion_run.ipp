@@ -166,11 +166,19 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
     if (!energies_) return;
     const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);
     ++report_.evaluations;
+    strain_ = energies.strain;
     if (report_.steps == 0) report_.energy_start = energies.total();
     report_.energy_drift =
         larger(report_.energy_drift, std::abs(energies.total() - report_.energy_start));
     report_.kinetic_largest = larger(report_.kinetic_largest, energies.kinetic);
     check_gain(point, width, energies);
+}
+
+ANCF_INLINE double Recorder::strain_energy(const MotionPoint& point) {
+    if (energies_) return strain_;
+    ++report_.evaluations;
+    (void)problem_.evaluate(point.time, point.q, point.v, point.lambda, Request::force);
+    return problem_.assembly().strain_energy();
 }
 
 ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
@@ -184,7 +192,8 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
         const double driven = 0.5 * width * (before_.constraint_power + energies.constraint_power);
         const double work =
             0.5 * problem_.sum_of_parts(problem_.own_dot(force_before_ + force, q - q_before_));
-        worked_ += std::abs(driven) + std::abs(work);
+        worked_ += std::abs(driven);
+        if (!problem_.model().loads().empty()) worked_ += std::abs(work);  // gravity does not jump
         gain_ += held - before_.kinetic - before_.strain - driven - work;
         largest_turn_ = std::max(largest_turn_, width * problem_.largest_ratio(point.v));
     }
@@ -196,10 +205,10 @@ ANCF_INLINE void Recorder::check_gain(const MotionPoint& point, double width,
         report_.status != Status::converged)
         return;
     report_.status = Status::diverged;
-    report_.message = joined({"the scene has gained ", gain_,
-                              " J that neither loads nor drives gave it, by steps of up to ",
-                              largest_turn_, " rad, at ", point.time,
-                              " s; shorter steps, a smaller tolerance or a smaller rho may pass"});
+    report_.message =
+        joined({"the scene has gained ", gain_,
+                " J that neither loads nor drives gave it, by steps of up to ", largest_turn_,
+                " rad, at ", point.time, " s; ", advice_, " may pass"});
 }
 
 ANCF_INLINE void Recorder::observe(const MotionPoint& from, const MotionPoint& to, double slack,

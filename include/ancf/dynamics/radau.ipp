@@ -151,7 +151,7 @@ private:
     /// where it is not.
     [[nodiscard]] bool advance() {
         if (width_before_ > 0.0) frames_.end_step(width_before_);
-        strain_ = problem_.assembly().strain_energy();
+        strain_ = frames_.turn() ? recorder_.strain_energy(now_) : 0.0;
         for (;;) {
             const Step step = next_step(now_);
             if (divides(step)) continue;

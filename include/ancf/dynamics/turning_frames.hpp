@@ -104,18 +104,19 @@ public:
     /// @param from  of the step's start.
     /// @param q     the prediction; of several the last one tells.
     void begin_step(const VectorX& from, VectorX& q) {
+        predicted_ = true;
         strained_ = q;
         unstrained_ = q;
         keep_strains(from, unstrained_);
         if (keeps_) q = unstrained_;
     }
-    /// Compares the predictions of the step with its end. Strains are to be twice as near: a stiff
-    /// body feels false ones first.
+    /// Compares the predictions of the step with its end. The one with strains is to be twice as
+    /// near to be kept: a stiff body feels false strains first.
     void compare(const DynamicProblem& problem, const VectorX& end) {
-        if (turn_ && strained_.size() > 0)
+        if (turn_ && predicted_)  // alike in all parts, whatever they hold
             keeps_ = problem.largest_ratio(end - unstrained_) <=
                      2.0 * problem.largest_ratio(end - strained_);
-        strained_.resize(0);
+        predicted_ = false;
     }
     /// Tells whether steps begin with the strains of their start.
     [[nodiscard]] bool keeps() const { return turn_ && keeps_; }
@@ -198,17 +199,18 @@ private:
 
     int dimension_;
     std::vector<int> free_;        // of each free vector the equation of its first component
-    std::vector<int> directions_;  // likewise, but of positions
+    std::vector<int> directions_;  // likewise, without positions
     std::vector<int> nodes_;  // of each node its slopes, likewise or -1, and where its vectors end
     bool turn_ = false;
     double failures_ = 0.0;
-    double patience_;     // after how many failures the other way is tried
-    double trial_ = 0.0;  // steps left of a trial
-    double work_ = 0.0;   // corrections and tangents since they turn or do not
-    double time_ = 0.0;   // s, of the steps since then
-    double rate_ = 0.0;   // work in a second before
-    bool keeps_ = true;   // whether a prediction without strains was no worse, in the last step
-    VectorX strained_, unstrained_;  // predictions of a step; empty: none
+    double patience_;         // after how many failures the other way is tried
+    double trial_ = 0.0;      // steps left of a trial
+    double work_ = 0.0;       // corrections and tangents since they turn or do not
+    double time_ = 0.0;       // s, of the steps since then
+    double rate_ = 0.0;       // work in a second before
+    bool keeps_ = true;       // whether a prediction without strains was at most twice as far off
+    bool predicted_ = false;  // whether there are predictions to be compared
+    VectorX strained_, unstrained_;  // predictions of a step
 };
 
 /// Returns a typical energy of a step, J: the kinetic one of its start, or of what the

@@ -21,6 +21,8 @@
 #include <ancf/sundials/run.hpp>
 #include <ancf/types.hpp>
 
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_nvector.h>
 #include <sundials/sundials_types.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
@@ -212,7 +214,7 @@ public:
     /// @param correction  may be the residual.
     int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector correction,
               N_Vector residual) noexcept {
-        return guarded([&] {
+        return solved([&] {
             const VectorX force = v(view(residual));
             N_VScale(1.0, residual, correction);
             carry(q_, linearised_, correction);
@@ -226,7 +228,7 @@ public:
     /// @param c         IDA's.
     /// @param rescaled  what IDA divides a correction by.
     int keep_strains(double c, double rescaled, N_Vector correction) noexcept {
-        return guarded([&] {
+        return solved([&] {
             VectorX kept = q_;
             frames_.keep_strains(q(begin_y_).cwiseProduct(q(units_)), kept);
             kept -= q_;
@@ -254,7 +256,7 @@ public:
         turn_.clear();
     }
     /// Returns which driven joint turns by too much in the step last tried; empty where none does.
-    [[nodiscard]] const std::string& turn() const noexcept { return turn_; }
+    [[nodiscard]] const std::string& driven_turn() const noexcept { return turn_; }
 
 private:
     using View = Eigen::Map<VectorX>;
@@ -320,6 +322,13 @@ private:
         for (Eigen::Index j = 0; j < units_.size(); ++j)
             for (sunindextype k = outer[j]; k < outer[j + 1]; ++k) values[k] *= units_[j];
         return good;
+    }
+
+    // Returns what work returns, or that it threw: by a code of linear solvers that ends a step.
+    template <class Work>
+    [[nodiscard]] int solved(const Work& work) noexcept {
+        const int code = guarded(work);
+        return code == fatal ? SUNLS_PSOLVE_FAIL_UNREC : code;
     }
 
     // Turns q and v, or their residuals, as the nodes turn between two configurations.
