@@ -260,7 +260,7 @@ private:
                     : 0.0;
             const double left = run.size_.left(size, corrections);
             const double left_strain = run.strain_.left(strain, corrections);
-            // not by an old matrix, which tells nothing
+            // a first correction went astray; an old matrix would tell nothing of it
             if (corrections == 1 && run.size_.rate > 0.1 && run.system_.frames().turn() &&
                 run.system_.fresh()) {
                 run.goes_astray_ = true;

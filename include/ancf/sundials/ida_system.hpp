@@ -209,12 +209,13 @@ public:
         return system.guarded([&] { return system.write_jacobian(t, c, view(y), matrix); });
     }
 
-    /// Solves for a correction by a solver of the Jacobian, in frames that turn with the nodes from
-    /// the state of the Jacobian, where they do.
-    /// @param correction  may be the residual.
+    /// Solves for a correction by a solver of the Jacobian; where frames turn with the nodes, in
+    /// those from the state of the Jacobian.
+    /// @param correction, residual  vectors of IDA, two of them.
     int solve(SUNLinearSolver solver, SUNMatrix matrix, N_Vector correction,
               N_Vector residual) noexcept {
         return solved([&] {
+            if (!frames_.turn()) return SUNLinSolSolve(solver, matrix, correction, residual, 0.0);
             const VectorX force = v(view(residual));
             N_VScale(1.0, residual, correction);
             carry(q_, linearised_, correction);
@@ -225,7 +226,7 @@ public:
         });
     }
     /// Takes back the strains of the prediction: a correction to slopes of the start, turned.
-    /// @param c         IDA's.
+    /// @param c         1/s, IDA's dy'/dy of the step.
     /// @param rescaled  what IDA divides a correction by.
     int keep_strains(double c, double rescaled, N_Vector correction) noexcept {
         return solved([&] {
@@ -241,9 +242,9 @@ public:
     }
     /// Tells whether the Jacobian is of the step.
     [[nodiscard]] bool fresh() const noexcept { return fresh_; }
-    /// Returns IDA's c of the Jacobian.
+    /// Returns IDA's c of the Jacobian, 1/s.
     [[nodiscard]] double c() const noexcept { return c_; }
-    /// Returns the work of the residual along the last correction, J.
+    /// Returns the work of the residual along the last correction in frames that turn, J.
     [[nodiscard]] double work() const noexcept { return work_; }
     /// Returns the frames.
     [[nodiscard]] ancf::detail::TurningFrames& frames() noexcept { return frames_; }
@@ -333,7 +334,6 @@ private:
 
     // Turns q and v, or their residuals, as the nodes turn between two configurations.
     void carry(const VectorX& from, const VectorX& to, N_Vector y) const {
-        if (!frames_.turn()) return;
         auto entries = view(y);
         frames_.carry(from, to, q(entries).data());
         frames_.carry(from, to, v(entries).data());
