@@ -122,8 +122,8 @@ struct SpunBar {
 };
 
 /// Moves a scene from its start to a time, s.
-template <class Integrator>
-DynamicsReport move_until(double end, PlanarModel& model, const Integrator& integrator) {
+template <int Dimension, class Integrator>
+DynamicsReport move_until(double end, BasicModel<Dimension>& model, const Integrator& integrator) {
     DynamicProblem problem(model);
     EigenLu solver;
     Schedule schedule;
@@ -271,13 +271,9 @@ struct TurningBar {
 TEST_CASE("adaptive Radau IIA turns a stiff bar about its own axis too", "[dynamics]") {
     const double tolerance = GENERATE(1e-4, 1e-6);
     TurningBar bar;
-    DynamicProblem problem(bar.model);
-    EigenLu solver;
-    Schedule schedule;
-    schedule.end = 2.0;
     RadauOptions options;
     options.tolerance = tolerance;
-    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
+    const DynamicsReport report = move_until(2.0, bar.model, RadauIIA(options));
     CAPTURE(tolerance, report.iterations);
     REQUIRE(report.status == Status::converged);
     // 147 and 310; 1200 at both from predictions that strain the sections
@@ -313,13 +309,9 @@ TEST_CASE("what is observed and followed does not change how frames turn", "[dyn
 TEST_CASE("generalized-alpha turns a stiff bar about its own axis too by few matrices",
           "[dynamics]") {
     TurningBar bar;
-    DynamicProblem problem(bar.model);
-    EigenLu solver;
-    Schedule schedule;
-    schedule.end = 2.0;
     GeneralizedAlphaOptions options;
     options.step = 1e-3;
-    const DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
+    const DynamicsReport report = move_until(2.0, bar.model, GeneralizedAlpha(options));
     REQUIRE(report.status == Status::converged);
     CHECK(report.steps == 2000);
     CHECK(report.factorisations <= 50);  // 16; 2816 from predictions that strain the sections
@@ -337,13 +329,9 @@ TEST_CASE("Radau IIA predicts a soft shaft that spins with its strains", "[dynam
     model.pin(shaft.last());
     model.set_gravity(Point(0.0, 0.0, -9.81));
     model.set_rigid_rates(Point(Point::Zero()), Point(40.0, 0.0, 0.0));
-    DynamicProblem problem(model);
-    EigenLu solver;
-    Schedule schedule;
-    schedule.end = 0.2;
     RadauOptions options;
     options.tolerance = tolerance;
-    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
+    const DynamicsReport report = move_until(0.2, model, RadauIIA(options));
     REQUIRE(report.status == Status::converged);
     CHECK(report.memory.get("frames", 8)[0] == 1.0);
     // 3.9 a fixed step of a millisecond, 2.9 an adaptive one; without its strains 5.9 and 4.1
