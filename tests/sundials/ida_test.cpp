@@ -457,7 +457,7 @@ TEST_CASE("Ida: a bar a hundred times as stiff as steel turns in space by few ma
     REQUIRE(report.status == Status::converged);
     // with a matrix that stays put the free bar took 95951, 6550 and 6098 steps
     CHECK(static_cast<double>(report.steps) <= 60.0 * std::pow(tolerance, -0.3));
-    CHECK(report.factorisations <= 200);  // 147; 142722, 9646 and 8667
+    CHECK(report.factorisations <= 200);  // 148; 142722, 9646 and 8667
     CHECK(report.energy_drift <= 5.0 * std::pow(tolerance, 0.6) * report.kinetic_largest);
 }
 
