@@ -565,6 +565,19 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         CHECK(report.modes[0].value == Approx(1.0).epsilon(1e-3));
         CHECK(report.modes[1].value == Approx(1.0).epsilon(1e-3));
     }
+    SECTION("column of a fine mesh under a load far too small to buckle it") {
+        const auto load = [&](double force) {
+            Scene scene = cantilever(400, 0.01);
+            scene.add(ancf::Force<3>({400}, {-force, 0, 0}));
+            const auto report = ancf::buckling_modes(scene, solver);
+            REQUIRE(report.status == Status::converged);
+            return report.modes.at(0).value * force;
+        };
+        const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0;
+        CHECK(load(euler) == Approx(euler).epsilon(1e-3));
+        CHECK(load(1e-6 * euler) == Approx(load(euler)).epsilon(1e-5));
+        CHECK(load(1e6 * euler) == Approx(load(euler)).epsilon(1e-5));
+    }
     SECTION("column held by constraints") {
         Scene scene = cantilever(8, 0.01, Hold::constraints);
         scene.add(ancf::Force<3>({8}, {-pi * pi / 4.0 * young * 1e-8 / 12.0, 0, 0}));

@@ -50,27 +50,35 @@ public:
             groups.begin(), groups.end(),
             [](const auto& group) { return group->evaluates_mixed() || group->size() == 0; });
         if (takes_stresses) {
-            const Correction stresses{model_.state().q, deflection_};
-            const auto fault = evaluate(1.0, model_.state().q, &stresses);
-            out = assembly_.tangent() - unloaded;
+            // stresses of a small load would be lost beside the tangent
+            constexpr double visible = 1e-3;
+            const double multiple = size_ > 0.0 ? std::max(1.0, visible / size_) : 1.0;
+            const Correction stresses{model_.state().q, multiple * deflection_};
+            if (const auto fault = evaluate(0.0, model_.state().q, multiple, &stresses))
+                return fault;
+            out = (assembly_.tangent() - unloaded) / multiple;
+            const auto fault = evaluate(1.0, model_.state().q, 0.0);
+            out += assembly_.tangent() - unloaded;
             // what stands from the beginning and bears the load, such as springs, which may be
             // short beside the scene
             const double h = 0.01 * step;
             assembly_.add_load_tangent_change(model_.state().q, h * deflection_, 0.5 / h, out);
             return fault;
         }
-        if (const auto fault = evaluate(-step, model_.state().q - step * deflection_)) return fault;
+        if (const auto fault = evaluate(-step, model_.state().q - step * deflection_, -step))
+            return fault;
         out = assembly_.tangent();
-        const auto fault = evaluate(step, model_.state().q + step * deflection_);
+        const auto fault = evaluate(step, model_.state().q + step * deflection_, step);
         out = (assembly_.tangent() - out) / (2.0 * step);
         return fault;
     }
 
-    /// Evaluates the tangent at a load factor; returns the element that failed.
-    [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q,
+    /// Evaluates the tangent at a load factor, with the multipliers of a multiple of the load;
+    /// returns the element that failed.
+    [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q, double multiple,
                                                 const Correction* stresses = nullptr) {
         VectorX multipliers = model_.state().multipliers;
-        if (factor != 0.0) multipliers += factor * forces_;  // 0 comes first: it refuses a bad size
+        if (multiple != 0.0) multipliers += multiple * forces_;  // 0 first: it refuses a bad size
         return assembly_.evaluate({q, rest_, multipliers, {factor, factor}}, Request::tangent,
                                   nullptr, stresses);
     }
@@ -239,7 +247,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     options.check();
     Assembly assembly(model, solver.storage());
     detail::Deflected deflected(model, assembly);
-    auto fault = deflected.evaluate(0.0, model.state().q);
+    auto fault = deflected.evaluate(0.0, model.state().q, 0.0);
     if (!fault) fault = assembly.inspect(model.state().q);
     if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     detail::require_resting(assembly, model.state().q);
