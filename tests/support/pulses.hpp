@@ -20,7 +20,7 @@
 namespace ancf::test {
 
 /// When something begins to act, and the end of the run, s.
-constexpr double pulse_from = 0.5, pulse_end = 0.7;
+constexpr double pulse_from = 0.5, pulse_end = 0.6;
 
 /// What acts.
 enum class Acts { load, gravity, support, joint };
