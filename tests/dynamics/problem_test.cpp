@@ -83,6 +83,14 @@ TEST_CASE("problem: a free scene under gravity accelerates with g", "[dynamics]"
     }
 }
 
+TEST_CASE("problem: energies of no evaluation are refused", "[dynamics][bad-input]") {
+    Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
+    ancf::DynamicProblem problem(scene.model);
+    CHECK_THROWS_AS(problem.energies(), ancf::InvalidArgument);
+    (void)problem.start();
+    CHECK(problem.energies().kinetic == 0.0);
+}
+
 TEST_CASE("problem: an inconsistent start is refused with the constraint and its size",
           "[dynamics]") {
     Chain scene = chain(2, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0});

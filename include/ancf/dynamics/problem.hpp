@@ -195,6 +195,7 @@ public:
                                     const VectorX& lambda);
 
     /// Returns energies and powers of the last evaluation, angles between -pi and pi.
+    /// @throws InvalidArgument before the first evaluation
     [[nodiscard]] Energies energies() const;
 
     // Constraints alone: no element is evaluated ------------------------------------------------

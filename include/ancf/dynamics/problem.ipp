@@ -447,6 +447,8 @@ ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const 
 }
 
 ANCF_INLINE Energies DynamicProblem::energies() const {
+    detail::require(assembly_.external_force().size() == full_v_.size(),
+                    "DynamicProblem: energies() follows an evaluation, and there was none");
     Energies result;
     result.strain = assembly_.strain_energy();
     result.potential = assembly_.load_potential();
