@@ -24,6 +24,7 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -131,8 +132,7 @@ public:
     [[nodiscard]] Vector<Scalar, Dimension> tangent(const Vector<Scalar, dofs>& e,
                                                     double xi) const noexcept {
         using std::sqrt;
-        const Vector<Scalar, Dimension> p =
-            detail::interpolated<Dimension>(station(xi).p, detail::line_of<Dimension>(e));
+        const Vector<Scalar, Dimension> p = along(station(xi).p, e);
         return p / sqrt(detail::product(p, p));
     }
 
@@ -166,12 +166,20 @@ private:
 
     void set_up(const Material& material, const Section& section);
     [[nodiscard]] Station station(double xi) const noexcept;
+    /// Returns the vector of the line with these weights.
+    template <class Scalar>
+    [[nodiscard]] static Vector<Scalar, Dimension> along(const detail::LineWeights<double>& weights,
+                                                         const Vector<Scalar, dofs>& e) noexcept {
+        return detail::interpolated<Dimension>(weights, detail::line_of<Dimension>(e));
+    }
+    /// Returns the derivative (I - t t^T)/|p| of t = p/|p|.
+    [[nodiscard]] static Matrix<double, Dimension> tangent_by_slope(const Point& p) noexcept;
     void add_pair(std::size_t first, std::size_t second);
     [[nodiscard]] Curvature natural_curvature(const Coordinates& e, double xi) const noexcept;
     [[nodiscard]] static Curvature curvature(const Point& p, const Point& v) noexcept;
     template <class Scalar>
-    [[nodiscard]] static Matrix<Scalar, Dimension> section_frame(
-        const Vector<Scalar, Dimension>& t) noexcept;
+    [[nodiscard]] static auto section_frame(const Vector<Scalar, Dimension>& t) noexcept
+        -> std::array<Vector<Scalar, Dimension>, Dimension>;
 
     double young_;              ///< E, Pa
     double axial_stiffness_;    ///< EA, N

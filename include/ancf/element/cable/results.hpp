@@ -8,21 +8,20 @@
 
 #include <ancf/element/cable/cable.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace ancf {
 
 namespace detail {
 
-/// Returns the matrix of the weights of (r_j - r_i, r_x i, r_x j) on the nodal coordinates.
+/// Adds m dp/de, p the vector of the line with these weights.
 template <int D>
-[[nodiscard]] inline Matrix<double, D, 4 * D> line_jacobian(
-    const LineWeights<double>& weights) noexcept {
-    const Matrix<double, D> identity = Matrix<double, D>::Identity();
-    Matrix<double, D, 4 * D> jacobian;
-    jacobian << -weights[0] * identity, weights[1] * identity, weights[0] * identity,
-        weights[2] * identity;
-    return jacobian;
+void add_line_jacobian(const Matrix<double, D>& m, const LineWeights<double>& weights,
+                       Matrix<double, D, 4 * D>& jacobian) noexcept {
+    const double of_node[] = {-weights[0], weights[1], weights[0], weights[2]};
+    for (int j = 0; j < 4 * D; ++j)
+        for (int i = 0; i < D; ++i) jacobian(i, j) += of_node[j / D] * m(i, j % D);
 }
 
 /// Returns 1, or -1 where the tangent's X component is below -0.9: which side of X a frame starts
@@ -39,45 +38,47 @@ template <int Dimension, class Measure>
 bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept {
     if (!detail::all_finite(e)) return false;
     const auto line = detail::line_of<Dimension>(e);
-    const auto stretched = [](const Point& p) { return p.squaredNorm() > 1e-12; };
+    const auto stretched = [](const Point& p) { return detail::product(p, p) > 1e-12; };
     for (const auto& at : kernel_.axial)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
     for (const auto& at : kernel_.bending)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
-    const Point first = line.template segment<Dimension>(Dimension),
-                last = line.template tail<Dimension>(),
-                control =
-                    3.0 / line_.parameter_length() * line.template head<Dimension>() - first - last;
+    Point first, last, control;
+    for (int i = 0; i < Dimension; ++i) {
+        first[i] = line[Dimension + i];
+        last[i] = line[2 * Dimension + i];
+        control[i] = 3.0 / line_.parameter_length() * line[i] - first[i] - last[i];
+    }
     const auto polar = [&](double a, double b) -> Point {
-        return (1.0 - a) * (1.0 - b) * first + (a + b - 2.0 * a * b) * control + a * b * last;
+        const double of_first = (1.0 - a) * (1.0 - b), of_last = a * b;
+        return of_first * first + (1.0 - of_first - of_last) * control + of_last * last;
     };
+    Point start = first;
     for (int k = 0; k < detail::line_parts; ++k) {
         const double a = static_cast<double>(k) / detail::line_parts,
                      b = static_cast<double>(k + 1) / detail::line_parts;
-        const Point start = polar(a, a), middle = polar(a, b), end = polar(b, b);
-        if (!(start.dot(middle) > 0.0 && middle.dot(end) > 0.0 && start.dot(end) > 0.0))
+        const Point middle = polar(a, b), end = polar(b, b);
+        if (!(detail::product(start, middle) > 0.0 && detail::product(middle, end) > 0.0 &&
+              detail::product(start, end) > 0.0))
             return false;
+        start = end;
     }
     return stretched(first) && stretched(last);
 }
 
-/// (t, n) in the plane, (t, n, c) in space, columns.
+/// (t, n) in the plane, (t, n, c) in space.
 template <int Dimension, class Measure>
 template <class Scalar>
-Matrix<Scalar, Dimension> Cable<Dimension, Measure>::section_frame(
-    const Vector<Scalar, Dimension>& t) noexcept {
-    Matrix<Scalar, Dimension> frame;
-    frame.col(0) = t;
+auto Cable<Dimension, Measure>::section_frame(const Vector<Scalar, Dimension>& t) noexcept
+    -> std::array<Vector<Scalar, Dimension>, Dimension> {
     if constexpr (Dimension == 2) {
-        frame.col(1) = Vector<Scalar, 2>(-t[1], t[0]);
+        return {t, {-t[1], t[0]}};
     } else {
         const Scalar side = detail::frame_side(t[0]);
         const Scalar ratio = t[1] / (1.0 + side * t[0]);
-        const Vector<Scalar, 3> n(-ratio * (side + t[0]), 1.0 - ratio * t[1], -ratio * t[2]);
-        frame.col(1) = side * n;
-        frame.col(2) = cross(t, Vector<Scalar, 3>(frame.col(1)));
+        const Vector<Scalar, 3> n(-t[1], side * (1.0 - ratio * t[1]), -side * ratio * t[2]);
+        return {t, n, cross(t, n)};
     }
-    return frame;
 }
 
 template <int Dimension, class Measure>
@@ -87,9 +88,9 @@ Vector<Scalar, Dimension> Cable<Dimension, Measure>::position(const Vector<Scala
                                                               double z) const noexcept {
     Vector<Scalar, Dimension> place = line_.point(e, xi);
     if (y == 0.0 && z == 0.0) return place;
-    const Matrix<Scalar, Dimension> frame = section_frame<Scalar>(tangent(e, xi));
-    place += Scalar(y) * frame.col(1);
-    if constexpr (Dimension == 3) place += Scalar(z) * frame.col(2);
+    const auto frame = section_frame<Scalar>(tangent(e, xi));
+    place += Scalar(y) * frame[1];
+    if constexpr (Dimension == 3) place += Scalar(z) * frame[2];
     return place;
 }
 
@@ -99,61 +100,72 @@ typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position
     Jacobian jacobian = Jacobian::Zero();
     line_.add_point_jacobian(xi, jacobian);
     if (y == 0.0 && z == 0.0) return jacobian;
-    const Point t = tangent(e, xi);
-    Matrix<double, Dimension> turning;  // of y n + z c by t
+    const auto weights = station(xi).p;
+    const Matrix<double, Dimension> by_p = tangent_by_slope(along(weights, e));
+    Matrix<double, Dimension> turning;  // of y n + z c by p
     if constexpr (Dimension == 2) {
-        turning << 0.0, -y, y, 0.0;
+        for (int j = 0; j < 2; ++j) turning.col(j) = Point(-y * by_p(1, j), y * by_p(0, j));
     } else {
+        const Point t = tangent(e, xi);
         const double side = detail::frame_side(t[0]);
-        const Point start = side * Point::UnitX();
-        const Point sum = start + t, n = section_frame<double>(t).col(1);
-        const double inverse = 1.0 / (1.0 + start.dot(t)), ratio = t[1] * inverse;
-        const Matrix<double, 3> n_by_t =
-            -side * (inverse * sum * (Point::UnitY() - ratio * start).transpose() +
-                     ratio * Matrix<double, 3>::Identity());
-        turning = y * n_by_t + z * (cross_matrix(t) * n_by_t - cross_matrix(n));
+        const double inverse = 1.0 / (1.0 + side * t[0]), ratio = t[1] * inverse;
+        const Point n = section_frame<double>(t)[1];
+        for (int j = 0; j < 3; ++j) {
+            const Point change = by_p.col(j);
+            const double of_ratio = (change[1] - ratio * side * change[0]) * inverse;
+            const Point of_n(-change[1], -side * (of_ratio * t[1] + ratio * change[1]),
+                             -side * (of_ratio * t[2] + ratio * change[2]));
+            turning.col(j) = y * of_n + z * (cross(change, n) + cross(t, of_n));
+        }
     }
-    return jacobian + turning * tangent_jacobian(e, xi);
+    detail::add_line_jacobian<Dimension>(turning, weights, jacobian);
+    return jacobian;
 }
 
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::tangent_jacobian(
     const Coordinates& e, double xi) const noexcept {
-    const Jacobian line = detail::line_jacobian<Dimension>(station(xi).p);
-    const Point p = line * e;
-    const double stretch = p.norm();
-    const Point t = p / stretch;
-    return (line - t * (t.transpose() * line)) / stretch;
+    const auto weights = station(xi).p;
+    Jacobian jacobian = Jacobian::Zero();
+    detail::add_line_jacobian<Dimension>(tangent_by_slope(along(weights, e)), weights, jacobian);
+    return jacobian;
+}
+
+template <int Dimension, class Measure>
+Matrix<double, Dimension> Cable<Dimension, Measure>::tangent_by_slope(const Point& p) noexcept {
+    const double inverse = 1.0 / std::sqrt(detail::product(p, p));
+    Matrix<double, Dimension> result;
+    for (int j = 0; j < Dimension; ++j)
+        for (int i = 0; i < Dimension; ++i)
+            result(i, j) = inverse * ((i == j ? 1.0 : 0.0) - inverse * inverse * p[i] * p[j]);
+    return result;
 }
 
 template <int Dimension, class Measure>
 double Cable<Dimension, Measure>::axial_strain(const Coordinates& e, double xi) const noexcept {
-    return Measure::strain(
-        Point(detail::line_jacobian<Dimension>(station(xi).p) * e).squaredNorm());
+    const Point p = along(station(xi).p, e);
+    return Measure::strain(detail::product(p, p));
 }
 
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::curvature(
     const Coordinates& e, double xi) const noexcept {
     const Station at = station(xi);
-    const Point p = detail::line_jacobian<Dimension>(at.p) * e,
-                v = detail::line_jacobian<Dimension>(at.v) * e;
-    return curvature(p, v);
+    return curvature(along(at.p, e), along(at.v, e));
 }
 
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::curvature(
     const Point& p, const Point& v) noexcept {
-    const double stretch = p.norm(), cube = stretch * stretch * stretch;
+    const double square = detail::product(p, p), over = 1.0 / (square * std::sqrt(square));
     if constexpr (Dimension == 2)
-        return Curvature((p[0] * v[1] - p[1] * v[0]) / cube);
+        return Curvature(over * (p[0] * v[1] - p[1] * v[0]));
     else
-        return cross(p, v) / cube;
+        return over * cross(p, v);
 }
 
 /// The curvature of the reference: in space its parts along n and across it, n the resultant's
-/// direction projected on the normal plane, are carried from the frame of the reference to the
-/// present one.
+/// direction projected on the normal plane, are carried from the reference to the present state.
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::natural_curvature(
     const Coordinates& e, double xi) const noexcept {
@@ -161,16 +173,15 @@ typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::natural
     if (kernel_.natural.empty()) return curved;
     curved = curvature(reference_, xi);
     if constexpr (Dimension == 3) {
-        const auto frame = [&](const Coordinates& at) {
-            const Point t = tangent(at, xi);
+        const auto normal = [&](const Coordinates& at, const Point& t) -> Point {
             const Point n = detail::natural_resultant(kernel_.natural.front(), kernel_.bending,
                                                       detail::line_of<3>(at));
-            Matrix<double, 3> axes;
-            axes << t, (n - n.dot(t) * t).normalized(), Point::Zero();
-            axes.col(2) = cross(t, Point(axes.col(1)));
-            return axes;
+            return (n - detail::product(n, t) * t).normalized();
         };
-        curved = frame(e) * (frame(reference_).transpose() * curved);
+        const Point t0 = tangent(reference_, xi), n0 = normal(reference_, t0);
+        const Point t = tangent(e, xi), n = normal(e, t);
+        curved =
+            detail::product(curved, n0) * n + detail::product(curved, cross(t0, n0)) * cross(t, n);
     }
     return curved;
 }
@@ -178,15 +189,16 @@ typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::natural
 template <int Dimension, class Measure>
 typename Cable<Dimension, Measure>::Curvature Cable<Dimension, Measure>::moment(
     const Coordinates& e, double xi) const noexcept {
-    const double stretch = Point(detail::line_jacobian<Dimension>(station(xi).p) * e).norm();
-    return bending_stiffness_ / stretch * (curvature(e, xi) - natural_curvature(e, xi));
+    const Point p = along(station(xi).p, e);
+    const double factor = bending_stiffness_ / std::sqrt(detail::product(p, p));
+    return factor * (curvature(e, xi) - natural_curvature(e, xi));
 }
 
 template <int Dimension, class Measure>
 SectionForces Cable<Dimension, Measure>::section_forces(const Coordinates& e,
                                                         double xi) const noexcept {
-    const Point p = detail::line_jacobian<Dimension>(station(xi).p) * e;
-    const double square = p.squaredNorm(), strain = Measure::strain(square);
+    const Point p = along(station(xi).p, e);
+    const double square = detail::product(p, p), strain = Measure::strain(square);
     const auto axial = detail::axial_response(axial_stiffness_, kernel_.softening, strain);
     double n = 0.0, k = 0.0;
     Measure::resultants(axial.force, axial.stiffness, square, strain, n, k);
@@ -196,9 +208,9 @@ SectionForces Cable<Dimension, Measure>::section_forces(const Coordinates& e,
     if constexpr (Dimension == 2) {
         result.moment_z = bent[0];
     } else {
-        const Matrix<double, 3> frame = section_frame<double>(tangent(e, xi));
-        result.moment_y = bent.dot(frame.col(1));
-        result.moment_z = bent.dot(frame.col(2));
+        const auto frame = section_frame<double>(tangent(e, xi));
+        result.moment_y = detail::product(bent, frame[1]);
+        result.moment_z = detail::product(bent, frame[2]);
     }
     return result;
 }
@@ -212,8 +224,9 @@ Vector<double, 1> Cable<Dimension, Measure>::stress(const Coordinates& e, double
     if constexpr (Dimension == 2) {
         stress -= young_ * y * change[0];
     } else {
-        const Matrix<double, 3> frame = section_frame<double>(tangent(e, xi));
-        stress += young_ * (z * change.dot(frame.col(1)) - y * change.dot(frame.col(2)));
+        const auto frame = section_frame<double>(tangent(e, xi));
+        stress += young_ *
+                  (z * detail::product(change, frame[1]) - y * detail::product(change, frame[2]));
     }
     return Vector<double, 1>(stress);
 }
