@@ -110,9 +110,9 @@ private:
         constexpr int rows = D * (line_vectors - First);
         for (int j = D * First; j < D * (First + 1); ++j) {
             const S by_a = factor * b[j], by_b = factor * a[j], by_c = factor * c[j];
-            outer_.col(j).template tail<rows>() += a.template tail<rows>() * by_a +
-                                                   b.template tail<rows>() * by_b -
-                                                   c.template tail<rows>() * by_c;
+            outer_.template block<rows, 1>(D * First, j) += a.template tail<rows>() * by_a +
+                                                            b.template tail<rows>() * by_b -
+                                                            c.template tail<rows>() * by_c;
         }
     }
 
@@ -120,7 +120,7 @@ private:
     void add_columns(const LineVector<S, D>& a, const LineVector<S, D>& b) noexcept {
         constexpr int rows = D * (line_vectors - First);
         for (int j = D * First; j < D * (First + 1); ++j)
-            outer_.col(j).template tail<rows>() +=
+            outer_.template block<rows, 1>(D * First, j) +=
                 a.template tail<rows>() * b[j] + b.template tail<rows>() * a[j];
     }
 
@@ -129,7 +129,7 @@ private:
         constexpr int rows = D * (line_vectors - First);
         for (int j = D * First; j < D * (First + 1); ++j) {
             const S by_a = factor * a[j];
-            outer_.col(j).template tail<rows>() += a.template tail<rows>() * by_a;
+            outer_.template block<rows, 1>(D * First, j) += a.template tail<rows>() * by_a;
         }
     }
 

@@ -137,19 +137,22 @@ struct CurvedStation {
         }
     }
 
-    /// Adds the derivative of alpha kappa - beta k/A by the line, transposed.
-    void add_jacobian(double alpha, double beta, Matrix<S, 9, 3>& jacobian) const noexcept {
+    /// Adds the derivatives of the components of alpha kappa - beta k/A by the line.
+    void add_gradients(double alpha, double beta, LineVector<S, 3> (&gradients)[3]) const noexcept {
         const S along = alpha * cube, across = beta * inverse;
         const Vector<S, 3> curvature = turned(p, k);
-        for (int i = 0; i < line_vectors; ++i) {
-            const S of_p = -(across * c[i]);
-            Matrix<S, 3> block = turning(S(along * station.p[i]), k) - turning(S(along * c[i]), p);
-            for (int j = 0; j < 3; ++j) block(j, j) += of_p;
-            jacobian.template middleRows<3>(3 * i) += block;
-        }
         const S by_y = across * inverse, by_u = -3.0 * along * inverse;
         for (int j = 0; j < 3; ++j)
-            jacobian.col(j) += (by_y * p[j]) * y + (2.0 * by_y * k[j] + by_u * curvature[j]) * u;
+            gradients[j] += (by_y * p[j]) * y + (2.0 * by_y * k[j] + by_u * curvature[j]) * u;
+        for (int i = 0; i < line_vectors; ++i) {
+            const Vector<S, 3> d = along * (S(station.p[i]) * k - c[i] * p);
+            const S own = across * c[i];
+            for (int j = 0; j < 3; ++j) {
+                gradients[j][3 * i + j] -= own;
+                gradients[j][3 * i + (j + 1) % 3] += d[(j + 2) % 3];
+                gradients[j][3 * i + (j + 2) % 3] -= d[(j + 1) % 3];
+            }
+        }
     }
 };
 
@@ -258,19 +261,21 @@ ANCF_NOINLINE void add_natural(const NaturalCurvature& natural,
     const Vector<S, 3> n = inverse * z;
     sum.energy -= length;
     SkewBlocks<S> skew;
-    Matrix<S, 9, 3> jacobian = Matrix<S, 9, 3>::Zero();
+    LineVector<S, 3> gradients[3];  // of Z
+    if constexpr (Tangent)
+        for (auto& gradient : gradients) gradient.setZero();
     for (int g = 0; g < natural.count; ++g) {
         const CurvedStation<S, 3> at(stations[natural.station[g]], line);
         at.template add<Tangent>(-natural.along[g], -natural.across[g], n, sum, hessian, skew);
-        if constexpr (Tangent) at.add_jacobian(natural.along[g], natural.across[g], jacobian);
+        if constexpr (Tangent) at.add_gradients(natural.along[g], natural.across[g], gradients);
     }
     if constexpr (Tangent) {  // -(dZ^T dZ - (n.dZ)^T (n.dZ))/|Z|
         skew.write(n, *hessian);
-        const LineVector<S, 3> x = jacobian.col(0), along = jacobian * n;
+        const auto& [of_x, of_y, of_z] = gradients;
+        const LineVector<S, 3> along = n[0] * of_x + n[1] * of_y + n[2] * of_z;
         const S half(0.5);
-        hessian->add(inverse, LineVector<S, 3>(-half * x), x, LineVector<S, 3>(jacobian.col(1)));
-        hessian->add(inverse, LineVector<S, 3>(half * along), along,
-                     LineVector<S, 3>(jacobian.col(2)));
+        hessian->add(inverse, LineVector<S, 3>(-half * of_x), of_x, of_y);
+        hessian->add(inverse, LineVector<S, 3>(half * along), along, of_z);
     }
 }
 
