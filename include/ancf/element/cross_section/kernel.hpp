@@ -110,7 +110,8 @@ struct CrossSectionKernel {
             for (int i = 0; i < dofs; ++i)
                 stress<(1U << strain_count) - 1U>(station.stiffness, B.col(i).data(),
                                                   weighted.col(i).data());
-            sum.noalias() += weighted.transpose() * rate;
+            for (int j = 0; j < dofs; ++j)
+                for (int i = 0; i < dofs; ++i) sum(i, j) += weighted.col(i).dot(rate.col(j));
         }
         for (const AxialStationData<T, line>& station : stations.axial) {
             Sums gradient{};
