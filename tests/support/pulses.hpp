@@ -20,7 +20,7 @@
 namespace ancf::test {
 
 /// When something begins to act, and the end of the run, s.
-constexpr double pulse_from = 0.5, pulse_end = 0.6;
+constexpr double pulse_from = 0.5, pulse_end = 0.7;
 
 /// What acts.
 enum class Acts { load, gravity, support, joint };
@@ -59,7 +59,8 @@ struct Pulse {
 };
 
 /// Runs with free steps, and with steps of 1 ms that no pulse falls between.
-/// @param run  integrates to pulse_end from a scene and a longest step, s; returns its report.
+/// @param run  integrates to a time behind the pulse, such as pulse_end, from a scene and a longest
+///             step, s; returns its report.
 template <class Run>
 void check_pulses(const Run& run) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
