@@ -5,7 +5,7 @@
 #
 # ancf_add_compiled(NAME [LAYERS layer...] [ELEMENTS type...]): a static library target. Its units are generated from the
 # headers: one for each ANCF_COMPILED_ELEMENT and ANCF_COMPILED_TEMPLATE of a header, one for each layer or part of a
-# layer. Of these only the given ones, where some are given.
+# layer. Of these only the given ones, where some are given; the joints of builders always.
 # ancf_add_compiled_component(NAME COMPONENT): another one, NAME_COMPONENT, with the definitions of a component.
 # ANCF_SANITIZER_FLAGS: what ANCF_SANITIZE adds to a compilation.
 

@@ -57,6 +57,7 @@ public:
             if (const auto fault = evaluate(0.0, model_.state().q, multiple, &stresses))
                 return fault;
             out = (assembly_.tangent() - unloaded) / multiple;
+            // what the loads themselves change
             const auto fault = evaluate(1.0, model_.state().q, 0.0);
             out += assembly_.tangent() - unloaded;
             // what stands from the beginning and bears the load, such as springs, which may be

@@ -15,7 +15,7 @@ namespace ancf {
 
 namespace detail {
 
-/// Adds m dp/de, p the vector of the line with these weights.
+/// Adds m dp/de, D x 4 D, to a Jacobian; p is the vector of the line with these weights, m D x D.
 template <int D>
 void add_line_jacobian(const Matrix<double, D>& m, const LineWeights<double>& weights,
                        Matrix<double, D, 4 * D>& jacobian) noexcept {
