@@ -186,6 +186,10 @@ private:
     [[nodiscard]] bool advance() {
         for (;;) {
             const Step step = next_step(now_);
+            if (passes_jump(now_)) {
+                begin_anew();
+                continue;
+            }
             shift_algorithmic(step.width);
             if (divides(step)) continue;
             next_.time = step.end;
@@ -205,7 +209,8 @@ private:
                     grid_ = {step.end, std::min(step.width * std::min(factor, 2.0), control_.most)};
                 return true;
             }
-            if (!shortens(step, status, status == Status::converged ? std::max(0.2, factor) : 0.25))
+            if (!shortens(now_, step, status,
+                          status == Status::converged ? std::max(0.2, factor) : 0.25))
                 return false;
         }
     }

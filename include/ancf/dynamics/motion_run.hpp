@@ -246,13 +246,36 @@ struct StepGrid {
 };
 
 /// The error of a step at rest, relative to the tolerance, is below this.
-constexpr double resting = 1e-3;
+constexpr double resting = 0.03;
 
 /// Returns where in a step from rest a load or a drive acts most that is much the same at both
 /// ends, or the step's end, s.
 /// @param apart  s, between two looks, at least; they are a thousandth of the step apart or more.
 [[nodiscard]] double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
                                    double apart);
+
+/// Finds where loads and drives jump, for steps to end there and a run to begin anew behind it.
+class Jumps {
+public:
+    explicit Jumps(DynamicProblem& problem) : problem_(problem) {}
+
+    /// Looks from now to the end of a step: at amplitudes, gravity and accelerations of supports,
+    /// where asked for also at those of constraints. Not in several processes.
+    void look(const MotionPoint& now, double end, bool constraints = false);
+
+    /// Returns a time just before the first jump that was found, s; infinity: there is none.
+    [[nodiscard]] double next() const noexcept { return before_; }
+
+    /// Tells whether a point has reached that. Then `start` is the same point behind the jump, with
+    /// accelerations that belong to it.
+    [[nodiscard]] bool passes(const MotionPoint& now, Start& start);
+
+private:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
+    DynamicProblem& problem_;
+    double before_ = never, after_ = never;  // s: next to each other in the resolution of time
+};
 
 /// A run, from which those of the integrators derive.
 class MotionRun {
@@ -279,9 +302,14 @@ protected:
         return report_.fault ? report_.fault->status : Status::converged;
     }
 
-    /// Returns the next step to try. In an adaptive run at rest it ends no later than where a load
-    /// or a drive acts that is much the same at both ends of a longer one.
+    /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at rest
+    /// no later than where a load or a drive acts that is much the same at both ends of a longer
+    /// one.
     [[nodiscard]] Step next_step(const MotionPoint& now);
+
+    /// Takes a point of an adaptive run that stands at a jump, as next_step() found it, and the
+    /// run's start, behind it. False where it does not.
+    [[nodiscard]] bool passes_jump(MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
     [[nodiscard]] bool divides(const Step& step) {
@@ -292,8 +320,10 @@ protected:
     }
 
     /// Counts a step that failed, or converged with too large an error, and makes the next one
-    /// shorter: by a factor, or in halves where steps are fixed. False where the run ends.
-    [[nodiscard]] bool shortens(const Step& step, Status status, double factor);
+    /// shorter: by a factor, or in halves where steps are fixed; where a constraint's drive jumps in
+    /// it, to end there. False where the run ends.
+    [[nodiscard]] bool shortens(const MotionPoint& now, const Step& step, Status status,
+                                double factor);
 
     /// Reports a step that was taken; the last one ends where the schedule does. One that is
     /// shorter than half of the one before, or of the options' step, ends with the multipliers of
@@ -357,9 +387,10 @@ protected:
     LinearSolver& solver_;
     const Schedule& schedule_;
     StepControl control_;
+    Jumps jumps_;
     DynamicsReport report_;
     Recorder recorder_;
-    Start start_;
+    Start start_;  // of the run, or behind its last jump
     StepGrid grid_;
     double duration_ = 0.0;    // s, from the start to the schedule's end
     double last_width_ = 0.0;  // s, of the last step, at first that of the options

@@ -283,9 +283,18 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
     return {whole ? width : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
 }
 
+/// Calls `look` with each function of time alone: amplitudes, gravity, and of supports a member.
+template <class Look>
+void look_at_drives(const Scene& model, Amplitude Support::*member, const Look& look) {
+    for (const ScaledLoad& load : model.loads())
+        if (load.amplitude) look(load.amplitude);
+    for (const Support& support : model.supports())
+        if (support.*member) look(support.*member);
+    look([&](double time) { return model.gravity_scale({time, 1.0}); });
+}
+
 ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
                                  double apart) {
-    const Scene& model = problem.model();
     const double between = std::max(apart, 1e-3 * (end - now.time));
     double found = end;
     const auto look = [&](const auto& function) {
@@ -299,17 +308,71 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
         }
         found = std::min(found, at);
     };
-    for (const ScaledLoad& load : model.loads())
-        if (load.amplitude) look(load.amplitude);
-    for (const Support& support : model.supports())
-        if (support.value) look(support.value);
-    look([&](double time) { return model.gravity_scale({time, 1.0}); });
+    look_at_drives(problem.model(), &Support::value, look);
     if (problem.multipliers() > 0)
         look([&](double time) {
             problem.evaluate_constraints(time, now.q, now.v, false);
             return problem.constraints().violation().sum();
         });
     return found;
+}
+
+ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraints) {
+    if (problem_.model().exchange() != nullptr) return;
+    const double resolution = 0.125 * time_resolution(now.time, end);
+    // Halves a part of the step towards the larger change, which shrinks likewise unless it jumps.
+    const auto find = [&](const auto& function, double from, double to) {
+        constexpr double share = 0.1;  // of a change, that a jump keeps
+        double low = function(from), high = function(to);
+        const double least = std::max(share * std::abs(high - low), 1e-12 * std::abs(low));
+        while (std::abs(high - low) > least) {
+            const double middle = 0.5 * (from + to);
+            if (to - from <= resolution || !(middle > from && middle < to)) {
+                before_ = from;
+                after_ = to;
+                return true;
+            }
+            const double value = function(middle);
+            const bool early = std::abs(value - low) >= std::abs(high - value);
+            (early ? to : from) = middle;
+            (early ? high : low) = value;
+        }
+        return false;
+    };
+    const auto look = [&](const auto& function) {
+        constexpr int parts = 4;
+        const double whole = std::min(end, before_) - now.time;
+        if (!(whole > resolution)) return;
+        for (int part = 0; part < parts; ++part) {
+            const double from = now.time + part * whole / parts;
+            const double to = now.time + (part + 1) * whole / parts;
+            if (!find(function, from, to)) continue;
+            while (before_ - from > resolution && find(function, from, before_)) {
+            }
+            return;
+        }
+    };
+    look_at_drives(problem_.model(), &Support::acceleration, look);
+    if (constraints && problem_.multipliers() > 0)
+        look([&](double time) {
+            problem_.evaluate_constraints(time, now.q, now.v);
+            return problem_.constraints().convection().sum();
+        });
+}
+
+ANCF_INLINE bool Jumps::passes(const MotionPoint& now, Start& start) {
+    if (before_ - now.time > time_resolution(now.time, now.time)) return false;
+    Start behind;
+    behind.time = std::exchange(after_, never);
+    before_ = never;
+    behind.q = now.q;
+    behind.v = now.v;
+    if (!problem_.project(behind.time, behind.q, behind.v) ||
+        problem_.accelerations(behind.time, behind.q, behind.v, behind.acceleration,
+                               behind.multipliers) != Status::converged)
+        return false;
+    start = std::move(behind);
+    return true;
 }
 
 ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
@@ -319,6 +382,7 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
       solver_(solver),
       schedule_(schedule),
       control_(control),
+      jumps_(problem),
       recorder_(problem, schedule, report_, follow_energy),
       grid_{0.0, control.is_adaptive() ? std::min(control.first, control.most) : control.first} {
     require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
@@ -345,13 +409,35 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
             step = grid_.next(now.time, schedule_.end);
         }
     }
+    if (control_.is_adaptive()) jumps_.look(now, step.end);
+    if (now.time < jumps_.next() && jumps_.next() < step.end) {
+        double width = jumps_.next() - step.begin;
+        while (step.begin + width > jumps_.next()) width = std::nextafter(width, 0.0);
+        grid_ = {step.begin, width};
+        step = grid_.next(now.time, schedule_.end);
+    }
     step.turn = driven_turn(problem_.model().constraints(), now.time, step.end);
     return step;
 }
 
-ANCF_INLINE bool MotionRun::shortens(const Step& step, Status status, double factor) {
+ANCF_INLINE bool MotionRun::passes_jump(MotionPoint& now) {
+    if (!jumps_.passes(now, start_)) return false;
+    ++report_.evaluations;
+    now = start_point();
+    grid_ = {now.time, std::min(control_.first, control_.most)};
+    last_width_ = grid_.width;
+    rests_ = true;
+    return true;
+}
+
+ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, Status status,
+                                     double factor) {
     const bool converged = status == Status::converged;
     if (step.turn.fits()) converged ? ++report_.rejected : ++report_.convergence_failures;
+    if (control_.is_adaptive()) {
+        jumps_.look(now, step.end, true);
+        if (jumps_.next() < step.end) return true;
+    }
     if (control_.is_adaptive()) grid_ = {step.begin, step.width * factor};
     if (control_.is_adaptive() ? grid_.width >= control_.least : grid_.halve(step)) return true;
     const std::string turn = step.turn.fits() ? ""

@@ -154,6 +154,10 @@ private:
         strain_ = frames_.turn() ? recorder_.strain_energy(now_) : 0.0;
         for (;;) {
             const Step step = next_step(now_);
+            if (passes_jump(now_)) {
+                begin_anew();
+                continue;
+            }
             if (divides(step)) continue;
             next_.time = step.end;
             const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
@@ -164,8 +168,17 @@ private:
                 end_step(step.width);
                 return true;
             }
-            if (!shortens(step, status, shortening(step, status, error))) return false;
+            if (!shortens(now_, step, status, shortening(step, status, error))) return false;
         }
+    }
+
+    /// Begins behind a jump, as a run does.
+    void begin_anew() {
+        now_.acceleration = start_.acceleration;
+        width_before_ = 0.0;
+        most_growth_ = largest_growth;
+        rejected_ = failed_ = false;
+        knots_.clear();
     }
 
     /// Settles the next step's width.

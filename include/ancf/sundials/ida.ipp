@@ -13,6 +13,7 @@
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -51,7 +52,8 @@ public:
           matrix_(make_matrix(context_, system_.size(), system_.map().values())),
           klu_(make_klu(context_, y_.get(), matrix_.get())),
           turned_(make_turned()),
-          ida_(make_ida(context_)) {}
+          ida_(make_ida(context_)),
+          jumps_(problem) {}
 
     IdaReport run() {
         if (!starts()) return std::move(report_);
@@ -60,21 +62,38 @@ public:
         recorder_.start(now_);
         while (now_.time < schedule_.end && step()) {
         }
-        void* ida = ida_.get();
-        IDAGetNumErrTestFails(ida, &report_.rejected);
-        IDAGetNumNonlinSolvConvFails(ida, &report_.convergence_failures);
-        IDAGetNumNonlinSolvIters(ida, &report_.iterations);
-        long evaluations = 0;
-        IDAGetNumResEvals(ida, &evaluations);
-        report_.evaluations += evaluations;
-        IDAGetNumJacEvals(ida, &report_.jacobians);
-        IDAGetNumLinSolvSetups(ida, &report_.factorisations);
+        const Counts all = counts();
+        report_.rejected = all[rejected];
+        report_.convergence_failures = all[failures];
+        report_.iterations = all[corrections];
+        report_.evaluations += all[evaluations];
+        report_.jacobians = all[jacobians];
+        report_.factorisations = all[factorisations];
         report_.code = code_name(code_);
         recorder_.finish(now_);
         return std::move(report_);
     }
 
 private:
+    // What IDA counts, and forgets at a jump.
+    enum Count { rejected, failures, corrections, evaluations, jacobians, factorisations };
+    using Counts = std::array<long, 6>;
+
+    // Of the run.
+    [[nodiscard]] Counts counts() const {
+        constexpr int (*functions[])(void*, long*) = {
+            IDAGetNumErrTestFails,    IDAGetNumNonlinSolvConvFails,
+            IDAGetNumNonlinSolvIters, IDAGetNumResEvals,
+            IDAGetNumJacEvals,        IDAGetNumLinSolvSetups};
+        Counts all = before_;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            long more = 0;
+            functions[i](ida_.get(), &more);
+            all[i] += more;
+        }
+        return all;
+    }
+
     [[nodiscard]] int order_limit() {
         if (options_.order != Order::automatic) return options_.order == Order::two ? 2 : 5;
         // Order 5 holds the step below 0.7/omega_max; so many steps while the scene turns once are
@@ -130,20 +149,28 @@ private:
     // Fills y and dy, in units of the absolute tolerances. Rates are measured by the highest
     // frequency where it is known: c is of that size where accuracy asks for no smaller step.
     void set_start() {
-        auto y = view(y_.get());
-        auto dy = view(dy_.get());
-        system_.q(y) = start_.q;
-        system_.v(y) = start_.v;
-        system_.lambda(y) = start_.multipliers;
-        system_.q(dy) = start_.v;
-        system_.v(dy) = start_.acceleration;
         auto absolute = view(tolerances_.get());
         fill_tolerances(absolute);
         VectorX sizes = absolute;
         if (report_.highest_frequency > 0.0)
             system_.v(sizes) = report_.highest_frequency * system_.q(absolute);
         system_.set_units(sizes);
-        for (auto& column : {&y, &dy, &absolute}) *column = column->cwiseQuotient(system_.units());
+        absolute = absolute.cwiseQuotient(system_.units());
+        write_start();
+    }
+
+    // Fills y and dy.
+    void write_start() {
+        auto y = view(y_.get());
+        auto dy = view(dy_.get());
+        y.setZero();
+        dy.setZero();
+        system_.q(y) = start_.q;
+        system_.v(y) = start_.v;
+        system_.lambda(y) = start_.multipliers;
+        system_.q(dy) = start_.v;
+        system_.v(dy) = start_.acceleration;
+        for (auto& column : {&y, &dy}) *column = column->cwiseQuotient(system_.units());
     }
 
     // The absolute tolerances, in the units of the scene.
@@ -279,14 +306,12 @@ private:
         if (report_.order > 2) return;
         double length = 0.0;  // of the last one
         IDAGetLastStep(ida_.get(), &length);
-        long corrections = 0, tangents = 0, failures = 0;
-        IDAGetNumNonlinSolvIters(ida_.get(), &corrections);
-        IDAGetNumLinSolvSetups(ida_.get(), &tangents);
-        IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
+        const Counts all = counts();
         ancf::detail::TurningFrames& frames = system_.frames();
-        for (; report_.iterations < corrections; ++report_.iterations) frames.add_correction();
-        for (; report_.factorisations < tangents; ++report_.factorisations) frames.add_tangent();
-        for (; report_.convergence_failures < failures; ++report_.convergence_failures)
+        for (; report_.iterations < all[corrections]; ++report_.iterations) frames.add_correction();
+        for (; report_.factorisations < all[factorisations]; ++report_.factorisations)
+            frames.add_tangent();
+        for (; report_.convergence_failures < all[failures]; ++report_.convergence_failures)
             frames.fail();
         frames.end_step(length);
         const VectorX rates = view(dy_.get()).cwiseProduct(system_.units());
@@ -322,6 +347,7 @@ private:
         code_ = IDASolve(ida_.get(), schedule_.end, &reached, y_.get(), dy_.get(), IDA_ONE_STEP);
         system_.rethrow();
         if (code_ < 0) return fail(code_);
+        begins_ = false;
         now_.time = reached;
         if (lost_in_round_off()) {
             ++report_.steps;
@@ -355,26 +381,48 @@ private:
                ancf::detail::resting * ancf::detail::resting * static_cast<double>(errors.size());
     }
 
-    // Returns the schedule's end; after a rest no later than where a load or a drive acts that the
-    // next step would pass over.
+    // Returns where the next step has to end: at a jump, after a rest where a load or a drive acts
+    // that it would pass over, or with the schedule. At a jump it first begins anew behind it.
     [[nodiscard]] double stop_time() {
-        if (report_.steps == 0 || !(now_.time < acts_at_ || rests())) return schedule_.end;
-        double next = 0.0;
-        IDAGetCurrentStep(ida_.get(), &next);
-        const double end = std::min(now_.time + next, schedule_.end);
-        const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
-        if (at == end) return schedule_.end;
-        acts_at_ = at;
-        return at;
+        double end = next_end();
+        if (!begins_ && (now_.time < acts_at_ || rests())) {
+            const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
+            if (at < end) end = acts_at_ = at;
+        }
+        jumps_.look(now_, end);
+        if (jumps_.passes(now_, start_)) {
+            begin_anew();
+            jumps_.look(now_, end = next_end());
+        }
+        const double stop = std::min(end, jumps_.next());
+        return stop < next_end() ? stop : schedule_.end;
+    }
+
+    // Returns where the next step would end, s.
+    [[nodiscard]] double next_end() const {
+        double length = first_step_;
+        if (!begins_) IDAGetCurrentStep(ida_.get(), &length);
+        return std::min(now_.time + length, schedule_.end);
+    }
+
+    // Begins behind a jump.
+    void begin_anew() {
+        ++report_.evaluations;
+        before_ = counts();
+        write_start();
+        first_step_ = first_step();
+        call(IDAReInit(ida_.get(), start_.time, y_.get(), dy_.get()));
+        call(IDASetInitStep(ida_.get(), first_step_));
+        now_ = point(start_.time, y_.get());
+        begins_ = true;
     }
 
     // IDA halves its step where Newton's method fails and doubles it after the next, for ever. In a
     // long run it may fail as often, but not in so many of the steps.
     [[nodiscard]] bool lost_in_round_off() const {
         if (!hides_forces_) return false;
-        long failures = 0;
-        IDAGetNumNonlinSolvConvFails(ida_.get(), &failures);
-        return failures > 1000 && 3 * failures > report_.steps + 1;  // this one
+        const long failed = counts()[failures];
+        return failed > 1000 && 3 * failed > report_.steps + 1;  // this one
     }
 
     // The motion in the scene's units.
@@ -421,6 +469,9 @@ private:
     double first_step_ = 0.0;         // s
     bool hides_forces_ = false;       // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
+    ancf::detail::Jumps jumps_;
+    Counts before_ = {};  // up to the last jump
+    bool begins_ = true;  // whether the run or what follows a jump has no step yet
 };
 
 }  // namespace detail
