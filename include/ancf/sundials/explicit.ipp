@@ -199,7 +199,8 @@ private:
         call(Arkode::set_stable_share(erk, options_.stable_share));
         // a step just below the stable one grows to it
         call(Arkode::set_kept_steps(erk, 1.0, 1.0));
-        double first = options_.first_step;
+        double& first = first_step_;
+        first = options_.first_step;
         if (first == 0.0) first = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
         first = std::min(first, options_.stable_share * system_.stable_step());
         if (options_.max_step > 0.0) first = std::min(first, options_.max_step);
@@ -255,6 +256,7 @@ private:
     [[nodiscard]] bool step() {
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(ARK_TOO_MUCH_WORK);
+        if (!is_fixed()) stop_at_jump();
         double reached = now_.time;
         system_.forget_fault();
         context_.forget_message();
@@ -265,6 +267,21 @@ private:
         double length = 0.0;
         Arkode::last_step(erk_.get(), &length);
         return record(length, [this](double time) { return between(time); }) && remains_stable();
+    }
+
+    // Ends the next step at a jump of a load or a drive; at one it begins anew behind it.
+    void stop_at_jump() {
+        double next = first_step_;
+        if (ran_) Arkode::current_step(erk_.get(), &next);
+        jumps_.look(now_, std::min(now_.time + next, schedule_.end));
+        if (jumps_.passes(now_, start_)) {
+            ++report_.evaluations;
+            now_ = start_point();
+            a_ = start_.acceleration;
+            restart(first_step_);
+            jumps_.look(now_, std::min(now_.time + first_step_, schedule_.end));
+        }
+        if (jumps_.next() < schedule_.end) call(Arkode::set_stop_time(erk_.get(), jumps_.next()));
     }
 
     // Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
@@ -346,6 +363,7 @@ private:
     ArkodeOwner erk_;
 
     double fixed_step_ = 0.0;  // s: options_.step, shortened
+    double first_step_ = 0.0;  // s, where steps are not fixed
     Revision revision_;        // of the scene that the stable step is of
     bool ran_ = false;
     VectorX a_;         // at now_

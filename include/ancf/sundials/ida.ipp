@@ -52,8 +52,7 @@ public:
           matrix_(make_matrix(context_, system_.size(), system_.map().values())),
           klu_(make_klu(context_, y_.get(), matrix_.get())),
           turned_(make_turned()),
-          ida_(make_ida(context_)),
-          jumps_(problem) {}
+          ida_(make_ida(context_)) {}
 
     IdaReport run() {
         if (!starts()) return std::move(report_);
@@ -469,8 +468,7 @@ private:
     double first_step_ = 0.0;         // s
     bool hides_forces_ = false;       // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
-    ancf::detail::Jumps jumps_;
-    Counts before_ = {};  // up to the last jump
+    Counts before_ = {};                                         // up to the last jump
     bool begins_ = true;  // whether the run or what follows a jump has no step yet
 };
 

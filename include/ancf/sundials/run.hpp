@@ -100,6 +100,7 @@ protected:
                const Schedule& schedule, bool follow_energy, DynamicsReport& report)
         : problem_(problem),
           schedule_(schedule),
+          jumps_(problem),
           recorder_(problem, schedule, report, follow_energy),
           who_(who),
           names_(names),
@@ -115,8 +116,12 @@ protected:
     /// Makes a consistent start; false where there is none.
     [[nodiscard]] bool starts() {
         start_ = ancf::detail::start_run(problem_, outcome_);
-        now_ = {start_.time, start_.q, start_.v, start_.multipliers};
+        now_ = start_point();
         return outcome_.status == Status::converged;
+    }
+
+    [[nodiscard]] MotionPoint start_point() const {
+        return {start_.time, start_.q, start_.v, start_.multipliers};
     }
 
     /// Returns the frequency of the motion to be followed, rad/s; 0 where nothing moves.
@@ -165,9 +170,10 @@ protected:
 
     DynamicProblem& problem_;
     const Schedule& schedule_;
+    ancf::detail::Jumps jumps_;
     Context context_;
     ancf::detail::Recorder recorder_;
-    Start start_;
+    Start start_;  // of the run, or behind its last jump
     MotionPoint now_;
     int code_ = 0;  // the last one
 
