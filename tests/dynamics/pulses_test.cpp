@@ -7,6 +7,9 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/radau.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 
 #include <support/pulses.hpp>
@@ -47,6 +50,26 @@ TEST_CASE("pulses: adaptive steps see what acts for longer than the first step a
         REQUIRE(report.status == Status::converged);
         return report;
     });
+}
+
+TEST_CASE("pulses: round-off of a rest hides none", "[dynamics]") {
+    Model model;
+    const auto beam =
+        straight_beam<CrossSectionBeam<3>>(model, Material::isotropic(2.1e11, 0.3, 7800.0),
+                                           rectangle(0.01, 0.01), {0, 0, 0}, {1, 0, 0}, 4);
+    model.pin(beam.first());
+    model.add(Force<3>(beam.last(), {0, 2, 0.6}),
+              [](double t) { return t > 0.13 && t < 0.18 ? 1.0 : 0.0; });
+    DynamicProblem problem(model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.tolerance = 1e-6;
+    Schedule schedule;
+    schedule.end = 0.5;
+    REQUIRE(GeneralizedAlpha(options).integrate(problem, solver, schedule).status ==
+            Status::converged);
+    // nine steps passed over the pulse
+    CHECK(model.position(beam.last()).y() > 0.05);
 }
 
 }  // namespace pulses_test

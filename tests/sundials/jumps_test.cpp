@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Loads and drives that jump within a run of IDA and ARKODE.
+
+#include <ancf/dynamics/problem.hpp>
+#include <ancf/sundials/explicit.hpp>
+#include <ancf/sundials/ida.hpp>
+
+#include <support/catch.hpp>
+#include <support/jumps.hpp>
+
+namespace sundials_jumps_test {
+
+using namespace ancf;
+using namespace ancf::test;
+
+/// Runs by an integrator with a tolerance; the error is below so many of them.
+template <class Integrator, class Options>
+void check(Options options, double tolerance, double most, bool joint) {
+    options.tolerance = tolerance;
+    check_jumps(
+        [&](PlanarModel& model, double end) {
+            DynamicProblem problem(model);
+            Schedule schedule;
+            schedule.end = end;
+            const auto report = Integrator(options).integrate(problem, schedule);
+            REQUIRE(report.status == Status::converged);
+        },
+        most * tolerance, joint);
+}
+
+// Without an end of steps at jumps the errors were 340 and 5200 tolerances, of the second form 22.
+TEST_CASE("jumps: IDA begins anew behind them", "[ida]") {
+    sundials::IdaOptions options;
+    check<sundials::Ida>(options, 1e-5, 100.0, true);
+    check<sundials::Ida>(options, 1e-8, 3000.0, true);
+    options.form = sundials::Form::gear_gupta_leimkuhler;
+    check<sundials::Ida>(options, 1e-5, 20.0, true);
+}
+
+// Without an end of steps at jumps the error was 62 tolerances.
+TEST_CASE("jumps: Explicit begins anew behind them", "[explicit]") {
+    check<sundials::Explicit>(sundials::ExplicitOptions(), 1e-6, 0.1, false);
+}
+
+}  // namespace sundials_jumps_test
