@@ -49,4 +49,18 @@ TEST_CASE("jumps: adaptive runs begin anew behind them", "[dynamics]") {
         c.most * c.tolerance);
 }
 
+TEST_CASE("jumps: noise is taken for none", "[dynamics]") {
+    NoisyScene scene;
+    DynamicProblem problem(scene.model);
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = 0.1;
+    RadauOptions options;
+    options.tolerance = 1e-4;
+    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
+    CHECK(report.status == Status::converged);
+    // a step for each change that time resolves would make 1e12
+    CHECK(report.steps < 2000);
+}
+
 }  // namespace jumps_test

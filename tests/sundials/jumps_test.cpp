@@ -45,4 +45,14 @@ TEST_CASE("jumps: Explicit begins anew behind them", "[explicit]") {
     check<sundials::Explicit>(sundials::ExplicitOptions(), 1e-6, 0.1, false);
 }
 
+TEST_CASE("jumps: IDA takes noise for none", "[ida]") {
+    NoisyScene scene;
+    DynamicProblem problem(scene.model);
+    Schedule schedule;
+    schedule.end = 0.1;
+    sundials::IdaOptions options;
+    options.max_steps = 2000;
+    CHECK(sundials::Ida(options).integrate(problem, schedule).status == Status::converged);
+}
+
 }  // namespace sundials_jumps_test

@@ -55,6 +55,21 @@ struct JumpScene {
     Beam<CrossSectionBeam<2>> beam;
 };
 
+/// A pinned beam under a force that is another number at every instant.
+struct NoisyScene {
+    NoisyScene() {
+        const auto beam = straight_beam<CrossSectionBeam<2>>(
+            model, Material::isotropic(2e9, 0.3, 8000.0), rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+        model.pin(beam.first());
+        model.add(Force<2>(beam.last(), {0, 5}), [](double t) {
+            const double x = 1e9 * std::sin(1e9 * t);
+            return x - std::floor(x);
+        });
+    }
+
+    PlanarModel model;
+};
+
 /// Compares where a run ends with steps that end at every jump.
 /// @param run    integrates a model to a time, s.
 /// @param error  m, of any node.

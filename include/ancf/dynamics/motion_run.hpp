@@ -255,9 +255,12 @@ constexpr double resting = 0.03;
                                    double apart);
 
 /// Finds where loads and drives jump, for steps to end there and a run to begin anew behind it.
+/// After 100,000 jumps, or a hundred next to others, it takes them for noise and looks no more.
 class Jumps {
 public:
-    explicit Jumps(DynamicProblem& problem) : problem_(problem) {}
+    Jumps(DynamicProblem& problem, const Schedule& schedule)
+        : problem_(problem),
+          resolution_(8.0 * time_resolution(problem.model().state().time, schedule.end)) {}
 
     /// Looks from now to the end of a step: at amplitudes, gravity and accelerations of supports,
     /// where asked for also at those of constraints. Not in several processes.
@@ -266,15 +269,27 @@ public:
     /// Returns a time just before the first jump that was found, s; infinity: there is none.
     [[nodiscard]] double next() const noexcept { return before_; }
 
-    /// Tells whether a point has reached that. Then `start` is the same point behind the jump, with
+    /// Tells whether a step from a point may end there.
+    [[nodiscard]] bool is_ahead(const MotionPoint& now) const noexcept {
+        return before_ - now.time > resolution_;
+    }
+
+    /// Tells whether a point has reached it. Then `start` is the same point behind the jump, with
     /// accelerations that belong to it.
     [[nodiscard]] bool passes(const MotionPoint& now, Start& start);
 
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();
 
+    static constexpr int most_weariness = 100'000;
+
     DynamicProblem& problem_;
-    double before_ = never, after_ = never;  // s: next to each other in the resolution of time
+    const double resolution_;                // s
+    double before_ = never, after_ = never;  // s: closer to each other than that
+    double passed_ = -never;                 // s: behind the last one
+    double close_by_ = 0.0;                  // s, of one jump to the next
+    int weariness_ = 0;
+    std::vector<double> largest_;  // of each function
 };
 
 /// A run, from which those of the integrators derive.
@@ -302,9 +317,9 @@ protected:
         return report_.fault ? report_.fault->status : Status::converged;
     }
 
-    /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at rest
-    /// no later than where a load or a drive acts that is much the same at both ends of a longer
-    /// one.
+    /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at
+    /// rest no later than where a load or a drive acts that is much the same at both ends of a
+    /// longer one.
     [[nodiscard]] Step next_step(const MotionPoint& now);
 
     /// Takes a point of an adaptive run that stands at a jump, as next_step() found it, and the
@@ -320,8 +335,8 @@ protected:
     }
 
     /// Counts a step that failed, or converged with too large an error, and makes the next one
-    /// shorter: by a factor, or in halves where steps are fixed; where a constraint's drive jumps in
-    /// it, to end there. False where the run ends.
+    /// shorter: by a factor, or in halves where steps are fixed; where a constraint's drive jumps
+    /// in it, to end there. False where the run ends.
     [[nodiscard]] bool shortens(const MotionPoint& now, const Step& step, Status status,
                                 double factor);
 

@@ -318,16 +318,20 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
 }
 
 ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraints) {
-    if (problem_.model().exchange() != nullptr) return;
-    const double resolution = 0.125 * time_resolution(now.time, end);
+    if (problem_.model().exchange() != nullptr || weariness_ > most_weariness) return;
+    close_by_ = 1e-3 * (end - now.time);
+    std::size_t k = 0;
+    double* largest = nullptr;
     // Halves a part of the step towards the larger change, which shrinks likewise unless it jumps.
     const auto find = [&](const auto& function, double from, double to) {
-        constexpr double share = 0.1;  // of a change, that a jump keeps
+        constexpr double share = 0.1;     // of a change, that a jump keeps
+        constexpr double matters = 1e-4;  // of the largest value
         double low = function(from), high = function(to);
-        const double least = std::max(share * std::abs(high - low), 1e-12 * std::abs(low));
+        *largest = std::max({*largest, std::abs(low), std::abs(high)});
+        const double least = std::max(share * std::abs(high - low), matters * *largest);
         while (std::abs(high - low) > least) {
             const double middle = 0.5 * (from + to);
-            if (to - from <= resolution || !(middle > from && middle < to)) {
+            if (to - from <= resolution_) {
                 before_ = from;
                 after_ = to;
                 return true;
@@ -341,13 +345,15 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
     };
     const auto look = [&](const auto& function) {
         constexpr int parts = 4;
+        if (k == largest_.size()) largest_.push_back(0.0);
+        largest = &largest_[k++];
         const double whole = std::min(end, before_) - now.time;
-        if (!(whole > resolution)) return;
+        if (!(whole > resolution_)) return;
         for (int part = 0; part < parts; ++part) {
             const double from = now.time + part * whole / parts;
             const double to = now.time + (part + 1) * whole / parts;
             if (!find(function, from, to)) continue;
-            while (before_ - from > resolution && find(function, from, before_)) {
+            while (before_ - from > resolution_ && find(function, from, before_)) {
             }
             return;
         }
@@ -361,10 +367,12 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
 }
 
 ANCF_INLINE bool Jumps::passes(const MotionPoint& now, Start& start) {
-    if (before_ - now.time > time_resolution(now.time, now.time)) return false;
+    if (is_ahead(now)) return false;
     Start behind;
     behind.time = std::exchange(after_, never);
     before_ = never;
+    const bool close = behind.time - std::exchange(passed_, behind.time) < close_by_;
+    weariness_ += close ? 1000 : 1;
     behind.q = now.q;
     behind.v = now.v;
     if (!problem_.project(behind.time, behind.q, behind.v) ||
@@ -382,7 +390,7 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
       solver_(solver),
       schedule_(schedule),
       control_(control),
-      jumps_(problem),
+      jumps_(problem, schedule),
       recorder_(problem, schedule, report_, follow_energy),
       grid_{0.0, control.is_adaptive() ? std::min(control.first, control.most) : control.first} {
     require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
@@ -410,7 +418,7 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
         }
     }
     if (control_.is_adaptive()) jumps_.look(now, step.end);
-    if (now.time < jumps_.next() && jumps_.next() < step.end) {
+    if (jumps_.is_ahead(now) && jumps_.next() < step.end) {
         double width = jumps_.next() - step.begin;
         while (step.begin + width > jumps_.next()) width = std::nextafter(width, 0.0);
         grid_ = {step.begin, width};

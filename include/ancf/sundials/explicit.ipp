@@ -281,7 +281,8 @@ private:
             restart(first_step_);
             jumps_.look(now_, std::min(now_.time + first_step_, schedule_.end));
         }
-        if (jumps_.next() < schedule_.end) call(Arkode::set_stop_time(erk_.get(), jumps_.next()));
+        if (jumps_.is_ahead(now_) && jumps_.next() < schedule_.end)
+            call(Arkode::set_stop_time(erk_.get(), jumps_.next()));
     }
 
     // Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.

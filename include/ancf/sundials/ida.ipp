@@ -393,7 +393,7 @@ private:
             begin_anew();
             jumps_.look(now_, end = next_end());
         }
-        const double stop = std::min(end, jumps_.next());
+        const double stop = jumps_.is_ahead(now_) ? std::min(end, jumps_.next()) : end;
         return stop < next_end() ? stop : schedule_.end;
     }
 

@@ -100,7 +100,7 @@ protected:
                const Schedule& schedule, bool follow_energy, DynamicsReport& report)
         : problem_(problem),
           schedule_(schedule),
-          jumps_(problem),
+          jumps_(problem, schedule),
           recorder_(problem, schedule, report, follow_energy),
           who_(who),
           names_(names),
