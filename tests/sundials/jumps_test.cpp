@@ -51,7 +51,7 @@ TEST_CASE("jumps: IDA takes noise for none", "[ida]") {
     Schedule schedule;
     schedule.end = 0.1;
     sundials::IdaOptions options;
-    options.max_steps = 2000;
+    options.max_steps = 50'000;
     CHECK(sundials::Ida(options).integrate(problem, schedule).status == Status::converged);
 }
 
