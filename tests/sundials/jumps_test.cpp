@@ -45,8 +45,31 @@ TEST_CASE("jumps: Explicit begins anew behind them", "[explicit]") {
     check<sundials::Explicit>(sundials::ExplicitOptions(), 1e-6, 0.1, false);
 }
 
+TEST_CASE("jumps: outputs may stand at one, and runs end there", "[ida][explicit]") {
+    for (const double jump : {0.0371, 0.0625, 0.1}) {
+        CAPTURE(jump);
+        Schedule schedule;
+        schedule.end = 0.1;
+        schedule.times = {0.005, jump};
+        int seen = 0;
+        schedule.observe = [&](const Snapshot&) { ++seen; };
+        PushedBeam first(acts_from(jump)), second(acts_from(jump));
+        DynamicProblem one(first.model), two(second.model);
+        // IDA refused the time, Explicit ended as diverged
+        const auto ida = sundials::Ida().integrate(one, schedule);
+        CHECK(ida.status == Status::converged);
+        const auto steps = sundials::Explicit().integrate(two, schedule);
+        CHECK(steps.status == Status::converged);
+        CHECK(ida.time == 0.1);
+        CHECK(steps.time == 0.1);
+        CHECK(seen == 4);
+        CHECK((first.model.position(first.beam.last()) - second.model.position(second.beam.last()))
+                  .norm() <= 1e-3);
+    }
+}
+
 TEST_CASE("jumps: IDA takes noise for none", "[ida]") {
-    NoisyScene scene;
+    PushedBeam scene(noise());
     DynamicProblem problem(scene.model);
     Schedule schedule;
     schedule.end = 0.1;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ancf::test {
 
@@ -55,20 +56,31 @@ struct JumpScene {
     Beam<CrossSectionBeam<2>> beam;
 };
 
-/// A pinned beam under a force that is another number at every instant.
-struct NoisyScene {
-    NoisyScene() {
-        const auto beam = straight_beam<CrossSectionBeam<2>>(
-            model, Material::isotropic(2e9, 0.3, 8000.0), rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+/// A pinned beam under a force that varies.
+struct PushedBeam {
+    explicit PushedBeam(Amplitude amplitude) {
+        beam = straight_beam<CrossSectionBeam<2>>(model, Material::isotropic(2e9, 0.3, 8000.0),
+                                                  rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
         model.pin(beam.first());
-        model.add(Force<2>(beam.last(), {0, 5}), [](double t) {
-            const double x = 1e9 * std::sin(1e9 * t);
-            return x - std::floor(x);
-        });
+        model.add(Force<2>(beam.last(), {0, 5}), std::move(amplitude));
     }
 
     PlanarModel model;
+    Beam<CrossSectionBeam<2>> beam;
 };
+
+/// Acts from a time on, s.
+[[nodiscard]] inline Amplitude acts_from(double time) {
+    return [=](double t) { return t >= time ? 1.0 : 0.0; };
+}
+
+/// Another number at every instant.
+[[nodiscard]] inline Amplitude noise() {
+    return [](double t) {
+        const double x = 1e9 * std::sin(1e9 * t);
+        return x - std::floor(x);
+    };
+}
 
 /// Compares where a run ends with steps that end at every jump.
 /// @param run    integrates a model to a time, s.

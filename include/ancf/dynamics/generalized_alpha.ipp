@@ -59,7 +59,7 @@ public:
             if (!record(next_, now_)) break;
         }
         recorder_.finish(now_);
-        remember_run();
+        if (!jumps_.ends(now_)) remember_run();
         return std::move(report_);
     }
 

@@ -255,11 +255,13 @@ constexpr double resting = 0.03;
                                    double apart);
 
 /// Finds where loads and drives jump, for steps to end there and a run to begin anew behind it.
-/// After 100,000 jumps, or a hundred next to others, it takes them for noise and looks no more.
+///
+/// After 100,000 jumps, or a hundred close to others, it takes them for noise and looks no more.
 class Jumps {
 public:
     Jumps(DynamicProblem& problem, const Schedule& schedule)
         : problem_(problem),
+          end_(schedule.end),
           resolution_(8.0 * time_resolution(problem.model().state().time, schedule.end)) {}
 
     /// Looks from now to the end of a step: at amplitudes, gravity and accelerations of supports,
@@ -274,20 +276,24 @@ public:
         return before_ - now.time > resolution_;
     }
 
-    /// Tells whether a point has reached it. Then `start` is the same point behind the jump, with
-    /// accelerations that belong to it.
-    [[nodiscard]] bool passes(const MotionPoint& now, Start& start);
+    /// Tells whether a point has reached it, and with it the end of the run.
+    [[nodiscard]] bool ends(const MotionPoint& now) const noexcept {
+        return !is_ahead(now) && end_ - before_ <= 2.0 * resolution_;
+    }
+
+    /// Takes a point that has reached it, and the run's start, behind it, with accelerations that
+    /// belong to the time there. False where the point has not, and at the run's end.
+    /// @param first  step of the run, s: a jump within a hundredth of it is close to the last one.
+    [[nodiscard]] bool passes(MotionPoint& now, Start& start, double first, DynamicsReport& report);
 
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();
-
     static constexpr int most_weariness = 100'000;
 
     DynamicProblem& problem_;
-    const double resolution_;                // s
-    double before_ = never, after_ = never;  // s: closer to each other than that
+    const double end_, resolution_;          // s
+    double before_ = never, after_ = never;  // s: closer to each other than the resolution
     double passed_ = -never;                 // s: behind the last one
-    double close_by_ = 0.0;                  // s, of one jump to the next
     int weariness_ = 0;
     std::vector<double> largest_;  // of each function
 };
@@ -307,7 +313,8 @@ protected:
     /// Tells whether the end is further than the round-off of a step; a last point ahead of it or
     /// beyond it by less belongs to the end.
     [[nodiscard]] bool goes_on(const MotionPoint& now) const {
-        return schedule_.end - now.time > 1e-9 * std::min(grid_.width, duration_);
+        return schedule_.end - now.time > 1e-9 * std::min(grid_.width, duration_) &&
+               !jumps_.ends(now);
     }
 
     /// Evaluates at a point; the report has the element that failed.
@@ -322,8 +329,8 @@ protected:
     /// longer one.
     [[nodiscard]] Step next_step(const MotionPoint& now);
 
-    /// Takes a point of an adaptive run that stands at a jump, as next_step() found it, and the
-    /// run's start, behind it. False where it does not.
+    /// Moves a point and the run's start behind a jump, if the point stands at one that next_step()
+    /// found.
     [[nodiscard]] bool passes_jump(MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.

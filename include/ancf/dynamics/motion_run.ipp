@@ -319,43 +319,46 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
 
 ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraints) {
     if (problem_.model().exchange() != nullptr || weariness_ > most_weariness) return;
-    close_by_ = 1e-3 * (end - now.time);
-    std::size_t k = 0;
-    double* largest = nullptr;
-    // Halves a part of the step towards the larger change, which shrinks likewise unless it jumps.
-    const auto find = [&](const auto& function, double from, double to) {
-        constexpr double share = 0.1;     // of a change, that a jump keeps
-        constexpr double matters = 1e-4;  // of the largest value
-        double low = function(from), high = function(to);
-        *largest = std::max({*largest, std::abs(low), std::abs(high)});
-        const double least = std::max(share * std::abs(high - low), matters * *largest);
+    // Halves an interval towards the larger change, which shrinks to about half unless it jumps.
+    const auto find = [&](const auto& function, double least, double from, double low, double to,
+                          double high) {
+        constexpr double share = 0.1;  // of a change, that a jump keeps
+        least = std::max(least, share * std::abs(high - low));
         while (std::abs(high - low) > least) {
-            const double middle = 0.5 * (from + to);
             if (to - from <= resolution_) {
                 before_ = from;
                 after_ = to;
                 return true;
             }
-            const double value = function(middle);
+            const double middle = 0.5 * (from + to), value = function(middle);
             const bool early = std::abs(value - low) >= std::abs(high - value);
             (early ? to : from) = middle;
             (early ? high : low) = value;
         }
         return false;
     };
+    std::size_t k = 0;
     const auto look = [&](const auto& function) {
         constexpr int parts = 4;
+        constexpr double matters = 1e-4;  // of the largest value
         if (k == largest_.size()) largest_.push_back(0.0);
-        largest = &largest_[k++];
+        double& largest = largest_[k++];
         const double whole = std::min(end, before_) - now.time;
         if (!(whole > resolution_)) return;
-        for (int part = 0; part < parts; ++part) {
-            const double from = now.time + part * whole / parts;
-            const double to = now.time + (part + 1) * whole / parts;
-            if (!find(function, from, to)) continue;
-            while (before_ - from > resolution_ && find(function, from, before_)) {
+        double from = now.time, low = function(from);
+        largest = std::max(largest, std::abs(low));
+        for (int part = 1; part <= parts; ++part) {
+            const double to = part == parts ? now.time + whole : now.time + part * whole / parts;
+            const double high = function(to);
+            largest = std::max(largest, std::abs(high));
+            if (find(function, matters * largest, from, low, to, high)) {
+                while (before_ - from > resolution_ &&
+                       find(function, matters * largest, from, low, before_, function(before_))) {
+                }
+                return;
             }
-            return;
+            from = to;
+            low = high;
         }
     };
     look_at_drives(problem_.model(), &Support::acceleration, look);
@@ -366,20 +369,23 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
         });
 }
 
-ANCF_INLINE bool Jumps::passes(const MotionPoint& now, Start& start) {
-    if (is_ahead(now)) return false;
+ANCF_INLINE bool Jumps::passes(MotionPoint& now, Start& start, double first,
+                               DynamicsReport& report) {
+    if (is_ahead(now) || ends(now)) return false;
     Start behind;
-    behind.time = std::exchange(after_, never);
+    behind.time = std::max(now.time, std::exchange(after_, never));
     before_ = never;
-    const bool close = behind.time - std::exchange(passed_, behind.time) < close_by_;
+    const bool close = behind.time - std::exchange(passed_, behind.time) < 0.01 * first;
     weariness_ += close ? 1000 : 1;
     behind.q = now.q;
     behind.v = now.v;
+    ++report.evaluations;
     if (!problem_.project(behind.time, behind.q, behind.v) ||
         problem_.accelerations(behind.time, behind.q, behind.v, behind.acceleration,
                                behind.multipliers) != Status::converged)
         return false;
     start = std::move(behind);
+    now = {start.time, start.q, start.v, start.multipliers};
     return true;
 }
 
@@ -429,9 +435,7 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
 }
 
 ANCF_INLINE bool MotionRun::passes_jump(MotionPoint& now) {
-    if (!jumps_.passes(now, start_)) return false;
-    ++report_.evaluations;
-    now = start_point();
+    if (!jumps_.passes(now, start_, control_.first, report_)) return false;
     grid_ = {now.time, std::min(control_.first, control_.most)};
     last_width_ = grid_.width;
     rests_ = true;
@@ -444,9 +448,9 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
     if (step.turn.fits()) converged ? ++report_.rejected : ++report_.convergence_failures;
     if (control_.is_adaptive()) {
         jumps_.look(now, step.end, true);
-        if (jumps_.next() < step.end) return true;
+        if (jumps_.is_ahead(now) && jumps_.next() < step.end) return true;
+        grid_ = {step.begin, step.width * factor};
     }
-    if (control_.is_adaptive()) grid_ = {step.begin, step.width * factor};
     if (control_.is_adaptive() ? grid_.width >= control_.least : grid_.halve(step)) return true;
     const std::string turn = step.turn.fits() ? ""
                                               : driven_turn_text(problem_.model().constraints(),

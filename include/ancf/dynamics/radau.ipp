@@ -78,7 +78,7 @@ public:
         while (goes_on(now_) && advance())
             if (!record(earlier_, now_, [this](double time) { return between(time); })) break;
         recorder_.finish(now_);
-        remember_run();
+        if (!jumps_.ends(now_)) remember_run();
         return std::move(report_);
     }
 

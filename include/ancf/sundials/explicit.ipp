@@ -264,25 +264,26 @@ private:
         code_ = evolve(reached);
         if (code_ < 0) return fail(code_);
         take_state(reached);
+        if (jumps_.ends(now_)) now_.time = schedule_.end;
         double length = 0.0;
         Arkode::last_step(erk_.get(), &length);
         return record(length, [this](double time) { return between(time); }) && remains_stable();
     }
 
-    // Ends the next step at a jump of a load or a drive; at one it begins anew behind it.
+    // Lets the next step end at a jump of a load or a drive; at one it begins anew behind it.
     void stop_at_jump() {
         double next = first_step_;
         if (ran_) Arkode::current_step(erk_.get(), &next);
-        jumps_.look(now_, std::min(now_.time + next, schedule_.end));
-        if (jumps_.passes(now_, start_)) {
-            ++report_.evaluations;
-            now_ = start_point();
+        const auto look = [&] { jumps_.look(now_, std::min(now_.time + next, schedule_.end)); };
+        for (look(); jumps_.passes(now_, start_, first_step_, report_); look()) {
             a_ = start_.acceleration;
-            restart(first_step_);
-            jumps_.look(now_, std::min(now_.time + first_step_, schedule_.end));
+            restart(next = first_step_);
         }
-        if (jumps_.is_ahead(now_) && jumps_.next() < schedule_.end)
-            call(Arkode::set_stop_time(erk_.get(), jumps_.next()));
+        call(Arkode::set_stop_time(erk_.get(), stop_time()));
+    }
+
+    [[nodiscard]] double stop_time() const {
+        return jumps_.is_ahead(now_) ? std::min(jumps_.next(), schedule_.end) : schedule_.end;
     }
 
     // Takes a step; where an element fails, smaller ones, which ARKODE does not try by itself.
@@ -313,7 +314,7 @@ private:
         system_.q(y) = now_.q;
         system_.v(y) = now_.v;
         call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
-        call(Arkode::set_stop_time(erk, schedule_.end));
+        call(Arkode::set_stop_time(erk, stop_time()));
         call(Arkode::set_first_step(erk, step));
     }
 

@@ -363,9 +363,12 @@ private:
                                     length * highest_frequency_ < 1.0);
         // what the sum of many steps leaves is no step: the multipliers of index 3 would be round-
         // off
-        if (schedule_.end - reached <= 1e-9 * length) now_.time = schedule_.end;
-        return record(length, [this, reached](double time) {
-            call(IDAGetDky(ida_.get(), std::min(time, reached), 0, dense_.get()));
+        if (schedule_.end - reached <= 1e-9 * length || jumps_.ends(now_))
+            now_.time = schedule_.end;
+        return record(length, [this, reached, length](double time) {
+            // an output may stand between both sides of a jump
+            const double within = std::clamp(time, reached - length, reached);
+            call(IDAGetDky(ida_.get(), within, 0, dense_.get()));
             return point(time, dense_.get());
         });
     }
@@ -383,18 +386,18 @@ private:
     // Returns where the next step has to end: at a jump, after a rest where a load or a drive acts
     // that it would pass over, or with the schedule. At a jump it first begins anew behind it.
     [[nodiscard]] double stop_time() {
-        double end = next_end();
+        double end = next_end(), stop = schedule_.end;
         if (!begins_ && (now_.time < acts_at_ || rests())) {
             const double at = ancf::detail::hidden_action(problem_, now_, end, first_step_);
-            if (at < end) end = acts_at_ = at;
+            if (at < end) stop = end = acts_at_ = at;
         }
         jumps_.look(now_, end);
-        if (jumps_.passes(now_, start_)) {
+        while (jumps_.passes(now_, start_, first_step_, report_)) {
             begin_anew();
-            jumps_.look(now_, end = next_end());
+            jumps_.look(now_, next_end());
+            stop = schedule_.end;
         }
-        const double stop = jumps_.is_ahead(now_) ? std::min(end, jumps_.next()) : end;
-        return stop < next_end() ? stop : schedule_.end;
+        return jumps_.is_ahead(now_) ? std::min(stop, jumps_.next()) : stop;
     }
 
     // Returns where the next step would end, s.
@@ -406,13 +409,11 @@ private:
 
     // Begins behind a jump.
     void begin_anew() {
-        ++report_.evaluations;
         before_ = counts();
         write_start();
         first_step_ = first_step();
         call(IDAReInit(ida_.get(), start_.time, y_.get(), dy_.get()));
         call(IDASetInitStep(ida_.get(), first_step_));
-        now_ = point(start_.time, y_.get());
         begins_ = true;
     }
 

@@ -116,12 +116,8 @@ protected:
     /// Makes a consistent start; false where there is none.
     [[nodiscard]] bool starts() {
         start_ = ancf::detail::start_run(problem_, outcome_);
-        now_ = start_point();
+        now_ = {start_.time, start_.q, start_.v, start_.multipliers};
         return outcome_.status == Status::converged;
-    }
-
-    [[nodiscard]] MotionPoint start_point() const {
-        return {start_.time, start_.q, start_.v, start_.multipliers};
     }
 
     /// Returns the frequency of the motion to be followed, rad/s; 0 where nothing moves.
