@@ -205,6 +205,20 @@ TEST_CASE("DistributedScene::integrate: adaptive steps are those of the serial r
                       0.005);
 }
 
+TEST_CASE("DistributedScene::integrate: adaptive steps end where the load of one part jumps",
+          "[petsc]") {
+    GeneralizedAlphaOptions options = of_step(1e-3);
+    options.tolerance = 1e-4;
+    const auto make = [] {
+        Model model = chain(4, 4);
+        const NodeId hit = model.loads().front().load.coupling().front().node;
+        model.add(Force<3>(hit, Point(1, 2, -20)),
+                  [](double t) { return t > 0.0012 && t < 0.0031 ? 1.0 : 0.0; });
+        return model;
+    };
+    same_as_in_series(make, petsc::SolverOptions::direct(), 1e-10, options, 0.005);
+}
+
 TEST_CASE("DistributedScene::integrate: a run goes on from its memory as if it had not stopped",
           "[petsc]") {
     const auto make = [] { return chain(4, 4); };

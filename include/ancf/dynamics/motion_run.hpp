@@ -265,7 +265,7 @@ public:
           resolution_(8.0 * time_resolution(problem.model().state().time, schedule.end)) {}
 
     /// Looks from now to the end of a step: at amplitudes, gravity and accelerations of supports,
-    /// where asked for also at those of constraints. Not in several processes.
+    /// where asked for, and the scene is whole, also at those of constraints.
     void look(const MotionPoint& now, double end, bool constraints = false);
 
     /// Returns a time just before the first jump that was found, s; infinity: there is none.

@@ -318,7 +318,8 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
 }
 
 ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraints) {
-    if (problem_.model().exchange() != nullptr || weariness_ > most_weariness) return;
+    if (weariness_ > most_weariness) return;
+    const Scene& model = problem_.model();
     // Halves an interval towards the larger change, which shrinks to about half unless it jumps.
     const auto find = [&](const auto& function, double least, double from, double low, double to,
                           double high) {
@@ -361,7 +362,13 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
             low = high;
         }
     };
-    look_at_drives(problem_.model(), &Support::acceleration, look);
+    const Exchange* parts = model.exchange();
+    together(parts, [&] { look_at_drives(model, &Support::acceleration, look); });
+    if (parts != nullptr) {
+        before_ = -parts->largest(-before_);
+        after_ = before_ + resolution_;
+        return;
+    }
     if (constraints && problem_.multipliers() > 0)
         look([&](double time) {
             problem_.evaluate_constraints(time, now.q, now.v);
@@ -380,7 +387,8 @@ ANCF_INLINE bool Jumps::passes(MotionPoint& now, Start& start, double first,
     behind.q = now.q;
     behind.v = now.v;
     ++report.evaluations;
-    if (!problem_.project(behind.time, behind.q, behind.v) ||
+    const bool whole = problem_.model().exchange() == nullptr;
+    if ((whole && !problem_.project(behind.time, behind.q, behind.v)) ||
         problem_.accelerations(behind.time, behind.q, behind.v, behind.acceleration,
                                behind.multipliers) != Status::converged)
         return false;
