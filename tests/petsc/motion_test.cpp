@@ -219,6 +219,23 @@ TEST_CASE("DistributedScene::integrate: adaptive steps end where the load of one
     same_as_in_series(make, petsc::SolverOptions::direct(), 1e-10, options, 0.005);
 }
 
+TEST_CASE("DistributedScene::integrate: adaptive steps see a pulse on one part after a rest",
+          "[petsc]") {
+    GeneralizedAlphaOptions options = of_step(1e-3);
+    options.tolerance = 1e-4;
+    const auto make = [] {
+        Model model;
+        const auto bars = frame<petsc_test::Beam>(
+            model, {{steel, bar()}}, {Point(0, 0, 0), Point(0.25, 0, 0), Point(0.5, 0, 0)},
+            {{0, 1, 0, 4}, {1, 2, 0, 4}});
+        model.clamp(bars.joints.front());
+        model.add(Force<3>(bars.joints.back(), Point(0, 2, 0)),  // within a step from 31 to 63 ms
+                  [](double t) { return t > 0.035 && t < 0.045 ? 1.0 : 0.0; });
+        return model;
+    };
+    same_as_in_series(make, petsc::SolverOptions::direct(), 1e-10, options, 0.07);
+}
+
 TEST_CASE("DistributedScene::integrate: a run goes on from its memory as if it had not stopped",
           "[petsc]") {
     const auto make = [] { return chain(4, 4); };

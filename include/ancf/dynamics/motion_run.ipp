@@ -308,7 +308,9 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
         }
         found = std::min(found, at);
     };
-    look_at_drives(problem.model(), &Support::value, look);
+    const Exchange* parts = problem.model().exchange();
+    together(parts, [&] { look_at_drives(problem.model(), &Support::value, look); });
+    if (parts != nullptr) return -parts->largest(-found);
     if (problem.multipliers() > 0)
         look([&](double time) {
             problem.evaluate_constraints(time, now.q, now.v, false);
@@ -423,7 +425,7 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     Step step = grid_.next(now.time, schedule_.end);
     const bool looks = std::exchange(rests_, false) || now.time < acts_at_;
-    if (looks && control_.is_adaptive() && problem_.model().exchange() == nullptr) {
+    if (looks && control_.is_adaptive()) {
         const double at = hidden_action(problem_, now, step.end, control_.first);
         if (at < step.end) {
             acts_at_ = at;
