@@ -138,6 +138,7 @@ private:
     /// Goes on with a scene that an observer has changed.
     [[nodiscard]] bool renew() {
         revision_ = problem_.model().revision();
+        changes_ = true;
         if (!evaluate(now_.time, now_.q, now_.lambda, at_.kick))
             return fail(report_.fault->status, problem_.assembly().describe(*report_.fault));
         if (!read_constraints()) return false;
@@ -271,8 +272,10 @@ private:
             return false;
         moved_.V -= 0.5 * h * moved_.kick;
         manifold_->project(moved_.at_Q, moved_.at_Q.rate, moved_.V);
-        // of second order, which is fourth in v; closer where steps may begin anew
-        const bool ends = count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
+        // of second order, which is fourth in v; closer where steps may begin anew: there it would
+        // excite the fastest vibrations, again and again
+        const bool ends =
+            changes_ || count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
         if (ends) {
             if (!find_rate(-h / 16.0, next_.time, moved_.Q, moved_.V, moved_.s, moved_.at_Q))
                 return false;
@@ -355,7 +358,8 @@ private:
     VectorX none_;        // m zeros
     std::string reason_;  // why a step failed that no element did
 
-    Revision revision_;  // of the scene that the kick is of
+    Revision revision_;     // of the scene that the kick is of
+    bool changes_ = false;  // whether an observer has changed the scene
     MotionPoint now_, earlier_, next_;
     Moved at_, moved_;                  // of now_, of next_
     VectorX s_before_, kick_before_;    // of earlier_

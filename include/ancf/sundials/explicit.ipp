@@ -230,8 +230,8 @@ private:
         return reason.empty() || end(Status::diverged, std::move(reason));
     }
 
-    // Estimates the stable step anew where the run goes on in a scene that an observer has changed
-    // and, of fixed steps, from time to time and at the end; ends the run where a fixed step is
+    // Begins anew, and estimates the stable step anew, where the run goes on in a scene that an
+    // observer has changed. Estimates it also, of fixed steps, from time to time and at the end; ends the run where a fixed step is
     // above it.
     [[nodiscard]] bool remains_stable() {
         const bool ends = now_.time >= schedule_.end;
@@ -241,6 +241,15 @@ private:
         if (!wanted) return true;
         revision_ = problem_.model().revision();
         system_.estimate(now_.time, now_.q, now_.v);
+        if (changed) {
+            double next = 0.0;
+            Arkode::current_step(erk_.get(), &next);
+            VectorX none;
+            ++report_.evaluations;
+            // where that fails the next step does
+            (void)problem_.accelerations(now_.time, now_.q, now_.v, a_, none);
+            restart(next);
+        }
         return !is_fixed() || is_stable();
     }
 
@@ -256,7 +265,7 @@ private:
     [[nodiscard]] bool step() {
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(ARK_TOO_MUCH_WORK);
-        if (!is_fixed()) stop_at_jump();
+        is_fixed() ? stay_on_grid() : stop_at_jump();
         double reached = now_.time;
         system_.forget_fault();
         context_.forget_message();
@@ -268,6 +277,13 @@ private:
         double length = 0.0;
         Arkode::last_step(erk_.get(), &length);
         return record(length, [this](double time) { return between(time); }) && remains_stable();
+    }
+
+    // Lets the next step end on the grid of fixed steps, which their sum would leave.
+    void stay_on_grid() {
+        const double point = start_.time + (report_.steps + 1.0) * fixed_step_;
+        const double end = point < schedule_.end - 1e-9 * fixed_step_ ? point : schedule_.end;
+        if (end > now_.time) call(Arkode::set_fixed_step(erk_.get(), end - now_.time));
     }
 
     // Lets the next step end at a jump of a load or a drive; at one it begins anew behind it.
@@ -315,7 +331,7 @@ private:
         system_.v(y) = now_.v;
         call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
         call(Arkode::set_stop_time(erk, stop_time()));
-        call(Arkode::set_first_step(erk, step));
+        if (!is_fixed()) call(Arkode::set_first_step(erk, step));
     }
 
     // Takes the end of a step into now_.
