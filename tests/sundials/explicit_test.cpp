@@ -498,11 +498,8 @@ TEST_CASE("Explicit: a run that chooses its steps goes on within its tolerance",
 
 TEST_CASE("Explicit: what an observer changes holds from the next step on", "[explicit][restart]") {
     const auto change = [](Hanging& scene) { scene.model->set_gravity({0.0, 30.0, -20.0}); };
-    const double step = GENERATE(0.0, 1e-4);
-    CAPTURE(step);
     ExplicitOptions options;
-    options.step = step;
-    options.tolerance = 1e-8;
+    options.step = 1e-4;
     Hanging whole = supported(2), parts = supported(2);
     ancf::Schedule schedule;
     schedule.end = 0.05;
@@ -517,7 +514,7 @@ TEST_CASE("Explicit: what an observer changes holds from the next step on", "[ex
     schedule.end = 0.05;
     REQUIRE(Explicit(options).integrate(two, schedule).status == Status::converged);
     const double off = (whole.model->state().q - parts.model->state().q).cwiseAbs().maxCoeff();
-    CHECK(off < (step > 0.0 ? 1e-10 : 1e-6));
+    CHECK(off < 1e-10);
 }
 
 TEST_CASE("Explicit: fixed steps stay on their grid late in time", "[explicit][start]") {

@@ -231,8 +231,8 @@ private:
     }
 
     // Begins anew, and estimates the stable step anew, where the run goes on in a scene that an
-    // observer has changed. Estimates it also, of fixed steps, from time to time and at the end; ends the run where a fixed step is
-    // above it.
+    // observer has changed. Of fixed steps it also estimates it from time to time and at the end;
+    // it ends the run where a fixed step is above it.
     [[nodiscard]] bool remains_stable() {
         const bool ends = now_.time >= schedule_.end;
         const bool changed = !(problem_.model().revision() == revision_);
