@@ -17,11 +17,35 @@ namespace jumps_test {
 using namespace ancf;
 using namespace ancf::test;
 
+/// Runs adaptively to a time, s.
+/// @param method  0: generalized-alpha, else stages of Radau.
+Memory run_to(double end, DynamicProblem& problem, int method, double tolerance,
+              const Memory& memory = {}) {
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = end;
+    DynamicsReport report;
+    if (method == 0) {
+        GeneralizedAlphaOptions options;
+        options.tolerance = tolerance;
+        report = GeneralizedAlpha(options).integrate(problem, solver, schedule, memory);
+    } else {
+        RadauOptions options;
+        options.stages = method;
+        options.tolerance = tolerance;
+        report = RadauIIA(options).integrate(problem, solver, schedule, memory);
+    }
+    REQUIRE(report.status == Status::converged);
+    REQUIRE(report.time == end);
+    REQUIRE(report.smallest_step > 0.0);
+    return report.memory;
+}
+
 // Without an end of steps at jumps the errors were 20, 1300, 31, 180 and 3200 tolerances.
 TEST_CASE("jumps: adaptive runs begin anew behind them", "[dynamics]") {
     struct Case {
-        int method;  // generalized-alpha, stages of Radau
-        double tolerance, most;
+        int method;
+        double tolerance, most;  // most: of tolerances
     };
     const Case c = GENERATE(Case{0, 1e-4, 10.0}, Case{0, 1e-7, 150.0}, Case{3, 1e-5, 1.0},
                             Case{3, 1e-8, 5.0}, Case{5, 1e-8, 5.0});
@@ -29,22 +53,7 @@ TEST_CASE("jumps: adaptive runs begin anew behind them", "[dynamics]") {
     check_jumps(
         [&](PlanarModel& model, double end) {
             DynamicProblem problem(model);
-            EigenLu solver;
-            Schedule schedule;
-            schedule.end = end;
-            const auto integrate = [&] {
-                if (c.method == 0) {
-                    GeneralizedAlphaOptions options;
-                    options.tolerance = c.tolerance;
-                    return GeneralizedAlpha(options).integrate(problem, solver, schedule);
-                }
-                RadauOptions options;
-                options.stages = c.method;
-                options.tolerance = c.tolerance;
-                return RadauIIA(options).integrate(problem, solver, schedule);
-            };
-            const DynamicsReport report = integrate();
-            REQUIRE(report.status == Status::converged);
+            run_to(end, problem, c.method, c.tolerance);
         },
         c.most * c.tolerance);
 }
@@ -52,35 +61,14 @@ TEST_CASE("jumps: adaptive runs begin anew behind them", "[dynamics]") {
 // The memory of a run that ended at a jump left 300 tolerances by generalized-alpha.
 TEST_CASE("jumps: a run may end at one, and another go on from there", "[dynamics]") {
     constexpr double jump = 0.125, end = 0.4375, tolerance = 1e-7;
-    const auto run = [&](DynamicProblem& problem, int stages, double until,
-                         const Memory& memory = {}) {
-        EigenLu solver;
-        Schedule schedule;
-        schedule.end = until;
-        DynamicsReport report;
-        if (stages == 0) {
-            GeneralizedAlphaOptions options;
-            options.tolerance = tolerance;
-            report = GeneralizedAlpha(options).integrate(problem, solver, schedule, memory);
-        } else {
-            RadauOptions options;
-            options.stages = stages;
-            options.tolerance = tolerance;
-            report = RadauIIA(options).integrate(problem, solver, schedule, memory);
-        }
-        REQUIRE(report.status == Status::converged);
-        REQUIRE(report.time == until);
-        REQUIRE(report.smallest_step > 0.0);
-        return report.memory;
-    };
-    const int stages = GENERATE(0, 3, 5);
-    CAPTURE(stages);
+    const int method = GENERATE(0, 3, 5);
+    CAPTURE(method);
     PushedBeam whole(acts_from(jump)), parts(acts_from(jump));
     DynamicProblem one(whole.model), two(parts.model);
-    run(one, stages, end);
-    const Memory memory = run(two, stages, jump);
+    run_to(end, one, method, tolerance);
+    const Memory memory = run_to(jump, two, method, tolerance);
     CHECK(parts.model.position(parts.beam.last()).y() == 0.0);
-    run(two, stages, end, memory);
+    run_to(end, two, method, tolerance, memory);
     const auto difference =
         whole.model.position(whole.beam.last()) - parts.model.position(parts.beam.last());
     CHECK(difference.norm() <= tolerance);

@@ -26,13 +26,17 @@ namespace ancf::test {
 /// What jumps.
 enum class Jumps { load, load_twice, square_wave, gravity, support, joint };
 
+/// A beam of two elements, 1 m long.
+[[nodiscard]] inline Beam<CrossSectionBeam<2>> short_beam(PlanarModel& model) {
+    return straight_beam<CrossSectionBeam<2>>(model, Material::isotropic(2e9, 0.3, 8000.0),
+                                              rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+}
+
 /// A beam that swings about a pin, at first at rest.
 struct JumpScene {
     static constexpr double first = 0.125, end = 0.4375;  // s
 
-    explicit JumpScene(Jumps what) {
-        beam = straight_beam<CrossSectionBeam<2>>(model, Material::isotropic(2e9, 0.3, 8000.0),
-                                                  rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+    explicit JumpScene(Jumps what) : beam(short_beam(model)) {
         const auto later = [](double t) { return t > first ? t - first : 0.0; };
         const Motion push{[=](double t) { return 0.5 * std::pow(later(t), 2); }, later,
                           [](double t) { return t > first ? 1.0 : 0.0; }};
@@ -58,9 +62,7 @@ struct JumpScene {
 
 /// A pinned beam under a force that varies.
 struct PushedBeam {
-    explicit PushedBeam(Amplitude amplitude) {
-        beam = straight_beam<CrossSectionBeam<2>>(model, Material::isotropic(2e9, 0.3, 8000.0),
-                                                  rectangle(0.02, 0.02), {0, 0}, {1, 0}, 2);
+    explicit PushedBeam(Amplitude amplitude) : beam(short_beam(model)) {
         model.pin(beam.first());
         model.add(Force<2>(beam.last(), {0, 5}), std::move(amplitude));
     }

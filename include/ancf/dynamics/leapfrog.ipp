@@ -272,8 +272,8 @@ private:
             return false;
         moved_.V -= 0.5 * h * moved_.kick;
         manifold_->project(moved_.at_Q, moved_.at_Q.rate, moved_.V);
-        // of second order, which is fourth in v; closer where steps may begin anew: there it would
-        // excite the fastest vibrations, again and again
+        // of second order, which is fourth in v; closer where steps may begin anew, or its error
+        // would excite the fastest vibrations at every beginning
         const bool ends =
             changes_ || count_ + 1.0 == steps_ || (!is_fixed() && since_ + 1 == interval_);
         if (ends) {

@@ -199,12 +199,12 @@ private:
         call(Arkode::set_stable_share(erk, options_.stable_share));
         // a step just below the stable one grows to it
         call(Arkode::set_kept_steps(erk, 1.0, 1.0));
-        double& first = first_step_;
-        first = options_.first_step;
-        if (first == 0.0) first = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
-        first = std::min(first, options_.stable_share * system_.stable_step());
-        if (options_.max_step > 0.0) first = std::min(first, options_.max_step);
-        if (first > 0.0) call(Arkode::set_first_step(erk, first));
+        first_step_ = options_.first_step;
+        if (first_step_ == 0.0)
+            first_step_ = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
+        first_step_ = std::min(first_step_, options_.stable_share * system_.stable_step());
+        if (options_.max_step > 0.0) first_step_ = std::min(first_step_, options_.max_step);
+        if (first_step_ > 0.0) call(Arkode::set_first_step(erk, first_step_));
         call(Arkode::set_min_step(erk, least_step()));
         if (options_.max_step > 0.0) call(Arkode::set_max_step(erk, options_.max_step));
     }
