@@ -256,6 +256,28 @@ TEST_CASE("Adaptive steps late in time grow after a blow, and end where time res
     check_late<ancf::RadauOptions, ancf::RadauIIA>({});
 }
 
+TEST_CASE("Fixed steps late in time stay on their grid", "[dynamics]") {
+    constexpr double start = 1e9, step = 6e-6;  // s; the round-off of the time is 1.2e-7 s
+    const auto check = [&](const auto& integrator) {
+        Chain scene = swing();
+        scene.model.state().time = start;
+        ancf::DynamicProblem problem(scene.model);
+        ancf::EigenLu solver;
+        const auto report = integrator.integrate(problem, solver, until(start + 300.0 * step));
+        CHECK(report.status == Status::converged);
+        CHECK(report.steps == 300);
+        CHECK(report.factorisations <= 40);
+    };
+    ancf::GeneralizedAlphaOptions alpha;
+    ancf::EnergyMomentumOptions middle;
+    ancf::RadauOptions radau;
+    alpha.step = middle.step = radau.step = step;
+    radau.tolerance = 0.0;
+    check(ancf::GeneralizedAlpha(alpha));
+    check(ancf::EnergyMomentum(middle));
+    check(ancf::RadauIIA(radau));
+}
+
 TEST_CASE("A whole step follows a very short one at once", "[dynamics]") {
     int checked = 0;
     // of the short step the multipliers, g/h^2, are round-off

@@ -36,12 +36,9 @@ public:
         if (!memory.empty()) recall_run(memory);
         next_ = now_;
         recorder_.start(now_);
-        bool going = true;
-        while (going && goes_on(now_)) {
-            const Step step = grid_.next(now_.time, schedule_.end);
-            const bool on_grid = step.ends == Step::Ends::on_grid;
-            going = advance(step.end, on_grid ? grid_.width : step.width);
-            if (now_.time >= std::min(step.end, schedule_.end)) grid_.take(step);
+        while (goes_on(now_) && advance()) {
+            std::swap(now_, next_);
+            if (!record(next_, now_)) break;
         }
         recorder_.finish(now_);
         remember_run();
@@ -89,37 +86,23 @@ private:
         memory.put("linearised_to_lambda", linearised_to_.lambda);
     }
 
-    /// Moves now_ on to a time, in one step or, where a joint is driven far or Newton's method
-    /// fails, in shorter ones. Beyond pi/12 in a step there are other solutions, with energies of
-    /// their own, that Newton's method may find.
-    [[nodiscard]] bool advance(double target, double whole) {
-        whole /= parts_for_turns(problem_.model().constraints(), now_.time, target);
-        double width = whole;
-        while (now_.time < std::min(target, schedule_.end)) {
-            const double rest = target - now_.time;
-            const bool last = rest <= width * (1.0 + 1e-6);
-            // a run that goes on within a step has less than the whole of it left
-            const bool full = width == whole && std::abs(rest - whole) <= 1e-6 * whole;
-            const double h = full || !last ? width : rest;
-            next_.time = last ? target : now_.time + h;
-            const auto& constraints = problem_.model().constraints();
-            const DrivenTurn turn = driven_turn(constraints, now_.time, next_.time);
-            const Status status = turn.fits() ? step(h) : Status::diverged;
-            if (status != Status::converged) {
-                if (turn.fits()) ++report_.convergence_failures;
-                width *= 0.5;
-                if (width > whole * smallest_part) continue;
-                return turn.fits()
-                           ? fail(status, joined({"Newton's method failed in the step from ",
-                                                  now_.time, " s: ", to_string(status)}))
-                           : fail(status,
-                                  driven_turn_text(constraints, turn, now_.time, next_.time));
+    /// Takes one step into next_, in parts where a joint is driven far or Newton's method fails.
+    ///
+    /// Beyond pi/12 in a step there are other solutions, with energies of their own, that Newton's
+    /// method may find.
+    [[nodiscard]] bool advance() {
+        for (;;) {
+            Step step = next_step(now_);
+            if (divides(step, true)) step = next_step(now_);
+            next_.time = step.end;
+            const Status status = step.turn.fits() ? solve(step.width) : Status::diverged;
+            if (status == Status::converged) {
+                acceleration_ = (next_.v - now_.v) / step.width;
+                grid_.take(step);
+                return true;
             }
-            acceleration_ = (next_.v - now_.v) / h;
-            std::swap(now_, next_);
-            if (!record(next_, now_)) return false;
+            if (!shortens(now_, step, status, 0.5)) return false;
         }
-        return true;
     }
 
     /// Takes one step by Newton's method.
@@ -128,7 +111,7 @@ private:
     /// the step then starts again, with a matrix of its own. Where vibrations are faster than the
     /// steps, the mean acceleration of the last step predicts badly: it starts once more without,
     /// unless the scene moves far in it.
-    [[nodiscard]] Status step(double h) {
+    [[nodiscard]] Status solve(double h) {
         full_now_ = problem_.raw_state(now_.time, now_.q, now_.v);
         system_.begin(now_.time, h, full_now_.q, full_now_.v);
         const double bend = 0.5 * h * h;
@@ -249,7 +232,6 @@ private:
     static constexpr double fastest = 1e-2;        // the fastest contraction that is believed
     static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size;
                                                    // of r_xx the inverse length of an element
-    static constexpr double smallest_part = 1e-3;  // of a step that fails
     static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
 
     const EnergyMomentumOptions& options_;

@@ -334,8 +334,10 @@ protected:
     [[nodiscard]] bool passes_jump(MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
-    [[nodiscard]] bool divides(const Step& step) {
-        if (control_.is_adaptive() || step.turn.fits() || grid_.part > 0.0) return false;
+    /// @param always  whether by more than pi/12 is too far.
+    [[nodiscard]] bool divides(const Step& step, bool always = false) {
+        if (control_.is_adaptive() || grid_.part > 0.0 || (step.turn.fits() && !always))
+            return false;
         grid_.parts = parts_for_turns(problem_.model().constraints(), step.begin, step.end);
         grid_.part = step.width / grid_.parts;
         return grid_.parts > 1;

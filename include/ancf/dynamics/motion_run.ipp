@@ -276,11 +276,12 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
     const double point = origin + (count + 1.0) * width;
     const bool on_grid = end >= point - 1e-9 * width;
     const double to = on_grid ? point : end, rest = to - now;
-    if (part > 0.0 && rest > part * (1.0 + 1e-6))
-        return {part, now, now + part, Step::Ends::within};
     const double round_off = 0.25 * time_resolution(now, to);
-    const bool whole = on_grid && std::abs(rest - width) <= 1e-6 * width + round_off;
-    return {whole ? width : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
+    const auto slack = [&](double h) { return 1e-6 * h + round_off; };
+    if (part > 0.0 && rest > part + slack(part)) return {part, now, now + part, Step::Ends::within};
+    const double full = part > 0.0 ? part : width;
+    const bool is_full = (on_grid || part > 0.0) && std::abs(rest - full) <= slack(full);
+    return {is_full ? full : rest, now, to, on_grid ? Step::Ends::on_grid : Step::Ends::off_grid};
 }
 
 /// Calls `look` with each function of time alone: amplitudes, gravity, and of supports a member.
@@ -473,7 +474,7 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
     if (!turn.empty()) return fail(status, turn);
     return fail(status, joined({"Newton's method failed in the step from ", step.begin,
                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                " s; a shorter step or adaptive steps (tolerance > 0) may pass"}));
+                                " s; shorter or adaptive steps may pass"}));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
