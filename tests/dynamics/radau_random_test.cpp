@@ -31,7 +31,7 @@ double correction_left(DynamicProblem& problem, const Memory& memory, const Stat
     static const detail::RadauTableau three = detail::radau_tableau(3),
                                       five = detail::radau_tableau(5);
     const detail::RadauTableau& table = stages == 3 ? three : five;
-    const double h = memory.get("scalars", 16)[4];
+    const double h = memory.get("scalars", 17)[4];
     const VectorX &q = start.q, &v = start.v;
     const VectorX accelerations = memory.get("stage_accelerations", n * stages);
     const VectorX lambdas = memory.get("stage_multipliers", m * stages);
@@ -132,7 +132,7 @@ bool check_random_scene(std::uint64_t seed) {
     start.v = first.v;
     if (report.steps > 1) {
         const Memory memory = run_random_scene(before, earlier, tolerance, report.steps - 1).memory;
-        start.time = memory.get("scalars", 16)[0];
+        start.time = memory.get("scalars", 17)[0];
         start.q = memory.get("q", problem.size());
         start.v = memory.get("v", problem.size());
     }

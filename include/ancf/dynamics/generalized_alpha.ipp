@@ -166,7 +166,7 @@ private:
             (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
              factorise(linearised_width_) != Status::converged))
             linearised_width_ = 0.0;  // the first step builds a matrix of its own
-        const VectorX& values = memory.get("scalars", 12);
+        const VectorX& values = memory.get("scalars", 13);
         matrix_ = {values[8], values[9], values[10]};
         frames_.recall(memory);
     }
@@ -196,8 +196,9 @@ private:
             const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
             double error = 0.0;
             if (status == Status::converged && control_.is_adaptive())
-                error = error_constant_ * step.width * step.width * change_of_acceleration() /
-                        options_.tolerance;
+                error = weigh(error_constant_ * step.width * step.width * change_of_acceleration() /
+                                  options_.tolerance,
+                              step.width);
             const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
             if (status == Status::converged && error <= 1.0) {
                 grid_.take(step);

@@ -343,6 +343,15 @@ protected:
         return grid_.parts > 1;
     }
 
+    /// Returns what a local error, relative to the tolerance, counts in a step of a width. Errors
+    /// of rates move the scene on, in short steps as in long ones: those that follow a step of five
+    /// tolerances are held to less, in proportion to their widths.
+    [[nodiscard]] double weigh(double error, double width) {
+        const double weighed = error * std::max(1.0, failed_width_ / width);
+        if (weighed > 5.0) failed_width_ = std::max(failed_width_, width);
+        return weighed;
+    }
+
     /// Counts a step that failed, or converged with too large an error, and makes the next one
     /// shorter: by a factor, or in halves where steps are fixed; where a constraint's drive jumps
     /// in it, to end there. False where the run ends.
@@ -366,15 +375,16 @@ protected:
     }
 
     /// Begins the report's memory: the end of the run, numbers of it, what tells its scene.
-    /// @param own  numbers after time, origin, count and width, before the scene's size.
+    /// @param own  numbers after time, origin, count and width, before those of the scene's size and
+    ///             of the width that failed.
     void remember(const char* integrator, const MotionPoint& end,
                   std::initializer_list<double> own) {
         report_.memory.integrator = integrator;
         remember("", end);
-        VectorX numbers(static_cast<Eigen::Index>(own.size()) + 5);
+        VectorX numbers(static_cast<Eigen::Index>(own.size()) + 6);
         const double first[] = {end.time, grid_.origin, grid_.count, grid_.width};
         std::copy(own.begin(), own.end(), std::copy_n(first, 4, numbers.data()));
-        numbers[numbers.size() - 1] = problem_.length_scale();
+        numbers.tail<2>() << problem_.length_scale(), failed_width_;
         report_.memory.put("scalars", numbers);
         report_.memory.put("signature", signature(problem_, end));
     }
@@ -416,9 +426,10 @@ protected:
     Recorder recorder_;
     Start start_;  // of the run, or behind its last jump
     StepGrid grid_;
-    double duration_ = 0.0;    // s, from the start to the schedule's end
-    double last_width_ = 0.0;  // s, of the last step, at first that of the options
-    bool rests_ = true;        // whether the last step had next to no error
+    double duration_ = 0.0;      // s, from the start to the schedule's end
+    double last_width_ = 0.0;    // s, of the last step, at first that of the options
+    double failed_width_ = 0.0;  // s, of a step with far too large an error; fades in later ones
+    bool rests_ = true;          // whether the last step had next to no error
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden_action()
     bool has_short_step_ = false;  // whether it ended with the multipliers of its state
 };

@@ -449,6 +449,7 @@ ANCF_INLINE bool MotionRun::passes_jump(MotionPoint& now) {
     if (!jumps_.passes(now, start_, control_.first, report_)) return false;
     grid_ = {now.time, std::min(control_.first, control_.most)};
     last_width_ = grid_.width;
+    failed_width_ = 0.0;
     rests_ = true;
     return true;
 }
@@ -480,6 +481,7 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
                                    const Between& between) {
     if (!goes_on(to)) to.time = schedule_.end;
+    failed_width_ *= 0.9;
     const double before = std::exchange(last_width_, to.time - from.time);
     // its own, and its rates, carry what Newton's method leaves of g and G v, over powers of the
     // width
@@ -499,7 +501,7 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
 ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integrator,
                                              const Memory& memory, Eigen::Index own) {
     require(memory.integrator == integrator, who, ": the memory is that of ", memory.integrator);
-    const VectorX& numbers = memory.get("scalars", own + 5);
+    const VectorX& numbers = memory.get("scalars", own + 6);
     const double now = start_.time;
     require(std::abs(numbers[0] - now) <= 1e-12 * std::abs(now) + 1e-9 * numbers[3], who,
             ": the memory is of time ", numbers[0], " s, the model of ", now, " s");
@@ -508,6 +510,7 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     if (adaptive || numbers[3] == control_.first) grid_ = {numbers[1], numbers[3], numbers[2]};
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
+    failed_width_ = numbers[own + 5];
     return numbers;
 }
 

@@ -162,7 +162,7 @@ private:
             next_.time = step.end;
             const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
             const bool tests = status == Status::converged && control_.is_adaptive();
-            const double error = tests ? this->error(step.width) : 0.0;
+            const double error = tests ? weigh(this->error(step.width), step.width) : 0.0;
             if (status == Status::converged && error <= 1.0) {
                 accept(step, error);
                 end_step(step.width);
