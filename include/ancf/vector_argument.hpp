@@ -23,8 +23,10 @@ class VectorArgument : public Vector<double, Dimension> {
 public:
     /// The components. @throws InvalidArgument for another number of them.
     VectorArgument(std::initializer_list<double> components) {
-        detail::require(components.size() == static_cast<std::size_t>(Dimension),
-                        "expected a vector of ", Dimension, " components, got ", components.size());
+        detail::require(
+            components.size() == static_cast<std::size_t>(Dimension), "expected a vector of ",
+            Dimension, " components, got ", components.size(), ": ",
+            detail::Components{components.begin(), static_cast<std::ptrdiff_t>(components.size())});
         int k = 0;
         for (const double component : components) (*this)[k++] = component;
     }

@@ -161,7 +161,7 @@ void add_loads(Table& table) {
     table.add([=] { PlanarSlopeMoment(node, Field::r_z, 1.0); },
               {"PlanarSlopeMoment", "slope r_x or r_y", "got r_z"});
     const std::string few = "expected a vector of 3 components, got 2";
-    table.add([=] { Force<3>(node, {0, -10}); }, {few});
+    table.add([=] { Force<3>(node, {0, -10}); }, {few + ": 0 -10"});
     table.add([=] { Moment(node, {0, 1}); }, {few});
     table.add([=] { FollowerForce(node, {0, 1}); }, {few});
     table.add([=] { Pin<3>(node, {0, 0}); }, {few});

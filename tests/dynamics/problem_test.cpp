@@ -617,4 +617,11 @@ TEST_CASE("schedules: times ascend between start and end", "[dynamics]") {
     CHECK_THROWS_AS(wrong.check(0.0), ancf::InvalidArgument);
 }
 
+TEST_CASE("schedules: one before the time that statics left says where that time stands",
+          "[dynamics]") {
+    const auto told = ContainsSubstring("State::time; statics leaves its load factor there");
+    CHECK_THROWS_WITH(ancf::equal_intervals(0.0, 0.5, 0.1).check(1.0), told);
+    CHECK_THROWS_WITH(ancf::equal_intervals(0.0, 2.0, 0.1).check(1.0), told);
+}
+
 }  // namespace problem_test

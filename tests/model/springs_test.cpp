@@ -203,11 +203,13 @@ TEST_CASE("Scene::add_mass: a mass on a spring hangs and swings without an eleme
     constexpr double mass = 2.0, stiffness = 100.0;  // kg, N/m
     PlanarModel model;
     const NodeId weight = model.add_node({0.0, -1.0});
+    model.add(Spring<2>(weight, {0.0, 0.0}, stiffness, 1.0));
+    EigenLdlt solver;
+    CHECK_THROWS_WITH(solve_statics(model, solver),
+                      ContainsSubstring("no element there has one, and no mass"));
     model.add_mass(weight, mass);
     model.fix(weight, Field::r, 0);
-    model.add(Spring<2>(weight, {0.0, 0.0}, stiffness, 1.0));
     model.set_gravity({0.0, -9.81});
-    EigenLdlt solver;
     REQUIRE(solve_statics(model, solver).status == Status::converged);
     CHECK(model.position(weight)[1] == Approx(-1.0 - mass * 9.81 / stiffness).epsilon(1e-12));
     ModalOptions options;

@@ -241,6 +241,7 @@ TEST_CASE("modes: a free beam has six motions without frequency, then bending", 
         const auto refused = ancf::natural_modes(scene, solver, wanted);
         CHECK(refused.status == Status::singular);
         CHECK_THAT(refused.message, ContainsSubstring("without stiffness moves r of node"));
+        CHECK_THAT(refused.message, ContainsSubstring("a negative ModalOptions::shift"));
     }
 }
 
@@ -471,6 +472,7 @@ TEST_CASE("modes: an unstable state has no modes with any solver", "[modal]") {
     const auto report = ancf::natural_modes(scene, full, wanted);
     CHECK(report.status == Status::singular);
     CHECK(report.modes.empty());
+    CHECK_THAT(report.message, ContainsSubstring("the state is unstable, or the shift too high"));
 }
 
 TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {

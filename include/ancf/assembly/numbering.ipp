@@ -18,7 +18,8 @@ ANCF_INLINE Numbering::Numbering(const Scene& model) {
         const int first = layout.index({support.node, support.field});
         detail::require(first >= 0, "a support holds ", to_string(support.field), " of node ",
                         support.node.index,
-                        ", which carries no such vector: no element there has one");
+                        ", which carries no such vector: no element there has one",
+                        support.field == Field::r ? ", and no mass" : "");
         equation_[first + support.component] = -1;
     }
     sizes_.assign(static_cast<std::size_t>(nodes_), 0);

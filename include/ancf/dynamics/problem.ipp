@@ -208,7 +208,8 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         "G v + g_t");
     if (message.empty()) return message;
     return "the initial rates violate " + message +
-           "; give the nodes rates that fit by set_rate, or a drive that starts from rest";
+           "; give the nodes rates that fit by set_rate or set_rigid_rates, or a drive that starts "
+           "from rest";
 }
 
 ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {

@@ -11,12 +11,13 @@
 namespace ancf {
 
 ANCF_INLINE void Schedule::check(double start) const {
+    const char* const state_time = " s (State::time; statics leaves its load factor there)";
     detail::require(std::isfinite(end) && end >= start, "Schedule: the end must not be before ",
-                    "the start at ", start, " s, got ", end);
+                    "the start at ", start, state_time, ", got ", end);
     double before = start;
     for (const double time : times) {
         detail::require(time >= before && time <= end, "Schedule: times must ascend from ", start,
-                        " to ", end, " s, got ", time, " after ", before);
+                        state_time, " to ", end, " s, got ", time, " after ", before);
         before = time;
     }
 }

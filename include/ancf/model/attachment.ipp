@@ -146,7 +146,8 @@ ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Depen
     for (const NodeField& at : coupling) {
         const int first = layout.index(at);
         require(first >= 0, "a ", what, " acts on ", to_string(at.field), " of node ",
-                at.node.index, ", which carries no such vector: no element there has one");
+                at.node.index, ", which carries no such vector: no element there has one",
+                at.field == Field::r ? ", and no mass" : "");
         for (int k = 0; k < dimension; ++k) read_.push_back(first + k);
         attached = attached || dependence.attached(first);
     }

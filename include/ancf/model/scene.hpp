@@ -225,6 +225,7 @@ public:
 
     /// Drives one component of a vector; rate and acceleration are needed in dynamics only, where
     /// they are taken as they are: they must be the value's derivatives.
+    /// @param value  the component itself, not its change; of time, in statics of the load factor.
     /// @throws InvalidArgument for a node or component that does not exist, or a rate or an
     ///         acceleration without a value.
     void prescribe(NodeId node, Field field, int component, Amplitude value, Amplitude rate = {},
@@ -250,7 +251,7 @@ public:
     /// Of a node with r_z in space, or r_y in the plane, these are r and all slopes across: r_x
     /// stays its own, so that each beam at a joint has its own stretch. Of a node with r_y alone in
     /// space, r, r_x and r_y. Of a node of cables r alone, which is a pin.
-    /// @param end    connect its elements first.
+    /// @param end    connect its elements, or add its mass, first.
     /// @param joint  gets the vectors that are followed; docs/theory-frames.md says which joint
     ///               needs a stiffness of its own.
     /// @throws InvalidArgument as the other overload.

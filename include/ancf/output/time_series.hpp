@@ -37,6 +37,14 @@ class DynamicProblem;
 ///     series.add_reaction("foot", problem, beam.last());    // of what holds or drives this node
 ///     schedule.observe = [&](const ancf::Snapshot& seen) { series.write(seen); };
 ///
+/// In statics write the state yourself, as in StaticsOptions::progress and PathOptions::progress;
+/// t is then the load factor, energies are zero:
+///
+///     options.progress = [&](double, const ancf::State& state) {
+///         series.write({state, {}, 0.0, 0.0});
+///         return true;
+///     };
+///
 /// Columns: t, kinetic, strain, potential, load_power, constraint_power, then NAME_QUANTITY.
 class TimeSeries {
 public:

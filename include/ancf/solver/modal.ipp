@@ -147,13 +147,18 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
 
 /// Returns a report with the cause of its failure in A.
 /// @param otherwise  why there are no modes where nothing moves without stiffness
-[[nodiscard]] ANCF_INLINE ModalReport
-with_cause(ModalReport report, const Scene& model, const Assembly& assembly, const SparseMatrix& A,
-           LinearSolver& solver, const char* otherwise = "the matrix is not positive definite") {
+/// @param remedy     what helps where something does
+[[nodiscard]] ANCF_INLINE ModalReport with_cause(ModalReport report, const Scene& model,
+                                                 const Assembly& assembly, const SparseMatrix& A,
+                                                 LinearSolver& solver, const char* otherwise,
+                                                 const char* remedy = "") {
     std::string& message = report.message;
     if (report.status == Status::singular) {
         message = singular_cause(model, assembly.numbering(), A, solver);
-        if (message.empty()) message = otherwise;
+        if (message.empty())
+            message = otherwise;
+        else if (message.rfind("a motion", 0) == 0)
+            message += remedy;
     } else if (report.status == Status::max_iterations) {
         message = joined({"modes are left to converge after ", report.iterations, " iterations"});
     } else if (report.status != Status::converged) {
@@ -214,18 +219,23 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (!fault) fault = assembly.inspect(state.q);
     if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
+    const char* const high =
+        "K - shift M is not positive definite: the state is unstable, or the shift too high";
+    const char* const remedy =
+        options.shift < 0.0 ? "" : "; a negative ModalOptions::shift allows it";
     const SparseMatrix mass = assembly.mass();
     SparseMatrix A = assembly.tangent() - options.shift * mass;
     if (solver.storage() == Storage::full) detail::symmetrise(A);
     if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, A, solver);
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, A, solver, high,
+                                  remedy);
     const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
     };
     ModalReport report =
         detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value), model,
-                           assembly, A, solver);
+                           assembly, A, solver, high, remedy);
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     const int wanted = std::min(options.count, std::max(left, 1));
     const auto found = static_cast<int>(report.modes.size());
@@ -264,7 +274,8 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
     if (const Status status = detail::factorise(assembly, unloaded, solver);
         status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver);
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver,
+                                  "the matrix is not positive definite");
     deflected.respond(solver);
     SparseMatrix change;
     fault = deflected.change(unloaded, change);

@@ -121,6 +121,14 @@ struct PathReport {
 
 /// Follows the path of equilibria from the model's state; the model ends in the last point.
 ///
+///     const int y = model.coordinate(crown, ancf::Field::r) + 1;
+///     options.progress = [&](const ancf::PathPoint& point, const ancf::State& state) {
+///         std::cout << point.factor << ' ' << state.q[y] << '\n';
+///         return state.q[y] > -1.0;  // ends the path here; so do last_factor and max_points
+///     };
+///     const auto report = ancf::follow_path(model, solver, options);
+///     for (const auto& point : report.critical) std::cout << point.factor << '\n';
+///
 /// Negative pivots, and with them critical points of every kind, need a solver that counts them
 /// (EigenLdlt, a symmetric factorisation); with others limit points are still found. Of several
 /// points within one step those are found that a bisection tells apart; two that undo each other's

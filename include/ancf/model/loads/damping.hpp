@@ -93,7 +93,8 @@ void add_drag(Scene& model, const Beam<Element>& beam, double c, const Amplitude
 /// The force -eta B^T C B v of stresses eta C ds/dt, s the element's generalised strains.
 ///
 /// In a rigid motion the force is zero. A mode of the angular frequency w has the damping ratio
-/// eta w/2. In Cable<3> it damps changes of |kappa|, the length of the curvature vector, and of a
+/// eta w/2; where tension or gravity stiffens it eta w_e^2/(2 w), w_e^2 the elastic part of w^2. In
+/// Cable<3> it damps changes of |kappa|, the length of the curvature vector, and of a
 /// straight line bending in every direction: docs/theory-damping.md.
 template <class Element>
 class KelvinVoigt {

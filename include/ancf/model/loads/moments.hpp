@@ -31,7 +31,8 @@ public:
     static constexpr int dimension = 3;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
-    /// @param slope   r_x, r_y or r_z.
+    /// @param slope   r_y or r_z, the one normal to the axis; r_x bends cables and TorsionBeam. On
+    ///                r_x of other beams the moment passes through the shear of one element.
     /// @param axis    of any length but zero.
     /// @param moment  N m.
     /// @throws InvalidArgument for another field, an axis of no length, or a value that is not
@@ -62,7 +63,8 @@ public:
     static constexpr int dimension = 2;                ///< of the model it belongs to
     static constexpr bool symmetric_stiffness = true;  ///< its stiffness is symmetric
 
-    /// @param slope   r_x or r_y.
+    /// @param slope   r_y; of cables r_x. On r_x of a beam the moment passes through the shear of
+    ///                one element.
     /// @param moment  N m.
     /// @throws InvalidArgument for another field or a moment that is not finite.
     PlanarSlopeMoment(NodeId node, Field slope, double moment);
