@@ -375,8 +375,8 @@ protected:
     }
 
     /// Begins the report's memory: the end of the run, numbers of it, what tells its scene.
-    /// @param own  numbers after time, origin, count and width, before those of the scene's size and
-    ///             of the width that failed.
+    /// @param own  numbers after time, origin, count and width, before the scene's size and the
+    ///             width that failed.
     void remember(const char* integrator, const MotionPoint& end,
                   std::initializer_list<double> own) {
         report_.memory.integrator = integrator;
