@@ -140,11 +140,11 @@ private:
         call(IDASetDeltaCjLSetup(ida, 0.05));
         call(IDASetMaxNonlinIters(ida, report_.order == 2 ? 7 : 6));
         call(IDASetNonlinConvCoef(ida, 0.1));
+        if (options_.form == Form::index3 && problem_.multipliers() > 0)
+            inertia_round_off_ = inertia_round_off();
         first_step_ = first_step();
         call(IDASetInitStep(ida, first_step_));
         call(IDASetMinStep(ida, least_step()));
-        if (options_.form == Form::index3 && problem_.multipliers() > 0)
-            inertia_round_off_ = inertia_round_off();
         if (options_.max_step > 0.0) call(IDASetMaxStep(ida, options_.max_step));
     }
 
@@ -224,21 +224,24 @@ private:
     }
 
     // Lets the tolerance of multipliers be no less than what round-off of the inertia forces leaves
-    // in them, nor more than a thousandth of the forces: in short steps Newton's method could not
-    // bring them below. It takes all of the round-off where a run begins and in a step that is cut
-    // short, else a twentieth, as of elastic forces.
+    // in them: in short steps Newton's method could not bring them below. It takes all of the
+    // round-off where a run begins and in a step that is cut short, else a twentieth, as of elastic
+    // forces; no more than a thousandth of the forces, but in a step that is cut, where multipliers
+    // are those of the state.
     // @param rest  s, to the time where the step has to end
     void resolve_multipliers(double rest) {
         if (inertia_round_off_ == 0.0) return;
         double length = first_step_, last = 0.0;
         if (!begins_) IDAGetCurrentStep(ida_.get(), &length);
         if (!begins_) IDAGetLastStep(ida_.get(), &last);
-        const bool is_short = 2.0 * rest < last || now_.time - start_.time < 10.0 * first_step_;
+        const bool is_cut = 2.0 * rest < last;
+        const bool begins = now_.time - start_.time < 10.0 * first_step_;
         length = std::min(length, rest);
-        const double share = is_short ? 1.0 : 0.05;
-        const double left = std::min(share * inertia_round_off_ / (length * length), most_);
-        const double loosened =
-            left > least_ ? std::exp2(std::ceil(std::log2(left / least_))) : 1.0;
+        double left = inertia_round_off_ / (length * length);
+        if (!is_cut && !begins) left *= 0.05;
+        if (!is_cut) left = std::min(left, most_);
+        double loosened = 1.0;
+        if (left > least_) loosened = std::exp2(std::ceil(std::log2(left / least_)));
         if (loosened == loosened_) return;
         auto tolerances = view(tolerances_.get());
         system_.lambda(tolerances) *= loosened / loosened_;
@@ -371,7 +374,9 @@ private:
         if (turn > 0.0) step = std::min(step, 1e-3 / turn);
         const double acceleration = problem_.largest_ratio(start_.acceleration);
         if (acceleration > 0.0) step = std::min(step, std::sqrt(0.5 * tolerance_ / acceleration));
-        return step;
+        const double resolved =
+            inertia_round_off_ > 0.0 ? std::sqrt(inertia_round_off_ / most_) : 0.0;
+        return std::max(step, std::min(resolved, 1e-3 * duration));
     }
 
     // Takes one step and reports it; false where the run ends.
