@@ -8,6 +8,7 @@
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
@@ -16,6 +17,7 @@
 #include <support/bar.hpp>
 #include <support/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace changes_test {
@@ -137,6 +139,42 @@ TEST_CASE("changes: a memory is refused even where the energies are those before
         heavier ? Bar<3>(stiffness, 2.0, bar_length) : Bar<3>(2.0 * stiffness, 1.0, bar_length);
     CHECK_THROWS_WITH(run(problem, false, until(0.02), first.memory),
                       ContainsSubstring("mass or stiffness has changed"));
+}
+
+TEST_CASE("changes: a memory is refused where only a drive has changed", "[dynamics]") {
+    // generalized-alpha went on from the accelerations of the scene before: with steps of 1 ms off
+    // by 1e-3 m, by the first power of the step
+    const bool conserving = GENERATE(false, true);
+    const bool by_joint = GENERATE(false, true);
+    const auto scene = [&](double acceleration) {
+        // rests until 0.1 s
+        const auto since = [](double t) { return std::max(t - 0.1, 0.0); };
+        const auto value = [=](double t) { return 0.5 * acceleration * since(t) * since(t); };
+        const auto rate = [=](double t) { return acceleration * since(t); };
+        const auto second = [=](double t) { return t < 0.1 ? 0.0 : acceleration; };
+        Chain made = chain(3, {0.0, 0.0, 0.0}, {3.0 * bar_length, 0.0, 0.0}, stiffness, 1.0);
+        made.model.set_gravity({0.0, -9.81, 0.0});
+        if (by_joint)
+            made.model.add(ancf::FixedCoordinate<3>(made.first(), Field::r, 0,
+                                                    ancf::Motion{value, rate, second}));
+        else
+            made.model.prescribe(made.first(), Field::r, 0, value, rate, second);
+        for (const int k : {1, 2}) made.model.fix(made.first(), Field::r, k);
+        return made;
+    };
+    Chain first = scene(0.0);
+    ancf::DynamicProblem problem(first.model);
+    const DynamicsReport before = run(problem, conserving, until(0.1));
+    REQUIRE(before.status == Status::converged);
+    const auto go_on = [&](double acceleration, const ancf::Memory& memory) {
+        Chain next = scene(acceleration);
+        next.model.state() = first.model.state();
+        ancf::DynamicProblem other(next.model);
+        return run(other, conserving, until(0.2), memory).status;
+    };
+    CHECK_THROWS_WITH(go_on(20.0, before.memory), ContainsSubstring("a drive or the place"));
+    CHECK(go_on(20.0, {}) == Status::converged);
+    CHECK(go_on(0.0, before.memory) == Status::converged);
 }
 
 TEST_CASE("changes: within a run they act from the next step on", "[dynamics]") {

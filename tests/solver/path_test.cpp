@@ -13,6 +13,8 @@
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/rotational_springs.hpp>
+#include <ancf/model/loads/springs.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
@@ -445,6 +447,38 @@ TEST_CASE("path: one that fails at a start out of balance says so", "[path]") {
     const auto report = ancf::follow_path(truss, solver, options);
     REQUIRE(report.status == Status::diverged);
     CHECK_THAT(report.message, ContainsSubstring("out of balance: solve_statics() first"));
+}
+
+TEST_CASE("path: a start out of balance is told wherever the last attempt went", "[path]") {
+    // the round-off of the start was measured by the tangent of that attempt: in four of these
+    // scenes it hid what the spring leaves of balance
+    using Beam = ancf::CrossSectionBeam<2>;
+    const auto rubber = ancf::Material::isotropic(2e7, 0.3, 1000.0);
+    const auto section = ancf::rectangle(0.05, 0.05);
+    int checked = 0;
+    for (int k = 0; k < 24; ++k) {
+        const double angle = 0.1 * k - 1.2;
+        ancf::PlanarModel model;
+        const auto upper = ancf::straight_beam<Beam>(model, rubber, section, {0, 0}, {1, 0}, 3);
+        const auto lower = ancf::straight_beam<Beam>(model, rubber, section, {1, 0},
+                                                     {1.0 + std::cos(angle), std::sin(angle)}, 2);
+        model.pin(upper.first());
+        model.add(ancf::PlanarRotationalSpring(model, upper.first(), 30.0));
+        model.add(ancf::Pin<2>(upper.last(), lower.first()));
+        model.add(ancf::PlanarRotationalSpring(model, upper.last(), lower.first(), 30.0));
+        model.add(ancf::Spring<2>(lower.last(), {1.6, 0.5}, 200.0, 0.2));  // in full at factor 0
+        model.add(ancf::Force<2>(lower.last(), {0.0, 5.0}));
+        ancf::EigenLu solver;
+        ancf::PathOptions options;
+        options.last_factor = 1.0;
+        options.first_step = 0.02;
+        const auto report = ancf::follow_path(model, solver, options);
+        CAPTURE(k, report.message);
+        CHECK(report.status == Status::diverged);
+        CHECK_THAT(report.message, ContainsSubstring("out of balance: solve_statics() first"));
+        ++checked;
+    }
+    CHECK(checked == 24);
 }
 
 /// A guide that turns with the load factor about the truss's apex at rest.

@@ -39,12 +39,22 @@ ANCF_INLINE void require_resolved(double step, double start, double end) {
     return sum;
 }
 
+/// Returns the sum of |x_i|, each with a weight of its own.
+[[nodiscard]] ANCF_INLINE double weighted_sum(const VectorX& x) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+        sum += (1.0 + static_cast<double>(i) / static_cast<double>(x.size())) * std::abs(x[i]);
+    return sum;
+}
+
 ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point) {
     (void)problem.evaluate(point.time, point.q, point.v, point.lambda, Request::tangent);
     const Energies at = problem.energies();
-    VectorX loads;
+    const VectorX sizes = problem.scales() / problem.length_scale();
+    VectorX loads, inner;
     problem.numbering().gather_free(problem.assembly().external_force(), loads);
-    VectorX values(7);
+    problem.numbering().gather_free(problem.assembly().internal_force(), inner);
+    VectorX values(10);
     values[0] = at.kinetic;
     values[1] = at.strain;
     values[2] = at.potential;
@@ -52,6 +62,13 @@ ANCF_INLINE VectorX signature(DynamicProblem& problem, const MotionPoint& point)
     values[4] = problem.sum_of_parts(loads.lpNorm<1>());
     values[5] = problem.sum_of_parts(trace_of_magnitudes(problem.mass(), problem.size()));
     values[6] = problem.sum_of_parts(trace_of_magnitudes(problem.tangent(), problem.size()));
+    values[7] = problem.sum_of_parts(weighted_sum(problem.force().cwiseProduct(sizes)));
+    values[8] = problem.sum_of_parts(weighted_sum(loads.cwiseProduct(sizes)) +
+                                     weighted_sum(inner.cwiseProduct(sizes)));
+    values[9] = 0.0;
+    if (problem.multipliers() == 0) return values;
+    problem.evaluate_constraints(point.time, point.q, point.v);
+    values[9] = weighted_sum(problem.constraints().convection());
     return values;
 }
 
@@ -67,7 +84,7 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     const double sped = problem.largest_distance(v, start.v);
     require(moved <= same && sped <= same * fastest, who,
             ": the model's state is not the one that the memory belongs to");
-    const VectorX then = memory.get("signature", 7);
+    const VectorX then = memory.get("signature", 10);
     const VectorX here = signature(problem, point);
     const auto differ = [&](int k) {
         return !(std::abs(here[k] - then[k]) <= same * (std::abs(then[k]) + std::abs(here[k])));
@@ -83,6 +100,17 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     require(!differ(5) && !differ(6), who,
             ": the memory is of another scene: mass or stiffness has changed since; a run after "
             "such a change starts without a memory");
+    // round-off of forces in balance, and of the accelerations of a turn
+    const double turn = problem.multipliers() == 0
+                            ? 0.0
+                            : fastest * fastest *
+                                  weighted_sum(problem.constraints().magnitude(
+                                      problem.scales_of(problem.length_scale())));
+    require(std::abs(here[7] - then[7]) <= same * (then[8] + here[8]) &&
+                std::abs(here[9] - then[9]) <= same * (then[9] + here[9] + turn),
+            who,
+            ": the memory is of another scene: a constraint, a drive or the place of a load has "
+            "changed since; a run after such a change starts without a memory");
 }
 
 ANCF_INLINE void Recorder::finish(const MotionPoint& point) {

@@ -576,7 +576,7 @@ private:
         text += found.empty() ? std::string(to_string(status)) : found;
         if (!report_.points.empty()) return text;
         if (!unfulfilled_.empty()) return text + unfulfilled_;
-        const bool balanced = evaluate(here, 0.0, Request::force) ||
+        const bool balanced = evaluate(here, 0.0, Request::tangent) ||
                               !(monitor_.residual(assembly_) > unbalanced_start) ||
                               monitor_.at_round_off(assembly_, here.state.q);
         return balanced ? text : text + "; it starts out of balance: solve_statics() first";

@@ -122,7 +122,8 @@ private:
         set_start();
         call(IDAInit(ida, &IdaSystem::residual, start_.time, y_.get(), dy_.get()));
         call(IDASetUserData(ida, &system_));
-        call(IDASVtolerances(ida, tolerance_, tolerances_.get()));
+        system_.set_tolerances(tolerance_, tolerances_.get());
+        call(IDAWFtolerances(ida, &IdaSystem::weights));
         choose_error_test();
         SUNLinSol_KLUSetOrdering(klu_.get(), 0);  // AMD: the pattern is nearly symmetric
         call(IDASetLinearSolver(ida, turned_.get(), matrix_.get()));
@@ -139,6 +140,8 @@ private:
         call(IDASetDeltaCjLSetup(ida, 0.05));
         call(IDASetMaxNonlinIters(ida, report_.order == 2 ? 7 : 6));
         call(IDASetNonlinConvCoef(ida, 0.1));
+        if (options_.form == Form::index3 && problem_.multipliers() > 0)
+            inertia_round_off_ = inertia_round_off();
         first_step_ = first_step();
         call(IDASetInitStep(ida, first_step_));
         call(IDASetMinStep(ida, least_step()));
@@ -201,8 +204,48 @@ private:
             for (Eigen::Index i = 0; i < multipliers.size(); ++i)
                 multipliers[i] = arms[i] > 0.0 ? least / arms[i] : least;
         };
-        measured(std::max(tolerance_ * force, resolved), system_.lambda(absolute));
+        least_ = std::max(tolerance_ * force, resolved);
+        most_ = 1e-3 * force;
+        measured(least_, system_.lambda(absolute));
         measured(tolerance_ * force * length / velocity, system_.mu(absolute));
+    }
+
+    // Returns what one rounding of every coordinate, at the rate of one a second, changes in the
+    // inertia forces, N s^2, at most.
+    [[nodiscard]] double inertia_round_off() const {
+        const SparseMatrix& mass = problem_.compact_mass();
+        const VectorX& scales = problem_.scales();
+        VectorX changes = VectorX::Zero(scales.size());
+        for (int j = 0; j < mass.outerSize(); ++j)
+            for (SparseMatrix::InnerIterator entry(mass, j); entry; ++entry)
+                changes[entry.row()] += std::abs(entry.value()) * scales[j];
+        return std::numeric_limits<double>::epsilon() * changes.cwiseProduct(scales).maxCoeff() /
+               problem_.length_scale();
+    }
+
+    // Lets the tolerance of multipliers be no less than what round-off of the inertia forces leaves
+    // in them: in short steps Newton's method could not bring them below. It takes all of the
+    // round-off where a run begins and in a step that is cut short, else a twentieth, as of elastic
+    // forces; no more than a thousandth of the forces, but in a step that is cut, where multipliers
+    // are those of the state.
+    // @param rest  s, to the time where the step has to end
+    void resolve_multipliers(double rest) {
+        if (inertia_round_off_ == 0.0) return;
+        double length = first_step_, last = 0.0;
+        if (!begins_) IDAGetCurrentStep(ida_.get(), &length);
+        if (!begins_) IDAGetLastStep(ida_.get(), &last);
+        const bool is_cut = 2.0 * rest < last;
+        const bool begins = now_.time - start_.time < 10.0 * first_step_;
+        length = std::min(length, rest);
+        double left = inertia_round_off_ / (length * length);
+        if (!is_cut && !begins) left *= 0.05;
+        if (!is_cut) left = std::min(left, most_);
+        double loosened = 1.0;
+        if (left > least_) loosened = std::exp2(std::ceil(std::log2(left / least_)));
+        if (loosened == loosened_) return;
+        auto tolerances = view(tolerances_.get());
+        system_.lambda(tolerances) *= loosened / loosened_;
+        loosened_ = loosened;
     }
 
     // The error test sees positions, and rates where the form holds them on the constraints.
@@ -331,15 +374,19 @@ private:
         if (turn > 0.0) step = std::min(step, 1e-3 / turn);
         const double acceleration = problem_.largest_ratio(start_.acceleration);
         if (acceleration > 0.0) step = std::min(step, std::sqrt(0.5 * tolerance_ / acceleration));
-        return step;
+        const double resolved =
+            inertia_round_off_ > 0.0 ? std::sqrt(inertia_round_off_ / most_) : 0.0;
+        return std::max(step, std::min(resolved, 1e-3 * duration));
     }
 
     // Takes one step and reports it; false where the run ends.
     [[nodiscard]] bool step() {
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(IDA_TOO_MUCH_WORK);
-        call(IDASetStopTime(ida_.get(), stop_time()));
+        const double stop = stop_time();
+        call(IDASetStopTime(ida_.get(), stop));
         begin_step();
+        resolve_multipliers(stop - now_.time);
         double reached = now_.time;
         system_.forget_fault();
         context_.forget_message();
@@ -459,15 +506,18 @@ private:
     NewtonOwner newton_;  // of stiff scenes
     IdaOwner ida_;
 
-    Corrections size_, strain_;       // of a step, in IDA's norm
-    double energy_ = 0.0;             // J, typical of a step
-    bool goes_astray_ = false;        // whether a first correction of the step went astray
-    int astray_ = 0;                  // steps left that take back the strains of the prediction
-    double tolerance_ = 0.0;          // that counts
-    double slow_frequency_ = 0.0;     // rad/s: of the motion that is followed
-    double highest_frequency_ = 0.0;  // rad/s: of a scene whose vibrations steps may not resolve
-    double first_step_ = 0.0;         // s
-    bool hides_forces_ = false;       // whether the start's forces are below their round-off
+    Corrections size_, strain_;        // of a step, in IDA's norm
+    double energy_ = 0.0;              // J, typical of a step
+    bool goes_astray_ = false;         // whether a first correction of the step went astray
+    int astray_ = 0;                   // steps left that take back the strains of the prediction
+    double tolerance_ = 0.0;           // that counts
+    double slow_frequency_ = 0.0;      // rad/s: of the motion that is followed
+    double highest_frequency_ = 0.0;   // rad/s: of a scene whose vibrations steps may not resolve
+    double first_step_ = 0.0;          // s
+    double least_ = 0.0, most_ = 0.0;  // N: tolerance of forces in multipliers
+    double loosened_ = 1.0;            // by how much that is more than the least in the next step
+    double inertia_round_off_ = 0.0;   // N s^2; 0: it does not count
+    bool hides_forces_ = false;        // whether the start's forces are below their round-off
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden action
     Counts before_ = {};                                         // up to the last jump
     bool begins_ = true;  // whether the run or what follows a jump has no step yet

@@ -164,6 +164,8 @@ private:
 
 /// What IDA integrates.
 class IdaSystem : public SceneCalls {
+    using View = Eigen::Map<VectorX>;
+
 public:
     /// @pre problem.start() has converged.
     /// @param stabilised  as of JacobianMap.
@@ -196,6 +198,25 @@ public:
     template <class Column>
     [[nodiscard]] auto mu(Column&& y) const {
         return y.tail(y.size() - 2 * n_ - m_);
+    }
+
+    /// Sets the tolerances, the absolute ones in the units of y; they may change between steps.
+    void set_tolerances(double relative, N_Vector absolute) noexcept {
+        relative_ = relative;
+        absolute_ = absolute;
+    }
+
+    /// One over the tolerances at y.
+    static int weights(N_Vector y, N_Vector weights, void* self) noexcept {
+        const auto& system = *static_cast<const IdaSystem*>(self);
+        const View at = view(y), absolute = view(system.absolute_);
+        View out = view(weights);
+        for (Eigen::Index i = 0; i < at.size(); ++i) {
+            const double allowed = system.relative_ * std::abs(at[i]) + absolute[i];
+            if (!(allowed > 0.0)) return fatal;
+            out[i] = 1.0 / allowed;
+        }
+        return good;
     }
 
     static int residual(sunrealtype t, N_Vector y, N_Vector dy, N_Vector r, void* self) noexcept {
@@ -260,8 +281,6 @@ public:
     [[nodiscard]] const std::string& driven_turn() const noexcept { return turn_; }
 
 private:
-    using View = Eigen::Map<VectorX>;
-
     // Evaluates the problem at y, in the units of IDA; false where an element failed.
     [[nodiscard]] bool evaluate(double t, const View& y, Request request) {
         y_ = y.cwiseProduct(units_);
@@ -343,6 +362,8 @@ private:
     int m_;
     JacobianMap map_;
     VectorX units_, y_, dy_, lambda_, mu_, gap_, kinematic_;
+    double relative_ = 0.0;  // tolerances
+    N_Vector absolute_ = nullptr;
     VectorX begin_y_, linearised_;  // y of the step's start, q of the Jacobian
     ancf::detail::TurningFrames frames_;
     double work_ = 0.0, c_ = 0.0;
