@@ -105,6 +105,21 @@ TEST_CASE("jumps: shorter steps are tried only where they help", "[dynamics]") {
     run_to(end, problem, method, tolerance);
 }
 
+TEST_CASE("jumps: errors that would ask for steps below the least one may be of the tolerance",
+          "[dynamics]") {
+    PushedBeam scene([](double t) { return std::clamp((t - 0.125) * 1e5, 0.0, 1.0); });
+    DynamicProblem problem(scene.model);
+    EigenLu solver;
+    GeneralizedAlphaOptions options;
+    options.tolerance = 1e-3;
+    options.min_step = 9e-4;
+    Schedule schedule;
+    schedule.end = JumpScene::end;
+    const DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
+    CHECK(report.status == Status::converged);
+    CHECK(report.smallest_step >= options.min_step);
+}
+
 // The memory of a run that ended at a jump left 300 tolerances by generalized-alpha.
 TEST_CASE("jumps: a run may end at one, and another go on from there", "[dynamics]") {
     constexpr double jump = 0.125, end = 0.4375, tolerance = 1e-7;
