@@ -45,8 +45,10 @@ struct MotionPoint {
     VectorX q, v, lambda;
 };
 
-/// Energies and power of a point, sizes of the loads, of M and K there: what tells one scene from
-/// another.
+/// Returns what tells one scene from another at a point: kinetic, strain and potential energy, the
+/// power of loads; sizes of loads, of M and of K; what is out of balance and the size of its parts;
+/// the accelerations that constraints ask for.
+/// @return 10 numbers, of all parts of the scene.
 [[nodiscard]] VectorX signature(DynamicProblem& problem, const MotionPoint& point);
 
 /// Throws unless a run that a memory continues goes on from where it ended: the model's state, as
@@ -334,7 +336,7 @@ protected:
     [[nodiscard]] bool passes_jump(MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
-    /// @param always  whether by more than pi/12 is too far.
+    /// @param always  whether any turn beyond pi/12 is too far, also one that a step may try.
     [[nodiscard]] bool divides(const Step& step, bool always = false) {
         if (control_.is_adaptive() || grid_.part > 0.0 || (step.turn.fits() && !always))
             return false;

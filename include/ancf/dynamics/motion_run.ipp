@@ -39,7 +39,7 @@ ANCF_INLINE void require_resolved(double step, double start, double end) {
     return sum;
 }
 
-/// Returns the sum of |x_i|, each with a weight of its own.
+/// Returns the sum of |x_i|, with weights from 1 to 2: it tells places from each other.
 [[nodiscard]] ANCF_INLINE double weighted_sum(const VectorX& x) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < x.size(); ++i)
