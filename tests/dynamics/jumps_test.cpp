@@ -80,8 +80,8 @@ TEST_CASE("jumps: steps over steep ramps have smaller errors than others", "[dyn
     CHECK(apart(scene, exact) <= c.most * c.tolerance);
 }
 
-// Held to smaller errors without end they were step_too_small: at a shock the errors of generalized-
-// alpha fall with the width, and behind a corner of a joint's acceleration not even that.
+// Held to smaller errors without end, runs were step_too_small. At a shock the errors of
+// generalized-alpha fall with the width, behind a corner of a joint's acceleration not even so.
 TEST_CASE("jumps: shorter steps are tried only where they help", "[dynamics]") {
     const bool shock = GENERATE(true, false);
     const int method = GENERATE(0, 3, 5);
