@@ -45,8 +45,10 @@ struct MotionPoint {
     VectorX q, v, lambda;
 };
 
-/// Energies and power of a point, sizes of the loads, of M and K there: what tells one scene from
-/// another.
+/// Returns what tells one scene from another at a point: kinetic, strain and potential energy, the
+/// power of loads; sizes of loads, of M and of K; what is out of balance and the size of its parts;
+/// the accelerations that constraints ask for.
+/// @return 10 numbers, of all parts of the scene.
 [[nodiscard]] VectorX signature(DynamicProblem& problem, const MotionPoint& point);
 
 /// Throws unless a run that a memory continues goes on from where it ended: the model's state, as
@@ -334,7 +336,7 @@ protected:
     [[nodiscard]] bool passes_jump(MotionPoint& now);
 
     /// Divides a fixed step that drives a joint too far; false where it is to be tried as it is.
-    /// @param always  whether by more than pi/12 is too far.
+    /// @param always  whether any turn beyond pi/12 is too far, also one that a step may try.
     [[nodiscard]] bool divides(const Step& step, bool always = false) {
         if (control_.is_adaptive() || grid_.part > 0.0 || (step.turn.fits() && !always))
             return false;
@@ -345,12 +347,9 @@ protected:
 
     /// Returns what a local error, relative to the tolerance, counts in a step of a width. Errors
     /// of rates move the scene on, in short steps as in long ones: those that follow a step of five
-    /// tolerances are held to less, in proportion to their widths.
-    [[nodiscard]] double weigh(double error, double width) {
-        const double weighed = error * std::max(1.0, failed_width_ / width);
-        if (weighed > 5.0) failed_width_ = std::max(failed_width_, width);
-        return weighed;
-    }
+    /// tolerances are held to less, in proportion to their widths; where shorter steps do not help,
+    /// as at a shock, to the tolerance.
+    [[nodiscard]] double weigh(double error, double width);
 
     /// Counts a step that failed, or converged with too large an error, and makes the next one
     /// shorter: by a factor, or in halves where steps are fixed; where a constraint's drive jumps
@@ -429,6 +428,9 @@ protected:
     double duration_ = 0.0;      // s, from the start to the schedule's end
     double last_width_ = 0.0;    // s, of the last step, at first that of the options
     double failed_width_ = 0.0;  // s, of a step with far too large an error; fades in later ones
+    double tried_width_ = 0.0;   // s, of the last attempt at the next step; 0: there was none
+    double tried_error_ = 0.0;   // what its error counted
+    int in_vain_ = 0;            // attempts at it that did not help
     bool rests_ = true;          // whether the last step had next to no error
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden_action()
     bool has_short_step_ = false;  // whether it ended with the multipliers of its state

@@ -39,7 +39,7 @@ ANCF_INLINE void require_resolved(double step, double start, double end) {
     return sum;
 }
 
-/// Returns the sum of |x_i|, each with a weight of its own.
+/// Returns the sum of |x_i|, with weights from 1 to 2: it tells places from each other.
 [[nodiscard]] ANCF_INLINE double weighted_sum(const VectorX& x) {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < x.size(); ++i)
@@ -477,9 +477,26 @@ ANCF_INLINE bool MotionRun::passes_jump(MotionPoint& now) {
     if (!jumps_.passes(now, start_, control_.first, report_)) return false;
     grid_ = {now.time, std::min(control_.first, control_.most)};
     last_width_ = grid_.width;
-    failed_width_ = 0.0;
+    failed_width_ = tried_width_ = 0.0;
+    in_vain_ = 0;
     rests_ = true;
     return true;
+}
+
+ANCF_INLINE double MotionRun::weigh(double error, double width) {
+    constexpr double shortest = 0.2;  // of the next attempt, of this one
+    constexpr int most_in_vain = 3;
+    const double weighed = error * std::max(1.0, failed_width_ / width);
+    if (weighed > 5.0) failed_width_ = std::max(failed_width_, width);
+    const bool helps =
+        tried_width_ == 0.0 || weighed < tried_error_ * std::sqrt(width / tried_width_);
+    tried_width_ = width;
+    tried_error_ = weighed;
+    if (error > 1.0 || weighed <= 1.0) return weighed;
+    if (!helps) ++in_vain_;
+    if (in_vain_ < most_in_vain && shortest * width > control_.least) return weighed;
+    failed_width_ = 0.0;
+    return error;
 }
 
 ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, Status status,
@@ -510,6 +527,8 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
                                    const Between& between) {
     if (!goes_on(to)) to.time = schedule_.end;
     failed_width_ *= 0.9;
+    tried_width_ = 0.0;
+    in_vain_ = 0;
     const double before = std::exchange(last_width_, to.time - from.time);
     // its own, and its rates, carry what Newton's method leaves of g and G v, over powers of the
     // width

@@ -37,8 +37,8 @@ class DynamicProblem;
 ///     series.add_reaction("foot", problem, beam.last());    // of what holds or drives this node
 ///     schedule.observe = [&](const ancf::Snapshot& seen) { series.write(seen); };
 ///
-/// In statics write the state yourself, as in StaticsOptions::progress and PathOptions::progress;
-/// t is then the load factor, energies are zero:
+/// In statics write the state yourself, as in StaticsOptions::progress, or in PathOptions::progress
+/// with a PathPoint for the number; t is then the load factor, energies are zero:
 ///
 ///     options.progress = [&](double, const ancf::State& state) {
 ///         series.write({state, {}, 0.0, 0.0});

@@ -200,13 +200,14 @@ public:
         return y.tail(y.size() - 2 * n_ - m_);
     }
 
-    /// Sets the tolerances, the absolute ones in the units of y; they may change between steps.
+    /// Sets the tolerances; they may change between steps.
+    /// @param absolute  in the units of y; kept, not copied.
     void set_tolerances(double relative, N_Vector absolute) noexcept {
         relative_ = relative;
         absolute_ = absolute;
     }
 
-    /// One over the tolerances at y.
+    /// Writes one over the tolerances at y. @return fatal where one is not positive.
     static int weights(N_Vector y, N_Vector weights, void* self) noexcept {
         const auto& system = *static_cast<const IdaSystem*>(self);
         const View at = view(y), absolute = view(system.absolute_);
