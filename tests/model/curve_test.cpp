@@ -92,6 +92,40 @@ double order(const Point& coarse, const Point& middle, const Point& fine) {
     return std::log2((coarse - middle).norm() / (middle - fine).norm());
 }
 
+TEST_CASE("straight_beam_with_slopes: slopes under which it is not free of stress are refused",
+          "[model][builders][bad-input]") {
+    const auto spatial = [](const Matrix<double, 3>& slopes) {
+        Model model;
+        const auto beam = straight_beam_with_slopes<Spatial>(model, steel(), square(), {0, 0, 0},
+                                                             {0, 0, 1}, slopes, 2);
+        const auto e = model.element_coordinates<Spatial>(beam.elements[1]);
+        return model.group<Spatial>().element(beam.elements[1]).force(e).norm();
+    };
+    Matrix<double, 3> upright;  // r_x along Z
+    upright << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+    CHECK(spatial(upright) <= 1e-6);               // of E A = 8e7 N
+    CHECK_NOTHROW(spatial(upright * (1 + 1e-9)));  // round-off of given numbers
+    Matrix<double, 3> sheared = upright, left = upright;
+    sheared.col(1) += 0.01 * sheared.col(0);
+    left.col(2) *= -1.0;
+    int refused = 0;
+    for (const Matrix<double, 3>& slopes : {Matrix<double, 3>(Matrix<double, 3>::Identity()),
+                                            Matrix<double, 3>(2.0 * upright), sheared, left}) {
+        CHECK_THROWS_AS(spatial(slopes), InvalidArgument);
+        ++refused;
+    }
+    CHECK(refused == 4);
+    Model ropes;  // r_y and r_z are no vectors of a cable
+    sheared.col(2) *= -1.0;
+    CHECK_NOTHROW(straight_beam_with_slopes<Cable<3>>(ropes, steel(), square(), {0, 0, 0},
+                                                      {0, 0, 1}, sheared, 2));
+    PlanarModel plane;
+    CHECK_THROWS_AS(straight_beam_with_slopes<Planar>(plane, steel(), square(), {0, 0}, {0, 1},
+                                                      Matrix<double, 2>::Identity(), 2),
+                    InvalidArgument);
+    CHECK(plane.nodes() == 0);
+}
+
 TEST_CASE("arc: nodes lie on the circle, y to its centre, elements are equal", "[model][curve]") {
     Model model;
     const P3 from(1.0, -2.0, 0.5), tangent(0.0, 3.0, 4.0), normal(1.0, 0.2, 0.0);

@@ -211,6 +211,33 @@ TEST_CASE("frame: a joint has the largest block and the stiffest material of its
     CHECK(checked == 6);
 }
 
+TEST_CASE("frame: members of one Young's modulus give a joint one material in any order",
+          "[model][frame]") {
+    const Material stiff = Material::from_moduli(2e11, 8e10, 7800.0);
+    const Material soft = Material::from_moduli(2e11, 6.8e10, 9000.0);
+    using Body = AffineJoint<3>;
+    int checked = 0;
+    for (const bool swapped : {false, true}) {
+        Model model;
+        const Section section = rectangle(width, height);
+        std::vector<Profile> profiles = {{stiff, section}, {soft, section}};
+        if (swapped) std::swap(profiles[0], profiles[1]);
+        const auto built = frame<Spatial>(model, profiles, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}},
+                                          {{0, 1, 0}, {1, 2, 1}});
+        const auto& bodies = model.group<Body>();
+        for (int k = 0; k < bodies.size(); ++k) {
+            if (!(bodies.connection(k).first == built.joints[1])) continue;
+            Body::Coordinates rest;
+            rest << 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+            const double volume = 100.0 * height * width * height;
+            CHECK(bodies.element(k).evaluate(rest).tangent(3, 3) ==
+                  Approx(volume * stiff.shear).epsilon(1e-13));
+            ++checked;
+        }
+    }
+    CHECK(checked == 2);
+}
+
 TEST_CASE("net: a flat one bears a load across its ropes, strained or not", "[model][frame][net]") {
     constexpr double load = 20.0, side = 0.004, young = 1e10;  // N, m, Pa
     const Profile rope{Material::isotropic(young, 0.3, 1000.0), rectangle(side, side)};

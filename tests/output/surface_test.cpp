@@ -6,6 +6,7 @@
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/output/shape.hpp>
 #include <ancf/output/surface.hpp>
@@ -127,6 +128,32 @@ TEMPLATE_TEST_CASE("deformed_shape: the outline stands where the element's posit
     }
     CHECK_THROWS_WITH(ancf::deformed_shape(scene.model, scene.beam, scene.section, 1),
                       ContainsSubstring("got 1"));
+}
+
+TEST_CASE(
+    "deformed_shape, Surface: a station's s is the way along the line, whatever its parameter",
+    "[output]") {
+    // a straight line whose slope r_x grows from 1 to 3, so that s is the distance from its start
+    const Point from(0.5, -0.25, 1.0);
+    ancf::Model model;
+    std::vector<ancf::CurvePoint<3>> points(3);
+    for (int k = 0; k < 3; ++k) {
+        points[k].position = from + (k + 0.5 * k * k) * Point::UnitX();
+        points[k].slopes.setIdentity();
+        points[k].slopes(0, 0) = 1.0 + k;
+    }
+    const ancf::Section section = ancf::rectangle(0.2, 0.1);
+    const auto beam =
+        ancf::beam_through<ancf::CrossSectionBeam<3>>(model, steel, section, points, {1.0, 1.0});
+    const auto shape = ancf::deformed_shape(model, beam, section, 5);
+    REQUIRE(shape.size() == 10);
+    for (const auto& station : shape)  // round-off, 4e-16 measured; 0.13 by the parameter
+        CHECK(std::abs((station.centre - from).norm() - station.s) <= 1e-14);
+    ancf::Surface surface;
+    surface.add(model, beam, section, 5);
+    const auto& place = surface.arrays()[ancf::Surface::place].values;
+    REQUIRE(place.size() == 40);
+    for (std::size_t k = 0; k < place.size(); ++k) CHECK(place[k] == shape[k / 4].s);
 }
 
 TEST_CASE("write_shape: one column per coordinate of the outline", "[output]") {

@@ -191,6 +191,8 @@ public:
 
     /// Returns the length of the stress-free element, m.
     [[nodiscard]] double length() const noexcept { return line_.length(); }
+    /// Returns the length of the stress-free element from its first node to xi, m.
+    [[nodiscard]] double length(double xi) const { return line_.length(xi); }
     /// Returns the range of the parameter x of r_x = dr/dx, m: length() of a straight element.
     [[nodiscard]] double parameter_length() const noexcept { return line_.parameter_length(); }
     /// Returns the options it was made with; the rule is the one that it takes.

@@ -62,6 +62,15 @@ public:
     /// Returns the arc length, m.
     [[nodiscard]] double length() const noexcept { return length_; }
 
+    /// Returns the arc length from the first node to xi, m.
+    [[nodiscard]] double length(double xi) const {
+        if (!curved_) return xi * length_;
+        double sum = 0.0;
+        for (const QuadraturePoint& point : gauss_quadrature(integration_points))
+            sum += xi * point.weight * parameter_length_ * metric(xi * point.xi);
+        return sum;
+    }
+
     /// Returns the range of the parameter x, m.
     [[nodiscard]] double parameter_length() const noexcept { return parameter_length_; }
 

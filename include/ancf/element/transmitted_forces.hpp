@@ -61,6 +61,10 @@ template <class Element>
 /// nodes to round-off on any mesh, at clamps and beside point loads too; forces along the element
 /// count half at each of its nodes, so the force is that of its middle. The element's own
 /// section_forces are those of the strains.
+///
+/// In motion both leave out the viscous stress of add_kelvin_voigt, and these the inertia of the
+/// part of the element beyond the section. What a support or a joint bears has all of it:
+/// TimeSeries::add_reaction.
 /// @param e   nodal coordinates.
 /// @param xi  from 0 to 1.
 template <class Element>

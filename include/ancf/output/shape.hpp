@@ -29,6 +29,17 @@ using Velocity = decltype(some<Element>().velocity(
 template <class Element>
 using Stress =
     decltype(some<Element>().stress(some<typename Element::Coordinates>(), 0.0, 0.0, 0.0));
+template <class Element>
+using LengthTo = decltype(double(some<Element>().length(0.0)));
+
+/// Returns the stress-free length of an element up to xi, m; in proportion where it does not tell.
+template <class Element>
+[[nodiscard]] double length_to(const Element& element, double xi) {
+    if constexpr (offers<LengthTo, Element>)
+        return element.length(xi);
+    else
+        return xi * element.length();
+}
 
 }  // namespace detail
 
@@ -88,7 +99,7 @@ void for_each_station(const Scene& model, const Beam<Element>& beam, int station
         for (int k = 0; k < stations; ++k) {
             const double xi = static_cast<double>(k) / (stations - 1);
             visit(BeamStation<Element>{element, e, rate, static_cast<int>(place), xi,
-                                       start + xi * element.length()});
+                                       start + detail::length_to(element, xi)});
         }
         start += element.length();
     }

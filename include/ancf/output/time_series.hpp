@@ -56,6 +56,7 @@ public:
     TimeSeries& operator=(const TimeSeries&) = delete;
 
     /// Adds N, Q_y, Q_z, T, M_y, M_z of a section as transmitted_forces has them; N and N m.
+    /// Like the stress below they are elastic: without the viscous part of add_kelvin_voigt.
     /// @param element  index in the group of its type.  @param xi  place along it, 0 to 1
     /// @throws InvalidArgument for an element that does not exist, or xi outside [0, 1].
     template <class Element>

@@ -109,6 +109,14 @@ template <int Dimension>
 [[nodiscard]] double distance_apart(const Vector<double, Dimension>& from,
                                     const Vector<double, Dimension>& to);
 
+/// Checks that a straight element of these slopes is free of stress.
+/// @param fields  that the element carries at a node
+/// @param along   from one end of the beam to the other, m
+/// @throws InvalidArgument unless those slopes are orthonormal and right-handed, r_x along it.
+template <int Dimension>
+void check_straight_slopes(Fields fields, const Vector<double, Dimension>& along,
+                           const Matrix<double, Dimension>& slopes);
+
 /// Adds nodes at equal distances.
 /// @param elements  one less than nodes
 template <int Dimension>
@@ -148,12 +156,13 @@ template <class Element>
 /// Adds a straight chain of equal elements with the given reference slopes.
 ///
 /// @param from, to  the ends, m.
-/// @param slopes    columns r_x, r_y and, in space, r_z of every node; 1.
+/// @param slopes    columns r_x, r_y and, in space, r_z of every node; 1. Those that the element
+///                  carries are orthonormal and right-handed, r_x along the beam.
 /// @param elements  how many, at least 1.
 /// @param options   handed to the element's constructor after material, section and length.
 /// @return          the chain's nodes, elements and prototype.
 /// @throws InvalidArgument for ends that are not finite or not apart, fewer than one element,
-///         slopes that are not finite, and what the element's constructor refuses.
+///         slopes that are not so, and what the element's constructor refuses.
 template <class Element = void, int Dimension, class... Options>
 auto straight_beam_with_slopes(BasicModel<Dimension>& model, const Material& material,
                                const Section& section,
@@ -164,6 +173,8 @@ auto straight_beam_with_slopes(BasicModel<Dimension>& model, const Material& mat
     using Chosen = detail::named_element_t<Element, Dimension>;
     detail::require(elements >= 1, "straight_beam: at least one element is needed, got ", elements);
     const double length = detail::distance_apart<Dimension>(from, to);
+    detail::check_straight_slopes<Dimension>(Chosen::fields, detail::between<Dimension>(from, to),
+                                             slopes);
     Beam<Chosen> beam;
     beam.prototypes.push_back(model.add_prototype(
         detail::made_element<Chosen>(material, section, length / elements, options...)));

@@ -44,6 +44,41 @@ double distance_apart(const Vector<double, Dimension>& from, const Vector<double
 }
 
 template <int Dimension>
+void check_straight_slopes(Fields fields, const Vector<double, Dimension>& along,
+                           const Matrix<double, Dimension>& slopes) {
+    constexpr double tolerance = 1e-6;
+    const double length = span(along);
+    const auto carried = [&](int k) { return fields.contains(static_cast<Field>(1 + k)); };
+    bool good = true, all = true;
+    for (int a = 0; a < Dimension; ++a) {
+        all = all && carried(a);
+        if (!carried(a)) continue;
+        for (int i = 0; a == 0 && i < Dimension; ++i)
+            good = good && std::abs(slopes(i, 0) - along[i] / length) <= tolerance;
+        for (int b = 0; b <= a; ++b) {
+            if (!carried(b)) continue;
+            double product = a == b ? -1.0 : 0.0;
+            for (int i = 0; i < Dimension; ++i) product += slopes(i, a) * slopes(i, b);
+            good = good && std::abs(product) <= tolerance;
+        }
+    }
+    if (all) {
+        const auto minor = [&](int i, int j) {
+            return slopes(i, 0) * slopes(j, 1) - slopes(j, 0) * slopes(i, 1);
+        };
+        double volume = minor(0, 1);
+        if constexpr (Dimension == 3)
+            volume =
+                minor(1, 2) * slopes(0, 2) + minor(2, 0) * slopes(1, 2) + volume * slopes(2, 2);
+        good = good && volume > 0.0;
+    }
+    require(good,
+            "straight_beam_with_slopes: the slopes must be orthonormal and right-handed, r_x along "
+            "the beam, got (by columns) ",
+            components(slopes));
+}
+
+template <int Dimension>
 std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
                                       const Vector<double, Dimension>& from,
                                       const Vector<double, Dimension>& to,
@@ -103,10 +138,14 @@ ANCF_INLINE Matrix<double, 2> reference_slopes(const Vector<double, 2>& directio
 
 #if defined(ANCF_SOURCE)
 template double detail::distance_apart<2>(const Vector<double, 2>&, const Vector<double, 2>&);
+template void detail::check_straight_slopes<2>(Fields, const Vector<double, 2>&,
+                                               const Matrix<double, 2>&);
 template std::vector<NodeId> detail::add_nodes_between<2>(BasicModel<2>&, const Vector<double, 2>&,
                                                           const Vector<double, 2>&,
                                                           const Matrix<double, 2>&, int);
 template double detail::distance_apart<3>(const Vector<double, 3>&, const Vector<double, 3>&);
+template void detail::check_straight_slopes<3>(Fields, const Vector<double, 3>&,
+                                               const Matrix<double, 3>&);
 template std::vector<NodeId> detail::add_nodes_between<3>(BasicModel<3>&, const Vector<double, 3>&,
                                                           const Vector<double, 3>&,
                                                           const Matrix<double, 3>&, int);

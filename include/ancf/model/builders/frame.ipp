@@ -7,6 +7,7 @@
 #include <ancf/model/builders/frame.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace ancf::detail {
 
@@ -17,7 +18,11 @@ ANCF_INLINE void JointBlock::add(const Profile& profile) {
         volume = edge * about.area;
         size = std::cbrt(volume);
     }
-    if (profile.material.young > material.young) material = profile.material;
+    // of equal ones by what is left, so that the order of members does not count
+    const auto rank = [](const Material& of) {
+        return std::make_tuple(of.young, of.shear, of.density);
+    };
+    if (rank(profile.material) > rank(material)) material = profile.material;
 }
 
 ANCF_LAZY void add_joint_body(Scene& model, NodeId joint, const JointBlock& block, double stiffness,
