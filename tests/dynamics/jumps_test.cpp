@@ -13,6 +13,7 @@
 #include <support/jumps.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace jumps_test {
 
@@ -118,6 +119,21 @@ TEST_CASE("jumps: errors that would ask for steps below the least one may be of 
     const DynamicsReport report = GeneralizedAlpha(options).integrate(problem, solver, schedule);
     CHECK(report.status == Status::converged);
     CHECK(report.smallest_step >= options.min_step);
+}
+
+// A step that began long before and ended anywhere left 9.7 and 4.2 tolerances.
+TEST_CASE("jumps: a step from a rest ends where a load begins to act", "[dynamics]") {
+    const bool pulse = GENERATE(false, true);
+    CAPTURE(pulse);
+    const Amplitude later = [=](double t) {
+        return pulse ? std::exp(-std::pow((t - 0.15) / 1e-3, 2))
+                     : std::clamp((t - JumpScene::first) / 0.125, 0.0, 1.0);
+    };
+    PushedBeam scene(later), exact(later);
+    run_exactly(exact.model);
+    DynamicProblem problem(scene.model);
+    run_to(JumpScene::end, problem, 0, 1e-4);
+    CHECK(apart(scene, exact) <= 2e-4);
 }
 
 // The memory of a run that ended at a jump left 300 tolerances by generalized-alpha.

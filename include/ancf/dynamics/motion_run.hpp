@@ -250,8 +250,8 @@ struct StepGrid {
 /// The error of a step at rest, relative to the tolerance, is below this.
 constexpr double resting = 0.03;
 
-/// Returns where in a step from rest a load or a drive acts most that is much the same at both
-/// ends, or the step's end, s.
+/// Returns where in a step from rest a load or a drive that was still begins to act, or where one
+/// acts most that is much the same at both ends; else the step's end, s.
 /// @param apart  s, between two looks, at least; they are a thousandth of the step apart or more.
 [[nodiscard]] double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
                                    double apart);
@@ -327,8 +327,7 @@ protected:
     }
 
     /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at
-    /// rest no later than where a load or a drive acts that is much the same at both ends of a
-    /// longer one.
+    /// rest no later than at a hidden_action().
     [[nodiscard]] Step next_step(const MotionPoint& now);
 
     /// Moves a point and the run's start behind a jump, if the point stands at one that next_step()

@@ -328,13 +328,18 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
     double found = end;
     const auto look = [&](const auto& function) {
         const double first = function(now.time), last = function(end);
-        double most = 10.0 * std::abs(last - first) + 1e-12 * std::abs(first), at = end;
+        const double round_off = 1e-12 * std::abs(first);
+        const double least = 1e-9 * std::abs(last - first) + round_off;
+        double most = 10.0 * std::abs(last - first) + round_off, at = end;
+        double still = end;  // up to here it does not change
         for (double time = now.time + between; time < end; time += between) {
             const double change = std::abs(function(time) - first);
+            if (still == end && change > least) still = time - between;
             if (!(change > most)) continue;
             most = change;
             at = time;
         }
+        if (still - now.time > 0.01 * (end - now.time)) at = std::min(at, still);
         found = std::min(found, at);
     };
     const Exchange* parts = problem.model().exchange();
@@ -363,7 +368,9 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
                 return true;
             }
             const double middle = 0.5 * (from + to), value = function(middle);
-            const bool early = std::abs(value - low) >= std::abs(high - value);
+            const double change = std::max(std::abs(value - low), std::abs(high - value));
+            const bool early = std::abs(value - low) == change;
+            least = std::max(least, share * change);
             (early ? to : from) = middle;
             (early ? high : low) = value;
         }
@@ -454,15 +461,18 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
     Step step = grid_.next(now.time, schedule_.end);
     const bool looks = std::exchange(rests_, false) || now.time < acts_at_;
+    if (control_.is_adaptive()) jumps_.look(now, step.end);
     if (looks && control_.is_adaptive()) {
-        const double at = hidden_action(problem_, now, step.end, control_.first);
-        if (at < step.end) {
+        const double end = jumps_.is_ahead(now) ? std::min(step.end, jumps_.next()) : step.end;
+        const double at = hidden_action(problem_, now, end, control_.first);
+        if (at < end) {
             acts_at_ = at;
+            failed_width_ = std::max(failed_width_, step.width);
             grid_ = {step.begin, at - step.begin};
             step = grid_.next(now.time, schedule_.end);
+            jumps_.look(now, step.end);
         }
     }
-    if (control_.is_adaptive()) jumps_.look(now, step.end);
     if (jumps_.is_ahead(now) && jumps_.next() < step.end) {
         double width = jumps_.next() - step.begin;
         while (step.begin + width > jumps_.next()) width = std::nextafter(width, 0.0);
