@@ -136,6 +136,27 @@ TEST_CASE("jumps: a step from a rest ends where a load begins to act", "[dynamic
     CHECK(apart(scene, exact) <= 2e-4);
 }
 
+// Steps that passed over corners left 0.8 to 13 tolerances.
+TEST_CASE("jumps: steps of Radau end at corners of lines between values", "[dynamics]") {
+    const int stages = GENERATE(3, 5);
+    const double tolerance = GENERATE(1e-5, 1e-6, 1e-7);
+    const bool gravity = GENERATE(true, false);
+    CAPTURE(stages, tolerance, gravity);
+    const Amplitude lines = [](double t) {
+        constexpr double values[] = {0.0, 1.0, -0.5, 0.25, 0.25, -1.0, 0.5, 0.0};
+        const double place = 16.0 * t, from = std::min(std::floor(place), 6.0);
+        const double* value = values + static_cast<int>(from);
+        return value[0] + (place - from) * (value[1] - value[0]);
+    };
+    PushedBeam scene(lines), exact(lines);
+    if (gravity)
+        for (PushedBeam* beam : {&scene, &exact}) beam->model.set_gravity({0, -9.81}, lines);
+    run_exactly(exact.model);
+    DynamicProblem problem(scene.model);
+    run_to(JumpScene::end, problem, stages, tolerance);
+    CHECK(apart(scene, exact) <= tolerance);
+}
+
 // The memory of a run that ended at a jump left 300 tolerances by generalized-alpha.
 TEST_CASE("jumps: a run may end at one, and another go on from there", "[dynamics]") {
     constexpr double jump = 0.125, end = 0.4375, tolerance = 1e-7;

@@ -256,7 +256,8 @@ constexpr double resting = 0.03;
 [[nodiscard]] double hidden_action(DynamicProblem& problem, const MotionPoint& now, double end,
                                    double apart);
 
-/// Finds where loads and drives jump, for steps to end there and a run to begin anew behind it.
+/// Finds where loads and drives jump, for steps to end there and a run to begin anew behind it, and
+/// where they have corners, for steps to end there.
 ///
 /// After 100,000 jumps, or a hundred close to others, it takes them for noise and looks no more.
 class Jumps {
@@ -287,6 +288,12 @@ public:
     /// belong to the time there. False where the point has not, and at the run's end.
     /// @param first  step of the run, s: a jump within a hundredth of it is close to the last one.
     [[nodiscard]] bool passes(MotionPoint& now, Start& start, double first, DynamicsReport& report);
+
+    /// Returns where an amplitude, gravity or the acceleration of a support has its sharpest corner
+    /// in a step, of several such functions the first; the step's end where none has one. It is
+    /// off by at most a millionth of the step.
+    /// @param matters  change of slope times step, of the function's largest value: less is smooth.
+    [[nodiscard]] double corner(double now, double end, double matters);
 
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();
@@ -328,7 +335,9 @@ protected:
 
     /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at
     /// rest no later than at a hidden_action().
-    [[nodiscard]] Step next_step(const MotionPoint& now);
+    /// Where `corners` are wanted it also ends at those; the step behind one is as wide as it was to
+    /// be.
+    [[nodiscard]] Step next_step(const MotionPoint& now, bool corners = false);
 
     /// Moves a point and the run's start behind a jump, if the point stands at one that next_step()
     /// found.
@@ -432,6 +441,8 @@ protected:
     int in_vain_ = 0;            // attempts at it that did not help
     bool rests_ = true;          // whether the last step had next to no error
     double acts_at_ = -std::numeric_limits<double>::infinity();  // s, of the last hidden_action()
+    double corner_at_ = acts_at_;                                // s, of the last corner
+    double uncut_width_ = 0.0;                                   // s, of the step that it cut
     bool has_short_step_ = false;  // whether it ended with the multipliers of its state
 };
 

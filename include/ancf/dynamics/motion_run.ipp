@@ -435,6 +435,53 @@ ANCF_INLINE bool Jumps::passes(MotionPoint& now, Start& start, double first,
     return true;
 }
 
+ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
+    constexpr int levels = 20, late = 12;
+    constexpr double least_growth = 0.1;  // of sharpness after the late level, less where smooth
+    constexpr double round_off = 100.0 * std::numeric_limits<double>::epsilon();
+    double found = end;
+    std::size_t k = 0;
+    // Halves an interval towards the largest second difference of three overlapping halves. Over a
+    // corner it shrinks with the interval, where the function is smooth with its square.
+    const auto look = [&](const auto& function) {
+        if (k == largest_.size()) largest_.push_back(0.0);
+        double& largest = largest_[k++];
+        double from = now, width = found - now, values[5];
+        for (int i = 0; i < 5; ++i) {
+            values[i] = function(from + 0.25 * i * width);
+            largest = std::max(largest, std::abs(values[i]));
+        }
+        double before = 0.0, sharpness = 0.0;
+        for (int level = 0; level < levels; ++level) {
+            double most = -1.0;
+            int at = 0;
+            for (int i = 0; i < 3; ++i) {
+                const double difference = values[i] - 2.0 * values[i + 1] + values[i + 2];
+                if (!(std::abs(difference) > most)) continue;
+                most = std::abs(difference);
+                at = i;
+            }
+            const double of_time = std::abs(end * (values[4] - values[0]) / width);
+            sharpness = std::ldexp(most, level);
+            if (!(sharpness > matters * largest && most > round_off * (of_time + largest))) return;
+            if (level == late) before = sharpness;
+            from += 0.25 * at * width;
+            width *= 0.5;
+            const double low = values[at], middle = values[at + 1], high = values[at + 2];
+            values[0] = low;
+            values[1] = function(from + 0.25 * width);
+            values[2] = middle;
+            values[3] = function(from + 0.75 * width);
+            values[4] = high;
+        }
+        const double time = from + 0.5 * width;
+        const bool inside = 50.0 * (time - now) > end - now && 1e3 * (end - time) > end - now;
+        if (inside && sharpness >= least_growth * before) found = time;
+    };
+    look_at_drives(problem_.model(), &Support::acceleration, look);
+    return found;
+}
+
 ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
                                  const Schedule& schedule, const StepControl& control,
                                  bool follow_energy, bool takes_parts)
@@ -458,7 +505,10 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
     last_width_ = grid_.width;
 }
 
-ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
+ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now, bool corners) {
+    constexpr double matters = 30.0;  // of the tolerance
+    if (now.time == corner_at_ && uncut_width_ > grid_.width) grid_ = {now.time, uncut_width_};
+    corner_at_ = -std::numeric_limits<double>::infinity();
     Step step = grid_.next(now.time, schedule_.end);
     const bool looks = std::exchange(rests_, false) || now.time < acts_at_;
     if (control_.is_adaptive()) jumps_.look(now, step.end);
@@ -478,6 +528,15 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now) {
         while (step.begin + width > jumps_.next()) width = std::nextafter(width, 0.0);
         grid_ = {step.begin, width};
         step = grid_.next(now.time, schedule_.end);
+    }
+    if (corners && control_.is_adaptive()) {
+        const double at = jumps_.corner(now.time, step.end, matters * control_.tolerance);
+        if (at < step.end) {
+            uncut_width_ = step.width;
+            grid_ = {step.begin, at - step.begin};
+            step = grid_.next(now.time, schedule_.end);
+            corner_at_ = step.end;
+        }
     }
     step.turn = driven_turn(problem_.model().constraints(), now.time, step.end);
     return step;

@@ -153,7 +153,7 @@ private:
         if (width_before_ > 0.0) frames_.end_step(width_before_);
         strain_ = frames_.turn() ? recorder_.strain_energy(now_) : 0.0;
         for (;;) {
-            const Step step = next_step(now_);
+            const Step step = next_step(now_, true);
             if (passes_jump(now_)) {
                 begin_anew();
                 continue;
