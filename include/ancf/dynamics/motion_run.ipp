@@ -533,7 +533,7 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
     if (!turn.empty()) return fail(status, turn);
     return fail(status, joined({"Newton's method failed in the step from ", step.begin,
                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                " s; shorter or adaptive steps may pass"}));
+                                " s; ", recorder_.advice(), " may pass"}));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
