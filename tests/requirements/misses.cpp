@@ -85,3 +85,10 @@ void use_arc(ancf::BasicModel<of_arc>& model, const ancf::Material& material,
              const ancf::Section& section) {
     (void)ancf::arc<ancf::Cable<of_arc>>(model, material, section, {0, 0}, {1, 0}, 1.0, 1.0, 8);
 }
+
+// expected: a spline needs a model in space
+void use_spline(ancf::BasicModel<of_force>& model, const ancf::Material& material,
+                const ancf::Section& section) {
+    (void)ancf::spline<ancf::Cable<of_force>>(model, material, section, {{0, 0, 0}, {1, 0, 0}},
+                                              {0, 1, 0});
+}
