@@ -188,6 +188,10 @@ TEST_CASE("a beam that its motion crushes ends the run with the reason", "[const
     CHECK_THAT(report.message,
                ContainsSubstring(pass ? "Newton's method failed in the step from"
                                       : "element 0 of the type CrossSectionBeam<2> is degenerate"));
+    if (pass)
+        CHECK_THAT(report.message,
+                   ContainsSubstring(energy_momentum ? "; shorter or adaptive steps"
+                                                     : "; shorter steps, a smaller rho"));
     CHECK(report.time > 0.5);
     CHECK(report.time < 1.0);
 }

@@ -343,7 +343,11 @@ TEST_CASE("generalized-alpha: a symmetric solver moves a free scene alike", "[dy
     ancf::ProblemOptions storage;
     storage.storage = ancf::Storage::lower;
     ancf::DynamicProblem problem(other.model, storage);
-    CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)), ContainsSubstring("storage"));
+    CHECK_THROWS_WITH(method.integrate(problem, lu, until(0.4)),
+                      ContainsSubstring("set ProblemOptions::storage to Storage::full"));
+    ancf::DynamicProblem full(other.model);
+    CHECK_THROWS_WITH(method.integrate(full, ldlt, until(0.4)),
+                      ContainsSubstring("to Storage::lower, or take a solver of full storage"));
 }
 
 TEST_CASE("generalized-alpha: solvers that choose or scale another one move a scene too",

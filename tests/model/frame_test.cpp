@@ -300,11 +300,12 @@ TEST_CASE("frame, net: a member that cannot be meant is refused with its place a
     const auto build = [&](const std::vector<Member>& members) {
         return [&, members] { frame<Spatial>(model, profiles, points, members); };
     };
-    says("frame: member 1, points 0 and 3: there are 3 points, got point 3",
+    says("frame: member 1, points 0 and 3: there are 3 points, counted from 0, got point 3",
          build({{0, 1}, {0, 3}}));
-    says("frame: member 0, points -1 and 1: there are 3 points, got point -1", build({{-1, 1}}));
+    says("frame: member 0, points -1 and 1: there are 3 points, counted from 0, got point -1",
+         build({{-1, 1}}));
     says("frame: member 0, points 1 and 1: a member joins two points", build({{1, 1}}));
-    says("frame: member 0, points 0 and 1: there are 1 profiles, got profile 1",
+    says("frame: member 0, points 0 and 1: there are 1 profiles, counted from 0, got profile 1",
          build({{0, 1, 1}}));
     says("frame: member 0, points 0 and 1: at least one element", build({{0, 1, 0, 0}}));
     says("frame: member 1, points 1 and 2: the points must be apart, got a distance of 0",

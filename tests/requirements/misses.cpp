@@ -7,6 +7,7 @@
 
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/requirement.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/model.hpp>
@@ -21,7 +22,7 @@ using Element = Bar;
 using Measure = ancf::GreenAxial;
 constexpr bool conforming = true;
 
-constexpr int of_pin = 3;
+constexpr int of_pin = 3, of_force = 3, of_arc = 2;
 using Options = ancf::CableOptions;
 
 struct Added {
@@ -36,7 +37,7 @@ using Element = Nothing;
 using Measure = Nothing;  // as GreenMeasure, which beams have
 constexpr bool conforming = false;
 using Added = Nothing;
-constexpr int of_pin = 2;
+constexpr int of_pin = 2, of_force = 2, of_arc = 3;
 using Options = Nothing;
 
 struct WrongSizes : Bar {
@@ -68,10 +69,26 @@ static_assert(sizeof(ancf::Cable<3, Measure>) > 0);
 // expected: Model::add takes a load, which offers
 void use_added(ancf::Model& model) { model.add(Added()); }
 
-// expected: the constraint is of another dimension than the model
+// expected: the constraint is of another dimension than the model: Model takes Pin<3>
 void use_pin(ancf::Model& model) { model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1})); }
+
+// expected: the load is of another dimension than the model: Model takes Force<3>
+void use_force(ancf::Model& model, const ancf::Force<of_force>& force) { model.add(force); }
 
 // expected: the last argument of a builder is the options of its element
 void use_options(ancf::Model& model, const ancf::Material& material, const ancf::Section& section) {
     (void)ancf::net<ancf::Cable<3>>(model, {{material, section}}, {}, {}, {}, Options());
+}
+
+// expected: an arc in space takes: from, tangent, normal, radius, angle, elements
+void use_arc(ancf::BasicModel<of_arc>& model, const ancf::Material& material,
+             const ancf::Section& section) {
+    (void)ancf::arc<ancf::Cable<of_arc>>(model, material, section, {0, 0}, {1, 0}, 1.0, 1.0, 8);
+}
+
+// expected: a spline needs a model in space
+void use_spline(ancf::BasicModel<of_force>& model, const ancf::Material& material,
+                const ancf::Section& section) {
+    (void)ancf::spline<ancf::Cable<of_force>>(model, material, section, {{0, 0, 0}, {1, 0, 0}},
+                                              {0, 1, 0});
 }

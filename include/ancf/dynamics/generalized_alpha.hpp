@@ -26,7 +26,7 @@ namespace ancf {
 
 /// How the generalized-alpha method runs.
 struct GeneralizedAlphaOptions {
-    double rho = 0.8;    ///< spectral radius at infinity, from 0 to 1
+    double rho = 0.8;    ///< spectral radius at infinity, 0 to 1; 1 damps no multipliers
     double step = 1e-3;  ///< s: the step, or the first one of an adaptive run
     /// 0: fixed steps; else the local error of a step in q: of positions relative to the scene's
     /// size, of slopes absolutely, of r_xx relative to the size's inverse.

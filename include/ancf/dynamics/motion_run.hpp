@@ -94,6 +94,9 @@ public:
         doubts_work_ = doubt;
     }
 
+    /// Returns what may pass where a run with fixed steps fails.
+    [[nodiscard]] const char* advice() const noexcept { return advice_; }
+
     /// Returns the strain energy of the last point, J; by an evaluation where no energies are
     /// followed. It does not depend on that, nor on what was observed.
     [[nodiscard]] double strain_energy(const MotionPoint& point);
@@ -171,7 +174,7 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
-    const char* advice_ = "";
+    const char* advice_ = "shorter or adaptive steps";
     bool doubts_work_ = false;
     double worked_ = 0.0;              // J: of loads and drives, either sign counted as positive
     double strain_ = 0.0;              // energy of the last point, J

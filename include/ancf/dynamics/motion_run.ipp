@@ -492,9 +492,12 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
       jumps_(problem, schedule),
       recorder_(problem, schedule, report_, follow_energy),
       grid_{0.0, control.is_adaptive() ? std::min(control.first, control.most) : control.first} {
-    require(problem.assembly().pattern().storage() == solver.storage(), solver.name(), " works on ",
-            solver.storage() == Storage::lower ? "the lower half" : "full storage",
-            "; set ProblemOptions::storage to match it");
+    require(
+        problem.assembly().pattern().storage() == solver.storage(), solver.name(),
+        solver.storage() == Storage::lower
+            ? " works on the lower half: set ProblemOptions::storage to Storage::lower, or take "
+              "a solver of full storage such as EigenLu"
+            : " works on full storage: set ProblemOptions::storage to Storage::full");
     require_motion(problem, schedule, takes_parts);
     const double time = problem.model().state().time;
     require_resolved(control.first, time, schedule.end);
@@ -589,7 +592,7 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
     if (!turn.empty()) return fail(status, turn);
     return fail(status, joined({"Newton's method failed in the step from ", step.begin,
                                 " s: ", to_string(status), ", also in parts of ", step.width,
-                                " s; shorter or adaptive steps may pass"}));
+                                " s; ", recorder_.advice(), " may pass"}));
 }
 
 ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,

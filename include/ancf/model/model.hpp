@@ -86,8 +86,8 @@ public:
     template <class Load, std::enable_if_t<is_load_v<Load>, int> = 0>
     void add(Load load, Amplitude amplitude = {}) {
         static_assert(fits<Load>,
-                      "the load is of another dimension than the model; in the plane "
-                      "write Force<2>, PlanarSlopeMoment");
+                      "the load is of another dimension than the model: Model takes Force<3>, "
+                      "Moment, PlanarModel takes Force<2>, PlanarSlopeMoment");
         if constexpr (fits<Load>) Scene::add(std::move(load), std::move(amplitude));
     }
 
@@ -102,8 +102,8 @@ public:
     template <class Constraint, std::enable_if_t<!is_load_v<Constraint>, int> = 0>
     void add(Constraint constraint) {
         static_assert(fits<Constraint>,
-                      "the constraint is of another dimension than the model; in the plane write "
-                      "Pin<2>, Distance<2>, FixedCoordinate<2>, PlanarWeld");
+                      "the constraint is of another dimension than the model: Model takes Pin<3>, "
+                      "Weld, PlanarModel takes Pin<2>, PlanarWeld");
         if constexpr (fits<Constraint>) Scene::add(std::move(constraint));
     }
 

@@ -155,7 +155,8 @@ public:
         return detail::append_prototype<Element>(found_group<Element>(), std::move(element));
     }
 
-    /// Adds an element between two nodes.
+    /// Adds an element between two nodes. Elements on a common node share its slopes: at an angle
+    /// give each a node of its own, and attach or join these.
     /// @return its index in its group.
     /// @throws InvalidArgument for a node or a prototype that does not exist, equal nodes, or a
     ///         node that was clamped or attached with fewer vectors than the element needs.

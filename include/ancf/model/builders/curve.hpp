@@ -113,6 +113,8 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
          const VectorArgument<3>& from, const VectorArgument<3>& tangent,
          const VectorArgument<3>& normal, double radius, double angle, int elements,
          Options&&... options) {
+    static_assert(Dimension == 3,
+                  "an arc takes a normal in space alone: leave it out in the plane");
     const auto curve = detail::arc_curve(from, tangent, normal, radius, angle, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
@@ -124,6 +126,8 @@ template <class Element = void, int Dimension, class... Options>
 auto arc(BasicModel<Dimension>& model, const Material& material, const Section& section,
          const VectorArgument<2>& from, const VectorArgument<2>& tangent, double radius,
          double angle, int elements, Options&&... options) {
+    static_assert(Dimension == 2,
+                  "an arc in space takes: from, tangent, normal, radius, angle, elements");
     const auto curve = detail::arc_curve(from, tangent, radius, angle, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
@@ -139,6 +143,7 @@ auto helix(BasicModel<Dimension>& model, const Material& material, const Section
            const VectorArgument<3>& centre, const VectorArgument<3>& axis,
            const VectorArgument<3>& outward, double radius, double pitch, double turns,
            int elements, Options&&... options) {
+    static_assert(Dimension == 3, "a helix needs a model in space");
     const auto curve = detail::helix_curve(centre, axis, outward, radius, pitch, turns, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
@@ -154,6 +159,7 @@ template <class Element = void, int Dimension, class... Options>
 auto spline(BasicModel<Dimension>& model, const Material& material, const Section& section,
             const std::vector<Vector<double, 3>>& through, const VectorArgument<3>& y_axis,
             Options&&... options) {
+    static_assert(Dimension == 3, "a spline needs a model in space: in the plane, beam_through");
     const auto curve = detail::spline_curve(through, y_axis);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);

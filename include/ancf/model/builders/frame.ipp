@@ -72,10 +72,10 @@ ANCF_INLINE void check_member(const char* name, std::size_t place, const Member&
     };
     for (const int joint : {member.first, member.second})
         check(joint >= 0 && joint < static_cast<int>(points), "there are ", points,
-              " points, got point ", joint);
+              " points, counted from 0, got point ", joint);
     check(member.first != member.second, "a member joins two points, got one twice");
     check(member.profile >= 0 && member.profile < static_cast<int>(profiles), "there are ",
-          profiles, " profiles, got profile ", member.profile);
+          profiles, " profiles, counted from 0, got profile ", member.profile);
     check(member.elements >= 1, "at least one element is needed, got ", member.elements);
 }
 

@@ -34,7 +34,7 @@ struct Motion {
     /// @throws InvalidArgument unless all three are given.
     void check(std::string_view user) const {
         detail::require(value && rate && acceleration, user,
-                        ": a motion needs value, rate and acceleration");
+                        ": a motion needs value, rate and acceleration, in statics too");
     }
 };
 
@@ -58,7 +58,7 @@ struct PointMotion {
     /// @throws InvalidArgument unless all three are given.
     void check(std::string_view user) const {
         detail::require(value && rate && acceleration, user,
-                        ": a motion needs value, rate and acceleration");
+                        ": a motion needs value, rate and acceleration, in statics too");
     }
 
     /// Returns the motion of a point that rests.
