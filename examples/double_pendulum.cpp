@@ -143,10 +143,9 @@ bool swing(const DoublePendulum& problem) {
                                   "double-pendulum");
     Comparison comparison(problem.is_known());
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
-    const int tip = model.coordinate(second.last(), ancf::Field::r);
     schedule.observe = [&](const ancf::Snapshot& seen) {
         writer.write(seen);
-        comparison.see(seen.state.time, seen.state.q.segment<3>(tip));
+        comparison.see(seen.state.time, model.value(second.last(), ancf::Field::r, seen.state.q));
     };
     const auto motion = examples::integrate(model, problem.motion, schedule);
     writer.finish(problem.title());

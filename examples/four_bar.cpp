@@ -145,8 +145,6 @@ Run turn(const FourBar& problem, int elements) {
     model.add(ancf::Revolute(model, rocker.last(), Z));
 
     Run run;
-    const int tip = model.coordinate(coupler.last(), ancf::Field::r);
-    const int arm = model.coordinate(crank_bar.first(), ancf::Field::r_x);
     double before = 0.0, power_before = 0.0, work = 0.0;
     // the power is summed up at every step, and every so often the motion is kept
     auto schedule = ancf::equal_intervals(0.0, problem.duration, problem.step);
@@ -158,8 +156,9 @@ Run turn(const FourBar& problem, int elements) {
         power_before = power;
         if (time < next - 1e-9) return;
         next += problem.interval;
-        const Point along = seen.state.q.segment<3>(arm);
-        run.samples.push_back({time, seen.state.q.segment<3>(tip), std::atan2(-along[0], along[1]),
+        const Point along = model.value(crank_bar.first(), ancf::Field::r_x, seen.state.q);
+        const Point tip = model.value(coupler.last(), ancf::Field::r, seen.state.q);
+        run.samples.push_back({time, tip, std::atan2(-along[0], along[1]),
                                seen.energies.kinetic + seen.energies.strain, seen.energies.strain,
                                work});
     };

@@ -105,7 +105,7 @@ bool study(const Net& net) {
     for (int j = 0; j < net.across; ++j)
         for (const int i : {0, net.along - 1}) {
             const ancf::NodeId knot = web.joints[static_cast<std::size_t>(net.place(i, j))];
-            carried += report.reactions[model.coordinate(knot, ancf::Field::r) + 2];
+            carried += model.value(knot, ancf::Field::r, report.reactions)[2];
         }
     for (const ancf::NodeId knot : web.joints) lowest = std::min(lowest, model.position(knot)[2]);
     for (int i = 0; i < net.along; ++i) {

@@ -148,10 +148,9 @@ bool swing(const Pendulum& problem) {
     examples::MotionWriter writer(model, {beam}, section, beam.last(), problem.output, "pendulum");
     Comparison comparison(problem);
     auto schedule = ancf::equal_intervals(0.0, problem.motion.duration, problem.motion.interval);
-    const int height = model.coordinate(beam.last(), ancf::Field::r) + 1;
     schedule.observe = [&](const ancf::Snapshot& seen) {
         writer.write(seen);
-        comparison.see(seen.state.time, seen.state.q[height]);
+        comparison.see(seen.state.time, model.value(beam.last(), ancf::Field::r, seen.state.q)[1]);
     };
     const auto motion = examples::integrate(model, problem.motion, schedule);
     writer.finish(problem.title());

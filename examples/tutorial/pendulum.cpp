@@ -32,9 +32,9 @@ int main() {
     schedule.observe = [&](const ancf::Snapshot& seen) {
         if (seen.state.time == 0.0) start = seen.energies.total();
         drift = std::max(drift, std::abs(seen.energies.total() - start));
-        const int tip = model.coordinate(beam.last(), ancf::Field::r);
-        std::cout << seen.state.time << " s: tip " << seen.state.q.segment<2>(tip).transpose()
-                  << " m, energy " << seen.energies.total() << " J\n";
+        const auto tip = model.value(beam.last(), ancf::Field::r, seen.state.q);
+        std::cout << seen.state.time << " s: tip " << tip.transpose() << " m, energy "
+                  << seen.energies.total() << " J\n";
     };
     const auto report = ancf::GeneralizedAlpha(options).integrate(problem, solver, schedule);
     std::cout << to_string(report.status) << ", " << report.steps << " steps\n";

@@ -29,9 +29,9 @@ int main() {
     model.add(ancf::Force<2>(crown, {0.0, -1.0}));  // N: the load factor is the load
 
     ancf::PathOptions options;
-    const int height = model.coordinate(crown, ancf::Field::r) + 1;
     options.progress = [&](const ancf::PathPoint&, const ancf::State& state) {
-        return state.q[height] > 0.0;  // the path ends where the crown is as low as the supports
+        // the path ends where the crown is as low as the supports
+        return model.value(crown, ancf::Field::r, state.q)[1] > 0.0;
     };
     ancf::EigenLdlt solver;
     const auto report = ancf::follow_path(model, solver, options);

@@ -142,12 +142,14 @@ TEST_CASE("jumps: steps of Radau end at corners of lines between values", "[dyna
     const double tolerance = GENERATE(1e-5, 1e-6, 1e-7);
     const bool gravity = GENERATE(true, false);
     CAPTURE(stages, tolerance, gravity);
-    const Amplitude lines = [](double t) {
-        constexpr double values[] = {0.0, 1.0, -0.5, 0.25, 0.25, -1.0, 0.5, 0.0};
-        const double place = 16.0 * t, from = std::min(std::floor(place), 6.0);
-        const double* value = values + static_cast<int>(from);
-        return value[0] + (place - from) * (value[1] - value[0]);
-    };
+    const Amplitude lines = tabular({{0.0, 0.0},
+                                     {0.0625, 1.0},
+                                     {0.125, -0.5},
+                                     {0.1875, 0.25},
+                                     {0.25, 0.25},
+                                     {0.3125, -1.0},
+                                     {0.375, 0.5},
+                                     {0.4375, 0.0}});
     PushedBeam scene(lines), exact(lines);
     if (gravity)
         for (PushedBeam* beam : {&scene, &exact}) beam->model.set_gravity({0, -9.81}, lines);

@@ -92,6 +92,32 @@ TEST_CASE("Model: adding elements keeps the state of nodes that stand", "[model]
     CHECK(scene.velocity(far).norm() == 0.0);
 }
 
+TEST_CASE("Model: value() reads a node out of any coordinates", "[model]") {
+    Scene scene;
+    const auto beam = ancf::straight_beam<Beam>(scene, material, section, {0, 0, 0}, {1, 0, 0}, 2);
+    const ancf::VectorX all = ancf::VectorX::LinSpaced(scene.layout().size(), 0.0, 35.0);
+    CHECK(scene.value(beam.nodes[1], Field::r_x, all) == Vector3(15, 16, 17));
+    CHECK(scene.value(beam.last(), Field::r, scene.state().q) == Vector3(1, 0, 0));
+    CHECK_THROWS_AS(scene.value(beam.last(), Field::r_xx, all), InvalidArgument);
+    CHECK_THROWS_AS(scene.value(beam.last(), Field::r, all.head(35)), InvalidArgument);
+}
+
+TEST_CASE("tabular: lines between points, constant outside", "[model][bad-input]") {
+    const ancf::Amplitude table = ancf::tabular({{1.0, 4.0}, {2.0, 6.0}, {4.0, 5.0}});
+    for (const auto& [time, value] : {std::pair(-1.0, 4.0),
+                                      {1.0, 4.0},
+                                      {1.25, 4.5},
+                                      {2.0, 6.0},
+                                      {3.0, 5.5},
+                                      {4.0, 5.0},
+                                      {9.0, 5.0}})
+        CHECK(table(time) == value);
+    CHECK(ancf::tabular({{3.0, 7.0}})(0.0) == 7.0);
+    CHECK_THROWS_AS(ancf::tabular({}), InvalidArgument);
+    CHECK_THROWS_AS(ancf::tabular({{1.0, 0.0}, {1.0, 1.0}}), InvalidArgument);
+    CHECK_THROWS_AS(ancf::tabular({{1.0, std::nan("")}}), InvalidArgument);
+}
+
 /// A beam that counts how often it is asked for its torsion.
 struct CountedBeam : Beam {
     using Beam::Beam;

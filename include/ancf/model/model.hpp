@@ -131,6 +131,15 @@ public:
         return Eigen::Map<const Point>(vector_now(node, field));
     }
 
+    /// Returns one vector of a node out of all coordinates: of a State, of their rates, of a mode's
+    /// shape, of reactions.
+    /// @throws InvalidArgument where the node does not carry it, and for another count of them.
+    [[nodiscard]] Point value(NodeId node, Field field, const VectorX& of) const {
+        const int first = coordinate(node, field);
+        check_state(of, layout());
+        return Eigen::Map<const Point>(of.data() + first);
+    }
+
     /// Sets one vector of a node.
     /// @throws InvalidArgument unless it is finite, where the node does not carry it, and where it
     ///         is attached to another node.
@@ -195,10 +204,7 @@ public:
 
     /// Returns the velocity of a node, m/s.
     /// @throws InvalidArgument for a node that does not exist or has no position.
-    [[nodiscard]] Point velocity(NodeId node) const {
-        check_state(state().v, layout());
-        return Eigen::Map<const Point>(state().v.data() + coordinate(node, Field::r));
-    }
+    [[nodiscard]] Point velocity(NodeId node) const { return value(node, Field::r, state().v); }
 
 private:
     // Whether a load or a constraint is of this dimension, or of any.
