@@ -772,6 +772,23 @@ TEST_CASE("buckling: what two springs lose and gain alike is no change of the ta
     CHECK(report.modes.empty());
 }
 
+TEST_CASE("buckling: a moment of any size buckles a beam alike", "[modal]") {
+    const auto load = [](double moment) {
+        Scene scene;
+        const auto slopes = ancf::reference_slopes({1, 2, 2}, {0, 0, 1});
+        const auto beam = ancf::straight_beam_with_slopes<Element>(
+            scene, steel(), ancf::rectangle(0.005, 0.1), {0, 0, 0}, 2.0 * slopes.col(0), slopes, 16,
+            options(ancf::SectionModel::saint_venant));
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::SlopeMoment(beam.last(), ancf::Field::r_y, slopes.col(2), moment));
+        ancf::EigenLdlt solver;
+        const auto report = ancf::buckling_modes(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        return std::abs(report.modes.at(0).value) * moment;
+    };
+    CHECK(load(1e-9) == Approx(load(1.0)).epsilon(1e-6));
+}
+
 TEST_CASE("buckling: a narrow torsion beam under a tip load across or along its thin side",
           "[modal]") {
     const auto section = ancf::rectangle(0.002, 0.1);

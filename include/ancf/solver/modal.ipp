@@ -58,13 +58,12 @@ public:
                 return fault;
             out = (assembly_.tangent() - unloaded) / multiple;
             // what the loads themselves change
-            const auto fault = evaluate(1.0, model_.state().q, 0.0);
-            out += assembly_.tangent() - unloaded;
+            assembly_.add_load_tangent_rate(model_.state().q, out);
             // what stands from the beginning and bears the load, such as springs, which may be
             // short beside the scene
             const double h = 0.01 * step;
             assembly_.add_load_tangent_change(model_.state().q, h * deflection_, 0.5 / h, out);
-            return fault;
+            return {};
         }
         if (const auto fault = evaluate(-step, model_.state().q - step * deflection_, -step))
             return fault;
