@@ -772,6 +772,30 @@ TEST_CASE("buckling: what two springs lose and gain alike is no change of the ta
     CHECK(report.modes.empty());
 }
 
+TEST_CASE("buckling: springs give way alike far from the origin", "[modal]") {
+    const auto loads = [](const ancf::Vector<double, 3>& origin) {
+        Scene scene;
+        const auto at = [&](double x, double y, double z) -> ancf::Vector<double, 3> {
+            return origin + ancf::Vector<double, 3>(x, y, z);
+        };
+        const auto top = scene.add_node(at(0, 1, 0));
+        scene.add_mass(top, 1.0);
+        scene.add(ancf::Spring<3>(top, at(0, 0, 0), 1e6, 1.0));
+        scene.add(ancf::Spring<3>(top, at(10, 1, 0), 100.0, 10.0));
+        scene.add(ancf::Spring<3>(top, at(0, 1, 10), 300.0, 10.0));
+        scene.add(ancf::Force<3>(top, {0, -1, 0}));
+        ancf::EigenLdlt solver;
+        ancf::ModalOptions two;
+        two.count = 2;
+        const auto report = ancf::buckling_modes(scene, solver, two);
+        REQUIRE(report.status == Status::converged);
+        return std::array<double, 2>{report.modes.at(0).value, report.modes.at(1).value};
+    };
+    // map coordinates, m; a displacement of 1e-7 left an error of 4e-3
+    const auto near = loads({0, 0, 0}), far = loads({4e5, 5e6, 100});
+    for (std::size_t k = 0; k < 2; ++k) CHECK(far[k] == Approx(near[k]).epsilon(1e-4));
+}
+
 TEST_CASE("buckling: a moment of any size buckles a beam alike", "[modal]") {
     const auto load = [](double moment) {
         Scene scene;
