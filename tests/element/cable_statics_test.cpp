@@ -292,6 +292,30 @@ TEST_CASE("Cable: in compression a rope gives by the ratio of its stiffnesses",
     }
 }
 
+TEST_CASE("Cable: a rope that only pulls hangs under its weight, far from the origin too",
+          "[element][cable][statics][rope]") {
+    const double far = GENERATE(0.0, 1e3, 1e5);
+    const int held = GENERATE(1, 2);
+    const Space from(0.4 * far, -0.7 * far, 0.6 * far);
+    const Space to = from + (held == 1 ? Space(0, 0, -3) : Space(1, 2, -2));
+    const auto nylon = Material::isotropic(1e9, 0.3, 1500.0);
+    const auto section = circle(0.002);
+    Model model;
+    const auto rope = straight_beam<Cable<3>>(model, nylon, section, from, to, 8,
+                                              CableOptions{cable_rule(), 0.0});
+    model.pin(rope.first());
+    if (held == 2) model.pin(rope.last());
+    model.set_gravity({0, 0, -9.81});
+    EigenLu solver;
+    const auto report = solve_statics(model, solver);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == Stability::stable);
+    double borne = 0.0;
+    for (const int node : {0, 8})
+        borne += report.reactions[model.coordinate(rope.node(node), Field::r) + 2];
+    CHECK(borne == Approx(9.81 * 1500.0 * section.moments().area * 3.0).epsilon(1e-6));
+}
+
 TEST_CASE("Cable: Newton's method finds which part of a rope is slack",
           "[element][cable][statics][rope]") {
     const double ratio = GENERATE(1.0, 0.1, 1e-4);

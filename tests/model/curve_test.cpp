@@ -259,6 +259,12 @@ TEST_CASE("spline: it passes through its points, smooth and without needless twi
         CHECK(error[0] <= 2e-3);
         CHECK(error[1] <= 0.26 * error[0]);  // chords for arcs: second order at least
     }
+    SECTION("points that go straight back are named") {
+        Model model;
+        CHECK_THROWS_WITH(spline<Spatial>(model, steel(), square(),
+                                          {P3(0, 0, 0), P3(1, 0, 0), P3(0.5, 0, 0)}, P3(0, 1, 0)),
+                          ContainsSubstring("folds back on itself between points 0 and 1"));
+    }
 }
 
 TEST_CASE("arc: a quarter of a circle yields as beam theory says", "[model][curve][statics]") {

@@ -772,6 +772,47 @@ TEST_CASE("buckling: what two springs lose and gain alike is no change of the ta
     CHECK(report.modes.empty());
 }
 
+TEST_CASE("buckling: springs give way alike far from the origin", "[modal]") {
+    const auto loads = [](const ancf::Vector<double, 3>& origin) {
+        Scene scene;
+        const auto at = [&](double x, double y, double z) -> ancf::Vector<double, 3> {
+            return origin + ancf::Vector<double, 3>(x, y, z);
+        };
+        const auto top = scene.add_node(at(0, 1, 0));
+        scene.add_mass(top, 1.0);
+        scene.add(ancf::Spring<3>(top, at(0, 0, 0), 1e6, 1.0));
+        scene.add(ancf::Spring<3>(top, at(10, 1, 0), 100.0, 10.0));
+        scene.add(ancf::Spring<3>(top, at(0, 1, 10), 300.0, 10.0));
+        scene.add(ancf::Force<3>(top, {0, -1, 0}));
+        ancf::EigenLdlt solver;
+        ancf::ModalOptions two;
+        two.count = 2;
+        const auto report = ancf::buckling_modes(scene, solver, two);
+        REQUIRE(report.status == Status::converged);
+        return std::array<double, 2>{report.modes.at(0).value, report.modes.at(1).value};
+    };
+    // map coordinates, m; a displacement of 1e-7 left an error of 4e-3
+    const auto near = loads({0, 0, 0}), far = loads({4e5, 5e6, 100});
+    for (std::size_t k = 0; k < 2; ++k) CHECK(far[k] == Approx(near[k]).epsilon(1e-4));
+}
+
+TEST_CASE("buckling: a moment of any size buckles a beam alike", "[modal]") {
+    const auto load = [](double moment) {
+        Scene scene;
+        const auto slopes = ancf::reference_slopes({1, 2, 2}, {0, 0, 1});
+        const auto beam = ancf::straight_beam_with_slopes<Element>(
+            scene, steel(), ancf::rectangle(0.005, 0.1), {0, 0, 0}, 2.0 * slopes.col(0), slopes, 16,
+            options(ancf::SectionModel::saint_venant));
+        scene.clamp(beam.first(), ancf::Clamp::free_slope);
+        scene.add(ancf::SlopeMoment(beam.last(), ancf::Field::r_y, slopes.col(2), moment));
+        ancf::EigenLdlt solver;
+        const auto report = ancf::buckling_modes(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        return std::abs(report.modes.at(0).value) * moment;
+    };
+    CHECK(load(1e-9) == Approx(load(1.0)).epsilon(1e-6));
+}
+
 TEST_CASE("buckling: a narrow torsion beam under a tip load across or along its thin side",
           "[modal]") {
     const auto section = ancf::rectangle(0.002, 0.1);

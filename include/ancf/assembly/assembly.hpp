@@ -187,6 +187,10 @@ public:
     /// instant is that factor: N and N m.
     [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
 
+    /// Adds the derivative of the loads' part of the tangent by the load factor, at the factor 0,
+    /// to a matrix of this pattern: exact however small it is beside the tangent.
+    void add_load_tangent_rate(const VectorX& q, SparseMatrix& matrix) const;
+
     /// Adds scale (K(q + change) - K(q - change)) of the loads at the factor 0, less its round-off,
     /// to a matrix of this pattern; K is their part of the tangent.
     void add_load_tangent_change(const VectorX& q, const VectorX& change, double scale,

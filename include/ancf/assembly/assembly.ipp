@@ -34,6 +34,16 @@ template <class Call>
     return masses;
 }
 
+/// Returns the derivative of a factor by the load factor.
+/// @param scale  as scale(Instant)
+template <class Scale>
+[[nodiscard]] double slope_of(const Scale& scale, double factor) {
+    const double step = factor_step(factor);
+    return (scale(Instant{factor + step, factor + step}) -
+            scale(Instant{factor - step, factor - step})) /
+           (2.0 * step);
+}
+
 }  // namespace detail
 
 ANCF_INLINE Assembly::Assembly(const Scene& model, Storage storage)
@@ -506,23 +516,31 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
 
 ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
     check_size("load_rate", "coordinates", q);
-    const double step = detail::factor_step(factor);
-    const auto slope = [&](const auto& scale) {
-        return (scale(Instant{factor + step, factor + step}) -
-                scale(Instant{factor - step, factor - step})) /
-               (2.0 * step);
-    };
-    const double gravity = slope([&](const Instant& at) { return model_.gravity_scale(at); });
+    const double gravity =
+        detail::slope_of([&](const Instant& at) { return model_.gravity_scale(at); }, factor);
     VectorX rate = gravity_;
     for (double& entry : rate) entry *= gravity;
     for_each_load(
         q, VectorX::Zero(q.size()), factor, false,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
-            const double scale = slope([&](const Instant& at) { return load.scale(at); });
+            const double scale =
+                detail::slope_of([&](const Instant& at) { return load.scale(at); }, factor);
             for (std::size_t i = 0; i < coordinates.size(); ++i)
                 rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
         });
     return rate;
+}
+
+ANCF_INLINE void Assembly::add_load_tangent_rate(const VectorX& q, SparseMatrix& matrix) const {
+    check_size("add_load_tangent_rate", "coordinates", q);
+    for_each_load(
+        q, VectorX::Zero(q.size()), 0.0, true,
+        [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
+            if (result.stiffness.size() == 0) return;
+            const double scale =
+                detail::slope_of([&](const Instant& at) { return load.scale(at); }, 0.0);
+            add_matrix(coordinates, -scale, result.stiffness, matrix);
+        });
 }
 
 ANCF_INLINE void Assembly::add_load_tangent_change(const VectorX& q, const VectorX& change,

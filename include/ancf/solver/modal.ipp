@@ -36,7 +36,12 @@ public:
         solve_with(solver, load, response);
         numbering.add_free(response.head(numbering.free_coordinates()), 1.0, deflection_);
         forces_ = response.tail(numbering.multipliers());
-        size_ = ConvergenceMonitor(model_, numbering).correction(response);
+        const ConvergenceMonitor monitor(model_, numbering);
+        size_ = monitor.correction(response);
+        VectorX place;
+        numbering.gather_free(model_.state().q, place);
+        place.conservativeResizeLike(response);
+        far_ = std::max(1.0, monitor.correction(place));
     }
 
     /// Writes the change of the tangent per unit of load; returns the element that failed.
@@ -58,13 +63,12 @@ public:
                 return fault;
             out = (assembly_.tangent() - unloaded) / multiple;
             // what the loads themselves change
-            const auto fault = evaluate(1.0, model_.state().q, 0.0);
-            out += assembly_.tangent() - unloaded;
+            assembly_.add_load_tangent_rate(model_.state().q, out);
             // what stands from the beginning and bears the load, such as springs, which may be
-            // short beside the scene
-            const double h = 0.01 * step;
+            // short beside the scene; far from the origin positions have fewer digits
+            const double h = 0.01 * step * std::cbrt(far_);
             assembly_.add_load_tangent_change(model_.state().q, h * deflection_, 0.5 / h, out);
-            return fault;
+            return {};
         }
         if (const auto fault = evaluate(-step, model_.state().q - step * deflection_, -step))
             return fault;
@@ -91,6 +95,7 @@ private:
     VectorX deflection_;  // all coordinates per unit of load
     VectorX forces_;      // multipliers per unit of load
     double size_ = 0.0;   // of the deflection, each coordinate relative to its scale
+    double far_ = 1.0;    // distance from the origin, relative to the scene's size, at least 1
 };
 
 /// Throws where supports or constraints move with the load factor: their stresses do not count.

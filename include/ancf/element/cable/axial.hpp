@@ -21,8 +21,8 @@ namespace ancf {
 namespace detail {
 
 /// Below this strain a bar counts as compressed: the round-off of a strain at rest is not
-/// compression.
-inline constexpr double slack_strain = -1e-14;
+/// compression, that of positions of six digits before the point and elements of 0.1 m included.
+inline constexpr double slack_strain = -1e-9;
 
 /// Between these strains the stiffness of a rope in compression rises to that in tension: what
 /// shortens further is not slack but a line that collapses.

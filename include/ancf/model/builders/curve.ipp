@@ -111,8 +111,10 @@ ANCF_LAZY Curve<3> spline_curve(const std::vector<Vector<double, 3>>& through,
         if (k > 0) {
             const Vector<double, 3> before = points.back().slopes.col(0);
             const Vector<double, 3> carried = points.back().slopes.col(1);
-            across =
-                carried - carried.dot(tangent) / (1.0 + before.dot(tangent)) * (before + tangent);
+            const double turn = 1.0 + before.dot(tangent);
+            require(turn > 1e-9, "spline: the line folds back on itself between points ", k - 1,
+                    " and ", k);
+            across = carried - carried.dot(tangent) / turn * (before + tangent);
         }
         points.push_back({through[k], reference_slopes(tangent, across), bend});
     }
