@@ -102,8 +102,8 @@ TEST_CASE("Model: value() reads a node out of any coordinates", "[model]") {
     CHECK_THROWS_AS(scene.value(beam.last(), Field::r, all.head(35)), InvalidArgument);
 }
 
-TEST_CASE("tabular: lines between points, constant outside", "[model][bad-input]") {
-    const ancf::Amplitude table = ancf::tabular({{1.0, 4.0}, {2.0, 6.0}, {4.0, 5.0}});
+TEST_CASE("tabular_amplitude: lines between points, constant outside", "[model][bad-input]") {
+    const ancf::Amplitude table = ancf::tabular_amplitude({{1.0, 4.0}, {2.0, 6.0}, {4.0, 5.0}});
     for (const auto& [time, value] : {std::pair(-1.0, 4.0),
                                       {1.0, 4.0},
                                       {1.25, 4.5},
@@ -112,10 +112,10 @@ TEST_CASE("tabular: lines between points, constant outside", "[model][bad-input]
                                       {4.0, 5.0},
                                       {9.0, 5.0}})
         CHECK(table(time) == value);
-    CHECK(ancf::tabular({{3.0, 7.0}})(0.0) == 7.0);
-    CHECK_THROWS_AS(ancf::tabular({}), InvalidArgument);
-    CHECK_THROWS_AS(ancf::tabular({{1.0, 0.0}, {1.0, 1.0}}), InvalidArgument);
-    CHECK_THROWS_AS(ancf::tabular({{1.0, std::nan("")}}), InvalidArgument);
+    CHECK(ancf::tabular_amplitude({{3.0, 7.0}})(0.0) == 7.0);
+    CHECK_THROWS_AS(ancf::tabular_amplitude({}), InvalidArgument);
+    CHECK_THROWS_AS(ancf::tabular_amplitude({{1.0, 0.0}, {1.0, 1.0}}), InvalidArgument);
+    CHECK_THROWS_AS(ancf::tabular_amplitude({{1.0, std::nan("")}}), InvalidArgument);
 }
 
 /// A beam that counts how often it is asked for its torsion.

@@ -174,7 +174,7 @@ private:
     bool solves_multipliers_ = false;
     double most_turn_ = std::numeric_limits<double>::infinity();  // rad, of a step
     double largest_turn_ = 0.0;                                   // rad, likewise
-    const char* advice_ = "shorter or adaptive steps";
+    const char* advice_ = "shorter steps";
     bool doubts_work_ = false;
     double worked_ = 0.0;              // J: of loads and drives, either sign counted as positive
     double strain_ = 0.0;              // energy of the last point, J
@@ -292,10 +292,10 @@ public:
     /// @param first  step of the run, s: a jump within a hundredth of it is close to the last one.
     [[nodiscard]] bool passes(MotionPoint& now, Start& start, double first, DynamicsReport& report);
 
-    /// Returns where an amplitude, gravity or the acceleration of a support has its sharpest corner
-    /// in a step, of several such functions the first; the step's end where none has one. It is
-    /// off by at most a millionth of the step.
-    /// @param matters  change of slope times step, of the function's largest value: less is smooth.
+    /// Returns where a step meets a corner, s; its end where it meets none. Of each amplitude, of
+    /// gravity and of each support's acceleration the sharpest counts, of these the first.
+    /// @param matters  second difference over quarters of the step, of the function's largest
+    ///                 value: what is below is smooth.
     [[nodiscard]] double corner(double now, double end, double matters);
 
 private:

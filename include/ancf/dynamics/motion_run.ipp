@@ -437,9 +437,11 @@ ANCF_INLINE bool Jumps::passes(MotionPoint& now, Start& start, double first,
 
 ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
     constexpr int levels = 20, late = 12;
-    constexpr double least_growth = 0.1;  // of sharpness after the late level, less where smooth
+    constexpr double least_growth = 0.1;  // of sharpness after the late level; less where smooth
+    constexpr double most_growth = 4.0;   // likewise; more where it is noise
     constexpr double round_off = 100.0 * std::numeric_limits<double>::epsilon();
     double found = end;
+    if (weariness_ > most_weariness) return found;
     std::size_t k = 0;
     // Halves an interval towards the largest second difference of three overlapping halves. Over a
     // corner it shrinks with the interval, where the function is smooth with its square.
@@ -451,7 +453,7 @@ ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
             values[i] = function(from + 0.25 * i * width);
             largest = std::max(largest, std::abs(values[i]));
         }
-        double before = 0.0, sharpness = 0.0;
+        double sharpness = 0.0, before = 0.0;
         for (int level = 0; level < levels; ++level) {
             double most = -1.0;
             int at = 0;
@@ -462,8 +464,10 @@ ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
                 at = i;
             }
             const double of_time = std::abs(end * (values[4] - values[0]) / width);
+            const bool tells = most > round_off * (of_time + largest);
+            if (!tells && level > late) break;
             sharpness = std::ldexp(most, level);
-            if (!(sharpness > matters * largest && most > round_off * (of_time + largest))) return;
+            if (!(tells && sharpness > matters * largest)) return;
             if (level == late) before = sharpness;
             from += 0.25 * at * width;
             width *= 0.5;
@@ -474,9 +478,10 @@ ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
             values[3] = function(from + 0.75 * width);
             values[4] = high;
         }
-        const double time = from + 0.5 * width;
-        const bool inside = 50.0 * (time - now) > end - now && 1e3 * (end - time) > end - now;
-        if (inside && sharpness >= least_growth * before) found = time;
+        const double time = from + 0.5 * width, whole = end - now;
+        const bool inside = 50.0 * (time - now) > whole && 1e3 * (end - time) > whole;
+        if (inside && sharpness >= least_growth * before && sharpness <= most_growth * before)
+            found = time;
     };
     look_at_drives(problem_.model(), &Support::acceleration, look);
     return found;

@@ -60,8 +60,8 @@ template <class Element>
 /// sum a_2 x f_a2 + (r_2 - r(xi)) x f_r2 about the centre line. In statics these balance loads at
 /// nodes to round-off on any mesh, at clamps and beside point loads too; forces along the element
 /// count at its nodes, so the force is that of its middle, and the moment of a load q per length
-/// lacks q l^2/12 at the nodes of a cubic line, nothing at xi = 0.211 and 0.789. The element's own
-/// section_forces are those of the strains.
+/// is off by q l^2/12 at the nodes of a cubic line, by nothing at xi = 0.211 and 0.789. The
+/// element's own section_forces are those of the strains.
 ///
 /// In motion both leave out the viscous stress of add_kelvin_voigt, and these the inertia of the
 /// part of the element beyond the section. What a support or a joint bears has all of it:

@@ -87,7 +87,7 @@ public:
     void add(Load load, Amplitude amplitude = {}) {
         static_assert(fits<Load>,
                       "the load is of another dimension than the model: Model takes Force<3>, "
-                      "Moment, PlanarModel takes Force<2>, PlanarSlopeMoment");
+                      "Moment; PlanarModel takes Force<2>, PlanarSlopeMoment");
         if constexpr (fits<Load>) Scene::add(std::move(load), std::move(amplitude));
     }
 
@@ -103,7 +103,7 @@ public:
     void add(Constraint constraint) {
         static_assert(fits<Constraint>,
                       "the constraint is of another dimension than the model: Model takes Pin<3>, "
-                      "Weld, PlanarModel takes Pin<2>, PlanarWeld");
+                      "Weld; PlanarModel takes Pin<2>, PlanarWeld");
         if constexpr (fits<Constraint>) Scene::add(std::move(constraint));
     }
 
@@ -131,9 +131,10 @@ public:
         return Eigen::Map<const Point>(vector_now(node, field));
     }
 
-    /// Returns one vector of a node out of all coordinates: of a State, of their rates, of a mode's
-    /// shape, of reactions.
-    /// @throws InvalidArgument where the node does not carry it, and for another count of them.
+    /// Returns one vector of a node.
+    /// @param of  layout().size() numbers in the order of State::q: a state's q or v, the shape of
+    ///            a mode, reactions.
+    /// @throws InvalidArgument for another size, and where the node does not carry the vector.
     [[nodiscard]] Point value(NodeId node, Field field, const VectorX& of) const {
         const int first = coordinate(node, field);
         check_state(of, layout());

@@ -31,6 +31,11 @@
 
 namespace ancf {
 
+/// Returns lines between points, constant before the first and behind the last.
+/// @param points  time, s (in statics the load factor), and factor, by rising time.
+/// @throws InvalidArgument unless there are points, finite and of rising times.
+[[nodiscard]] Amplitude tabular_amplitude(std::vector<std::pair<double, double>> points);
+
 /// A load with its course over time; without one it follows the ramp of an Instant.
 struct ScaledLoad {
     AnyLoad load;         ///< what acts

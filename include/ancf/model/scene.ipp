@@ -5,10 +5,34 @@
 
 #include <ancf/model/scene.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace ancf {
+
+ANCF_INLINE Amplitude tabular_amplitude(std::vector<std::pair<double, double>> points) {
+    detail::require(!points.empty(), "tabular_amplitude: at least one point is needed");
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto [time, value] = points[k];
+        detail::require(std::isfinite(time) && std::isfinite(value), "tabular_amplitude: point ", k,
+                        " must be finite, got ", time, ", ", value);
+        detail::require(k == 0 || time > points[k - 1].first,
+                        "tabular_amplitude: times must rise, point ", k, " is at ", time,
+                        ", the one before at ", points[k - 1].first);
+    }
+    return [points = std::move(points)](double time) {
+        const auto next = std::upper_bound(
+            points.begin(), points.end(), time,
+            [](double now, const std::pair<double, double>& point) { return now < point.first; });
+        if (next == points.begin()) return points.front().second;
+        if (next == points.end()) return points.back().second;
+        const auto [from, low] = next[-1];
+        const auto [to, high] = *next;
+        const double share = (time - from) / (to - from);
+        return (1.0 - share) * low + share * high;
+    };
+}
 
 ANCF_INLINE Scene::Scene(int dimension) noexcept : dimension_(dimension) {}
 

@@ -6,16 +6,10 @@
 
 #pragma once
 
-#include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <functional>
-#include <utility>
-#include <vector>
 
 namespace ancf {
 
@@ -29,30 +23,6 @@ struct State {
 
 /// A function of time (of the load factor in statics).
 using Amplitude = std::function<double(double)>;
-
-/// Returns lines between points, constant before the first and behind the last.
-/// @param points  time, s, and value, by rising time.
-/// @throws InvalidArgument unless there are points, finite and of rising times.
-[[nodiscard]] inline Amplitude tabular(std::vector<std::pair<double, double>> points) {
-    detail::require(!points.empty(), "tabular: at least one point is needed");
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto [time, value] = points[k];
-        detail::require(std::isfinite(time) && std::isfinite(value), "tabular: point ", k,
-                        " must be finite, got ", time, ", ", value);
-        detail::require(k == 0 || time > points[k - 1].first, "tabular: times must rise, point ", k,
-                        " is at ", time, " s, the one before at ", points[k - 1].first, " s");
-    }
-    return [points = std::move(points)](double time) {
-        const auto next = std::upper_bound(
-            points.begin(), points.end(), time,
-            [](double now, const std::pair<double, double>& point) { return now < point.first; });
-        if (next == points.begin()) return next->second;
-        const auto last = next - 1;
-        if (next == points.end()) return last->second;
-        const double share = (time - last->first) / (next->first - last->first);
-        return last->second + share * (next->second - last->second);
-    };
-}
 
 /// The moment at which loads and prescribed values are evaluated.
 struct Instant {
