@@ -45,6 +45,21 @@ TEST_CASE("jumps: Explicit begins anew behind them", "[explicit]") {
     check<sundials::Explicit>(sundials::ExplicitOptions(), 1e-6, 0.1, false);
 }
 
+// Steps that passed over both corners of a steep ramp left 25 tolerances.
+TEST_CASE("jumps: steps of Explicit end at corners", "[explicit]") {
+    constexpr double tolerance = 1e-8, width = 1.0 / 4096.0;  // s
+    const Amplitude ramp = tabular_amplitude({{0.125, 0.0}, {0.125 + width, 1.0}});
+    PushedBeam scene(ramp), exact(ramp);
+    run_exactly(exact.model);
+    DynamicProblem problem(scene.model);
+    sundials::ExplicitOptions options;
+    options.tolerance = tolerance;
+    Schedule schedule;
+    schedule.end = JumpScene::end;
+    REQUIRE(sundials::Explicit(options).integrate(problem, schedule).status == Status::converged);
+    CHECK(apart(scene, exact) <= 0.01 * tolerance);
+}
+
 TEST_CASE("jumps: outputs may stand at one, and runs end there", "[ida][explicit]") {
     for (const double jump : {0.0371, 0.0625, 0.1}) {
         CAPTURE(jump);

@@ -294,9 +294,9 @@ public:
 
     /// Returns where a step meets a corner, s; its end where it meets none. Of each amplitude, of
     /// gravity and of each support's acceleration the sharpest counts, of these the first.
-    /// @param matters  second difference over quarters of the step, of the function's largest
-    ///                 value: what is below is smooth.
-    [[nodiscard]] double corner(double now, double end, double matters);
+    /// @param tolerance  of the step. A second difference over quarters of the step below 30 times
+    ///                   it, relative to the function's largest value, is none of a corner.
+    [[nodiscard]] double corner(double now, double end, double tolerance);
 
 private:
     static constexpr double never = std::numeric_limits<double>::infinity();

@@ -435,7 +435,8 @@ ANCF_INLINE bool Jumps::passes(MotionPoint& now, Start& start, double first,
     return true;
 }
 
-ANCF_INLINE double Jumps::corner(double now, double end, double matters) {
+ANCF_INLINE double Jumps::corner(double now, double end, double tolerance) {
+    const double matters = 30.0 * tolerance;
     constexpr int levels = 20, late = 12;
     constexpr double least_growth = 0.1;  // of sharpness after the late level; less where smooth
     constexpr double most_growth = 4.0;   // likewise; more where it is noise
@@ -514,7 +515,6 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
 }
 
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now, bool corners) {
-    constexpr double matters = 30.0;  // of the tolerance
     if (now.time == corner_at_ && uncut_width_ > grid_.width) grid_ = {now.time, uncut_width_};
     corner_at_ = -std::numeric_limits<double>::infinity();
     Step step = grid_.next(now.time, schedule_.end);
@@ -538,7 +538,7 @@ ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now, bool corners) {
         step = grid_.next(now.time, schedule_.end);
     }
     if (corners && control_.is_adaptive()) {
-        const double at = jumps_.corner(now.time, step.end, matters * control_.tolerance);
+        const double at = jumps_.corner(now.time, step.end, control_.tolerance);
         if (at < step.end) {
             uncut_width_ = step.width;
             grid_ = {step.begin, at - step.begin};

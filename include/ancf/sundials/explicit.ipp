@@ -286,16 +286,20 @@ private:
         if (end > now_.time) call(Arkode::set_fixed_step(erk_.get(), end - now_.time));
     }
 
-    // Lets the next step end at a jump of a load or a drive; at one it begins anew behind it.
+    // Lets the next step end at a jump or a corner of a load or a drive; at a jump it begins anew
+    // behind it.
     void stop_at_jump() {
         double next = first_step_;
         if (ran_) Arkode::current_step(erk_.get(), &next);
-        const auto look = [&] { jumps_.look(now_, std::min(now_.time + next, schedule_.end)); };
+        const auto end = [&] { return std::min(now_.time + next, schedule_.end); };
+        const auto look = [&] { jumps_.look(now_, end()); };
         for (look(); jumps_.passes(now_, start_, first_step_, report_); look()) {
             a_ = start_.acceleration;
             restart(next = first_step_);
         }
-        call(Arkode::set_stop_time(erk_.get(), stop_time()));
+        const double corner = jumps_.corner(now_.time, end(), options_.tolerance);
+        const double stop = stop_time();
+        call(Arkode::set_stop_time(erk_.get(), corner < end() ? std::min(corner, stop) : stop));
     }
 
     [[nodiscard]] double stop_time() const {
