@@ -338,7 +338,7 @@ protected:
 
     /// Returns the next step to try. In an adaptive run it ends no later than at a jump, and at
     /// rest no later than at a hidden_action().
-    /// Where `corners` are wanted it also ends at those; the step behind one has the whole width.
+    /// @param corners  whether it also ends at corners; the step behind one has the whole width.
     [[nodiscard]] Step next_step(const MotionPoint& now, bool corners = false);
 
     /// Moves a point and the run's start behind a jump, if the point stands at one that next_step()

@@ -40,7 +40,6 @@ public:
         size_ = monitor.correction(response);
         VectorX place;
         numbering.gather_free(model_.state().q, place);
-        place.conservativeResizeLike(response);
         far_ = std::max(1.0, monitor.correction(place));
     }
 

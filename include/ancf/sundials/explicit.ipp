@@ -265,7 +265,7 @@ private:
     [[nodiscard]] bool step() {
         if (options_.max_steps > 0 && report_.steps == options_.max_steps)
             return fail(ARK_TOO_MUCH_WORK);
-        is_fixed() ? stay_on_grid() : stop_at_jump();
+        is_fixed() ? stay_on_grid() : limit_step();
         double reached = now_.time;
         system_.forget_fault();
         context_.forget_message();
@@ -288,7 +288,7 @@ private:
 
     // Lets the next step end at a jump or a corner of a load or a drive; at a jump it begins anew
     // behind it.
-    void stop_at_jump() {
+    void limit_step() {
         double next = first_step_;
         if (ran_) Arkode::current_step(erk_.get(), &next);
         const auto end = [&] { return std::min(now_.time + next, schedule_.end); };

@@ -20,8 +20,8 @@ namespace ancf {
 
 namespace detail {
 
-/// Below this strain a bar counts as compressed: the round-off of a strain at rest is not
-/// compression, that of positions of six digits before the point and elements of 0.1 m included.
+/// Below this strain a bar counts as compressed. The round-off of a strain at rest is above it, as
+/// of elements of 0.1 m at positions of 1e5 m. A slack bar bears up to 1e-9 E A.
 inline constexpr double slack_strain = -1e-9;
 
 /// Between these strains the stiffness of a rope in compression rises to that in tension: what
