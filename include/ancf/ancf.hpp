@@ -26,6 +26,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/builders/rigid_body.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/damping.hpp>

@@ -218,6 +218,7 @@ TEST_CASE("joints of frames: derivatives equal complex steps", "[constraint]") {
     check_derivatives(model, ancf::AlignedTangent(model, a, b), random);
     check_derivatives(model, ancf::AlignedTangent(model, b), random);
     check_derivatives(model, ancf::RigidSection(b), random);
+    check_derivatives(model, ancf::RigidNode<3>(b), random);
 }
 
 TEST_CASE("planar constraints: derivatives equal complex steps", "[constraint]") {
@@ -235,6 +236,7 @@ TEST_CASE("planar constraints: derivatives equal complex steps", "[constraint]")
     check_derivatives(model, ancf::PlanarWeld(model, a), random);
     check_derivatives(model, ancf::PlanarWeld(model, a, b, wave(2.0)), random);
     check_derivatives(model, ancf::PlanarWeld(model, a, wave(2.0)), random);
+    check_derivatives(model, ancf::RigidNode<2>(b), random);
 }
 
 TEST_CASE("joints hold where they are made and no equation repeats another", "[constraint]") {

@@ -280,33 +280,66 @@ private:
     AlignedTangent(const BasicModel<3>& model, detail::JointSide frame, NodeId tangent);
 };
 
-/// The section of a node held in shape: r_y and r_z of unit length and normal to each other;
-/// 3 equations, g = ((r_y.r_y - 1)/2, (r_z.r_z - 1)/2, r_y.r_z).
-///
-/// With Green's strain, bending about an axis other than the section's y and z shears the section
-/// by E I kappa^2/(2 k G A), which counts at a radius of a few depths: docs/limits.md.
-class RigidSection {
+namespace detail {
+
+/// Slopes s of a node held orthonormal: g = (s_a.s_a - 1)/2 of each, then s_a.s_b of pairs.
+template <int Dimension>
+class HeldSlopes {
 public:
-    static constexpr int dimension = 3;  ///< of the model it belongs to
+    static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
-    /// Holds the section of a node that carries r_y and r_z.
-    explicit RigidSection(NodeId node) : node_(node) {}
-
-    /// @{
-    /// As of every constraint, see AnyConstraint.
-    [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_y}, {node_, Field::r_z}}; }
-    [[nodiscard]] int equations() const { return 3; }
+    [[nodiscard]] Coupling coupling() const { return slopes_; }
+    [[nodiscard]] int equations() const { return count() * (count() + 1) / 2; }
     [[nodiscard]] std::string name() const {
-        return "rigid section of node " + std::to_string(node_.index);
+        return what_ + " of node " + std::to_string(slopes_.front().node.index);
     }
     template <class Scalar>
     void terms(const DynamicVector<Scalar>& q, const Scalar& time,
                ConstraintTerms<Scalar>& out) const;
     void evaluate(const ConstraintState& at, ConstraintResult& out) const;
-    /// @}
+
+protected:
+    HeldSlopes(std::string what, Coupling slopes)
+        : what_(std::move(what)), slopes_(std::move(slopes)) {}
 
 private:
-    NodeId node_;
+    [[nodiscard]] int count() const { return static_cast<int>(slopes_.size()); }
+    // Calls with each equation and its two slopes.
+    template <class Visit>
+    void for_each_product(const Visit& visit) const;
+
+    std::string what_;
+    Coupling slopes_;
+};
+
+}  // namespace detail
+
+/// The section of a node held in shape: r_y and r_z of unit length and normal to each other;
+/// 3 equations, g = ((r_y.r_y - 1)/2, (r_z.r_z - 1)/2, r_y.r_z).
+///
+/// With Green's strain, bending about an axis other than the section's y and z shears the section
+/// by E I kappa^2/(2 k G A), which counts at a radius of a few depths: docs/limits.md.
+class RigidSection : public detail::HeldSlopes<3> {
+public:
+    /// Holds the section of a node that carries r_y and r_z.
+    explicit RigidSection(NodeId node)
+        : HeldSlopes("rigid section", {{node, Field::r_y}, {node, Field::r_z}}) {}
+};
+
+/// All slopes of a node held orthonormal, as the frame of a rigid body; 6 equations, in the plane
+/// 3: (s.s - 1)/2 of r_x, r_y (and r_z), then r_x.r_y (r_x.r_z and r_y.r_z).
+template <int Dimension>
+class RigidNode : public detail::HeldSlopes<Dimension> {
+public:
+    /// Holds the slopes of a node that carries all of them.
+    explicit RigidNode(NodeId node) : detail::HeldSlopes<Dimension>("rigid node", slopes(node)) {}
+
+private:
+    [[nodiscard]] static Coupling slopes(NodeId node) {
+        Coupling all = {{node, Field::r_x}, {node, Field::r_y}};
+        if constexpr (Dimension == 3) all.push_back({node, Field::r_z});
+        return all;
+    }
 };
 
 }  // namespace ancf

@@ -301,34 +301,50 @@ ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, detail::J
     hold_angle(detail::outer(detail::turned_back(a().axes, t), {{1.0, 0.0, 0.0}}));
 }
 
-template <class Scalar>
-void RigidSection::terms(const DynamicVector<Scalar>& q, const Scalar& /*time*/,
-                         ConstraintTerms<Scalar>& out) const {
-    const auto y = detail::vec3<Scalar>(q), z = detail::vec3<Scalar>(q, 3);
-    out.violation[0] = Scalar(0.5) * (dot(y, y) - Scalar(1.0));
-    out.violation[1] = Scalar(0.5) * (dot(z, z) - Scalar(1.0));
-    out.violation[2] = dot(y, z);
-    for (int k = 0; k < 3; ++k) {
-        out.jacobian(0, k) = out.jacobian(2, 3 + k) = y[k];
-        out.jacobian(1, 3 + k) = out.jacobian(2, k) = z[k];
-    }
+namespace detail {
+
+template <int Dimension>
+template <class Visit>
+void HeldSlopes<Dimension>::for_each_product(const Visit& visit) const {
+    int row = 0;
+    for (int a = 0; a < count(); ++a) visit(row++, a, a);
+    for (int a = 0; a < count(); ++a)
+        for (int b = a + 1; b < count(); ++b) visit(row++, a, b);
 }
 
-ANCF_INLINE void RigidSection::evaluate(const ConstraintState& at, ConstraintResult& out) const {
+template <int Dimension>
+template <class Scalar>
+void HeldSlopes<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& /*time*/,
+                                  ConstraintTerms<Scalar>& out) const {
+    for_each_product([&](int row, int a, int b) {
+        Scalar product(a == b ? -1.0 : 0.0);
+        for (int i = Dimension * a, j = Dimension * b; i < Dimension * (a + 1); ++i, ++j) {
+            product += q[i] * q[j];
+            out.jacobian(row, i) = q[j];
+            out.jacobian(row, j) = q[i];
+        }
+        out.violation[row] = (a == b ? 0.5 : 1.0) * product;
+    });
+}
+
+template <int Dimension>
+void HeldSlopes<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
     terms(at.q, at.time, out);
-    const auto dy = detail::vec3<double>(at.v), dz = detail::vec3<double>(at.v, 3);
-    out.convection[0] = dot(dy, dy);
-    out.convection[1] = dot(dz, dz);
-    out.convection[2] = 2.0 * dot(dy, dz);
-    for (int k = 0; k < 3; ++k) {
-        out.stiffness(k, k) = at.multipliers[0];
-        out.stiffness(3 + k, 3 + k) = at.multipliers[1];
-        out.stiffness(k, 3 + k) = out.stiffness(3 + k, k) = at.multipliers[2];
-    }
+    for_each_product([&](int row, int a, int b) {
+        for (int i = Dimension * a, j = Dimension * b; i < Dimension * (a + 1); ++i, ++j) {
+            out.convection[row] += (a == b ? 1.0 : 2.0) * at.v[i] * at.v[j];
+            out.stiffness(i, j) = out.stiffness(j, i) = at.multipliers[row];
+        }
+    });
 }
 
 #if defined(ANCF_SOURCE)
-ANCF_CONSTRAINT_INSTANCES(RigidSection)
+template class HeldSlopes<2>;
+template class HeldSlopes<3>;
+ANCF_CONSTRAINT_INSTANCES(HeldSlopes<2>)
+ANCF_CONSTRAINT_INSTANCES(HeldSlopes<3>)
 #endif
+
+}  // namespace detail
 
 }  // namespace ancf

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The ancf authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// @file
+/// Rigid bodies: their energy, weight and motion against the mechanics of rigid bodies.
+
+#include <ancf/constants.hpp>
+#include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/radau.hpp>
+#include <ancf/element/cross_section/beam.hpp>
+#include <ancf/element/torsion/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/rigid_body.hpp>
+#include <ancf/model/constraints.hpp>
+#include <ancf/model/loads.hpp>
+#include <ancf/section/section.hpp>
+#include <ancf/solver/eigen_lu.hpp>
+#include <ancf/solver/modal.hpp>
+#include <ancf/solver/statics.hpp>
+
+#include <support/catch.hpp>
+#include <support/random_state.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace rigid_body_test {
+
+using namespace ancf;
+using Point = Vector<double, 3>;
+using Square = Matrix<double, 3>;
+using Bar = CrossSectionBeam<3>;
+
+constexpr double g = 9.81;
+
+Square diagonal(double x, double y, double z) { return Point(x, y, z).asDiagonal(); }
+
+/// Returns the energies of a scene as it stands.
+Energies energies(Scene& model) {
+    DynamicProblem problem(model);
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = 1e-9;
+    schedule.times = {0.0};
+    Energies found;
+    schedule.observe = [&](const Snapshot& seen) { found = seen.energies; };
+    (void)RadauIIA().integrate(problem, solver, schedule);
+    return found;
+}
+
+TEST_CASE("add_body: energy and weight are those of the rigid body, in any frame",
+          "[model][body]") {
+    test::Random random(7);
+    for (int k = 0; k < 10; ++k) {
+        const Square axes = reference_slopes(random.direction<3>(), random.direction<3>());
+        const Square turn = reference_slopes(random.direction<3>(), random.direction<3>());
+        const Square inertia = turn * diagonal(1.0, 2.0, 2.5) * turn.transpose();
+        const Point place = random.vector<3>(), centre = random.vector<3>();
+        const Point spin = random.vector<3>(), velocity = random.vector<3>();
+        constexpr double mass = 3.0;
+        Model model;
+        const NodeId body = model.add_node(place, axes);
+        add_body(model, body, mass, inertia, centre);
+        model.set_gravity({0.0, 0.0, -g});
+        model.set_rigid_rates(velocity, spin, place);
+        const Point arm = axes * centre, local = axes.transpose() * spin;
+        const Point of_centre = velocity + cross(spin, arm);
+        const Energies seen = energies(model);
+        CHECK(seen.kinetic ==
+              Approx(0.5 * mass * of_centre.squaredNorm() + 0.5 * local.dot(inertia * local)));
+        CHECK(seen.potential == Approx(mass * g * (place + arm)[2]));
+    }
+}
+
+TEST_CASE("add_body: in the plane likewise", "[model][body]") {
+    PlanarModel model;
+    const NodeId body = model.add_node({1.0, 2.0});
+    add_body(model, body, 3.0, 0.7, {0.3, -0.4});
+    model.set_gravity({0.0, -g});
+    model.set_rigid_rates({1.0, 0.0}, 2.0, {1.0, 2.0});
+    const Energies seen = energies(model);
+    // v = (1, 0) + 2 (0.4, 0.3) at the centre
+    CHECK(seen.kinetic == Approx(1.5 * (1.8 * 1.8 + 0.36) + 0.5 * 0.7 * 4.0));
+    CHECK(seen.potential == Approx(3.0 * g * 1.6));
+}
+
+TEST_CASE("add_body: a free disc, flat or thick, precesses as a symmetric top", "[model][body]") {
+    const double third = GENERATE(0.2, 0.1, 0.05);  // kg m^2 about the axis; of the first P_zz = 0
+    const Square inertia = diagonal(0.1, 0.1, third);
+    Model model;
+    const NodeId body = model.add_node({0.0, 0.0, 0.0});
+    add_body(model, body, 2.0, inertia);
+    const Point spin(1.0, 0.0, 8.0);
+    model.set_rigid_rates(Point(0.0, 0.3, 0.0), spin);
+    const Point momentum = inertia * spin, axis = momentum.normalized();
+    DynamicProblem problem(model);
+    EigenLu solver;
+    RadauOptions options;
+    options.tolerance = 1e-8;
+    Schedule schedule;
+    schedule.end = 3.0;
+    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    const double angle = momentum.norm() / inertia(0, 0) * schedule.end;
+    const Point z = Point::UnitZ();
+    const Point turned = std::cos(angle) * z + std::sin(angle) * cross(axis, z) +
+                         (1.0 - std::cos(angle)) * axis.dot(z) * axis;
+    CHECK((model.value(body, Field::r_z) - turned).norm() < 1e-6);
+    CHECK((model.position(body) - Point(0.0, 0.9, 0.0)).norm() < 1e-9);
+}
+
+TEST_CASE("add_body: a heavy top turns as Euler's equations say", "[model][body]") {
+    constexpr double mass = 15.0, end = 0.5;
+    const Square inertia = diagonal(0.234375, 0.46875, 0.234375);
+    const Point spin(0.0, 150.0, -4.61538), centre(0.0, 1.0, 0.0);
+    Model model;
+    const NodeId pivot = model.add_node({0.0, 0.0, 0.0});
+    add_body(model, pivot, mass, inertia, centre);
+    model.pin(pivot);
+    model.set_gravity({0.0, 0.0, -g});
+    model.set_rigid_rates(Point::Zero(), spin);
+    DynamicProblem problem(model);
+    EigenLu solver;
+    RadauOptions options;
+    options.tolerance = 1e-8;
+    Schedule schedule;
+    schedule.end = end;
+    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
+    REQUIRE(report.status == Status::converged);
+
+    // J w' = (J w) x w + c x m R^T g, R' = R [w]x, by Runge's and Kutta's formula
+    const Square about = inertia + mass * diagonal(1.0, 0.0, 1.0);
+    Matrix<double, 4> now = Matrix<double, 4>::Zero();  // R, and w in the last column
+    now.topLeftCorner<3, 3>().setIdentity();
+    now.col(3).head<3>() = spin;
+    const auto rate = [&](const Matrix<double, 4>& at) {
+        const Square turn = at.topLeftCorner<3, 3>();
+        const Point w = at.col(3).head<3>();
+        const Point weight = mass * (turn.transpose() * Point(0.0, 0.0, -g));
+        Matrix<double, 4> out = Matrix<double, 4>::Zero();
+        for (int k = 0; k < 3; ++k) out.col(k).head<3>() = turn * cross(w, Point(Point::Unit(k)));
+        const Point moment = cross(Point(about * w), w) + cross(centre, weight);
+        for (int k = 0; k < 3; ++k) out(k, 3) = moment[k] / about(k, k);
+        return out;
+    };
+    constexpr int steps = 20000;
+    constexpr double h = end / steps;
+    for (int k = 0; k < steps; ++k) {
+        const Matrix<double, 4> a = rate(now), b = rate(now + 0.5 * h * a),
+                                c = rate(now + 0.5 * h * b), d = rate(now + h * c);
+        now += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    CHECK((model.value(pivot, Field::r_y) - now.col(1).head<3>()).norm() < 5e-6);
+}
+
+TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies", "[model][body]") {
+    Model model;
+    const NodeId upper = model.add_node({0.3, 0.0, -0.4});
+    const NodeId lower = model.add_node({0.9, 0.0, -0.8});
+    add_body(model, upper, 2.0, diagonal(0.02, 0.03, 0.04));
+    add_body(model, lower, 1.0, diagonal(0.01, 0.02, 0.02));
+    const NodeId hook = point_of_body(model, upper, {0.0, 0.0, 0.0});
+    const NodeId elbow = point_of_body(model, upper, {0.6, 0.0, -0.6});
+    const NodeId tip = point_of_body(model, lower, {0.6, 0.0, -0.6});
+    model.add(Revolute(model, hook, {0.0, 1.0, 0.0}));
+    model.add(Revolute(model, elbow, tip, {0.0, 0.6, 0.8}));
+    model.set_gravity({0.0, 0.0, -g});
+    DynamicProblem problem(model);
+    EigenLu solver;
+    EnergyMomentumOptions options;
+    options.step = 5e-3;
+    Schedule schedule;
+    schedule.end = 2.0;
+    const DynamicsReport report = EnergyMomentum(options).integrate(problem, solver, schedule);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.kinetic_largest > 5.0);
+    CHECK(report.energy_drift < 1e-9 * report.kinetic_largest);
+    CHECK(report.violation < 1e-9);
+}
+
+TEST_CASE("add_body: frequencies of a body at the end of a light beam", "[model][body][modal]") {
+    // without mass of its own the beam is K = E I/L^3 [12, -6 L; -6 L, 4 L^2] of (w, w')
+    constexpr double length = 1.0, mass = 2.0, inertia = 0.3, centre = 0.2;
+    const Material light = Material::isotropic(2e11, 0.3, 1e-3);
+    const Section section = rectangle(0.01, 0.02);
+    const double bending = light.young * section.moments().zz;  // along Z
+    const double k = bending / (length * length * length);
+    Matrix<double, 2> stiffness, masses;
+    stiffness << 12.0 * k, -6.0 * k * length, -6.0 * k * length, 4.0 * k * length * length;
+    masses << mass, mass * centre, mass * centre, inertia + mass * centre * centre;
+    const double a = masses(0, 0) * masses(1, 1) - masses(0, 1) * masses(0, 1);
+    const double b = masses(0, 0) * stiffness(1, 1) + masses(1, 1) * stiffness(0, 0) -
+                     2.0 * masses(0, 1) * stiffness(0, 1);
+    const double c = stiffness(0, 0) * stiffness(1, 1) - stiffness(0, 1) * stiffness(0, 1);
+    const double root = std::sqrt(b * b - 4.0 * a * c);
+
+    const bool own = GENERATE(true, false);  // a node of its own, or the beam's
+    Model model;
+    const auto beam = straight_beam<Bar>(model, light, section, {0, 0, 0}, {length, 0, 0}, 4,
+                                         CrossSectionOptions::best());
+    model.clamp(beam.first(), Clamp::free_slope);
+    const Square moments = diagonal(1e-3, inertia, inertia);
+    if (own) {
+        const NodeId body = model.add_node({length, 0, 0});
+        add_body(model, body, mass, moments, {centre, 0.0, 0.0});
+        model.attach(beam.last(), body);
+        model.fix(body, Field::r, 1);
+    } else {
+        add_body(model, beam.last(), mass, moments, {centre, 0.0, 0.0});
+    }
+    // the beam bends along Z alone
+    for (const NodeId node : beam.nodes)
+        if (!own || node != beam.last()) model.fix(node, Field::r, 1);
+    EigenLu solver;
+    ModalOptions options;
+    options.count = 2;
+    const ModalReport report = natural_modes(model, solver, options);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.modes[0].value == Approx((b - root) / (2.0 * a)).epsilon(1e-3));
+    CHECK(report.modes[1].value == Approx((b + root) / (2.0 * a)).epsilon(2e-3));
+
+    model.set_gravity({0.0, 0.0, -g});
+    REQUIRE(solve_statics(model, solver).status == Status::converged);
+    const double sag = mass * g / bending * (1.0 / 3.0 + 0.5 * centre);
+    CHECK(model.position(beam.last())[2] == Approx(-sag).epsilon(1e-3));
+}
+
+TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][body][bad-input]") {
+    const auto says = [](const char* text, const auto& act) {
+        Model model;
+        const NodeId node = model.add_node({1.0, 2.0, 3.0});
+        CHECK_THROWS_WITH(act(model, node), Catch::Matchers::Contains(text));
+        CHECK(model.groups().empty());
+        CHECK(model.constraints().empty());
+    };
+    const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+    const Square good = diagonal(1.0, 1.0, 1.0);
+    Square skew = good;
+    skew(0, 1) = 0.1;
+    says("mass", [&](Model& of, NodeId at) { add_body(of, at, 0.0, good); });
+    says("centre", [&](Model& of, NodeId at) {
+        add_body(of, at, 1.0, good, {not_a_number, 0, 0});
+    });
+    says("symmetric", [&](Model& of, NodeId at) { add_body(of, at, 1.0, skew); });
+    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(1.0, 1.0, 2.1)); });
+    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, not_a_number * good); });
+    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, -good); });
+    says("every axis",
+         [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(0.0, 1.0, 1.0)); });
+    says("add_mass", [&](Model& of, NodeId at) { add_body(of, at, 1.0, 0.0 * good); });
+    says("there are 1 nodes", [&](Model& of, NodeId) { add_body(of, NodeId{1}, 1.0, good); });
+    says("no body", [](Model& of, NodeId at) { (void)point_of_body(of, at, {0.0, 0.0, 0.0}); });
+
+    Model model;
+    const auto beam = straight_beam<TorsionBeam>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                                 circle(0.01), {0, 0, 0}, {1, 0, 0}, 2);
+    CHECK_THROWS_WITH(add_body(model, beam.last(), 1.0, good),
+                      Catch::Matchers::Contains("a node of its own"));
+    const NodeId body = model.add_node({1.0, 0.0, 0.0});
+    add_body(model, body, 1.0, good);
+    CHECK_THROWS_WITH(point_of_body(model, body, {1.0, 0.0, 0.0}),
+                      Catch::Matchers::Contains("take that node"));
+    PlanarModel plane;
+    CHECK_THROWS_AS(add_body(plane, plane.add_node({0.0, 0.0}), 1.0, -1.0), InvalidArgument);
+}
+
+}  // namespace rigid_body_test
