@@ -53,6 +53,14 @@ public:
         }
     }
 
+    /// Tells whether the matrix is positive definite and finite.
+    [[nodiscard]] bool definite() const {
+        bool good = true;
+        for (int k = 0; k < Size; ++k)
+            good = good && factors_(k, k) > 0.0 && std::isfinite(factors_(k, k));
+        return good;
+    }
+
     /// Returns the solution of matrix x = b.
     [[nodiscard]] Vector<double, Size> solve(const Vector<double, Size>& b) const {
         Vector<double, Size> x = b;

@@ -6,9 +6,9 @@
 
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
+#include <ancf/dynamics/leapfrog.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
-#include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/rigid_body.hpp>
 #include <ancf/model/constraints.hpp>
@@ -46,6 +46,25 @@ Energies energies(Scene& model) {
     schedule.observe = [&](const Snapshot& seen) { found = seen.energies; };
     (void)RadauIIA().integrate(problem, solver, schedule);
     return found;
+}
+
+/// Moves a scene from rest or its rates.
+template <class Integrator>
+DynamicsReport run(Model& model, const Integrator& integrator, double end) {
+    DynamicProblem problem(model);
+    EigenLu solver;
+    Schedule schedule;
+    schedule.end = end;
+    const DynamicsReport report = integrator.integrate(problem, solver, schedule);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    return report;
+}
+
+RadauIIA accurate() {
+    RadauOptions options;
+    options.tolerance = 1e-8;
+    return RadauIIA(options);
 }
 
 TEST_CASE("add_body: energy and weight are those of the rigid body, in any frame",
@@ -93,16 +112,9 @@ TEST_CASE("add_body: a free disc, flat or thick, precesses as a symmetric top", 
     const Point spin(1.0, 0.0, 8.0);
     model.set_rigid_rates(Point(0.0, 0.3, 0.0), spin);
     const Point momentum = inertia * spin, axis = momentum.normalized();
-    DynamicProblem problem(model);
-    EigenLu solver;
-    RadauOptions options;
-    options.tolerance = 1e-8;
-    Schedule schedule;
-    schedule.end = 3.0;
-    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
-    INFO(report.message);
-    REQUIRE(report.status == Status::converged);
-    const double angle = momentum.norm() / inertia(0, 0) * schedule.end;
+    constexpr double end = 3.0;
+    run(model, accurate(), end);
+    const double angle = momentum.norm() / inertia(0, 0) * end;
     const Point z = Point::UnitZ();
     const Point turned = std::cos(angle) * z + std::sin(angle) * cross(axis, z) +
                          (1.0 - std::cos(angle)) * axis.dot(z) * axis;
@@ -120,14 +132,7 @@ TEST_CASE("add_body: a heavy top turns as Euler's equations say", "[model][body]
     model.pin(pivot);
     model.set_gravity({0.0, 0.0, -g});
     model.set_rigid_rates(Point::Zero(), spin);
-    DynamicProblem problem(model);
-    EigenLu solver;
-    RadauOptions options;
-    options.tolerance = 1e-8;
-    Schedule schedule;
-    schedule.end = end;
-    const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
-    REQUIRE(report.status == Status::converged);
+    run(model, accurate(), end);
 
     // J w' = (J w) x w + c x m R^T g, R' = R [w]x, by Runge's and Kutta's formula
     const Square about = inertia + mass * diagonal(1.0, 0.0, 1.0);
@@ -166,53 +171,41 @@ TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies", "[m
     model.add(Revolute(model, hook, {0.0, 1.0, 0.0}));
     model.add(Revolute(model, elbow, tip, {0.0, 0.6, 0.8}));
     model.set_gravity({0.0, 0.0, -g});
-    DynamicProblem problem(model);
-    EigenLu solver;
     EnergyMomentumOptions options;
     options.step = 5e-3;
-    Schedule schedule;
-    schedule.end = 2.0;
-    const DynamicsReport report = EnergyMomentum(options).integrate(problem, solver, schedule);
-    INFO(report.message);
-    REQUIRE(report.status == Status::converged);
+    const DynamicsReport report = run(model, EnergyMomentum(options), 2.0);
     CHECK(report.kinetic_largest > 5.0);
     CHECK(report.energy_drift < 1e-9 * report.kinetic_largest);
     CHECK(report.violation < 1e-9);
 }
 
-TEST_CASE("add_body: frequencies of a body at the end of a light beam", "[model][body][modal]") {
+TEST_CASE("add_body: a body at the end of a light beam swings and sags", "[model][body][modal]") {
     // without mass of its own the beam is K = E I/L^3 [12, -6 L; -6 L, 4 L^2] of (w, w')
     constexpr double length = 1.0, mass = 2.0, inertia = 0.3, centre = 0.2;
     const Material light = Material::isotropic(2e11, 0.3, 1e-3);
     const Section section = rectangle(0.01, 0.02);
     const double bending = light.young * section.moments().zz;  // along Z
     const double k = bending / (length * length * length);
-    Matrix<double, 2> stiffness, masses;
-    stiffness << 12.0 * k, -6.0 * k * length, -6.0 * k * length, 4.0 * k * length * length;
-    masses << mass, mass * centre, mass * centre, inertia + mass * centre * centre;
-    const double a = masses(0, 0) * masses(1, 1) - masses(0, 1) * masses(0, 1);
-    const double b = masses(0, 0) * stiffness(1, 1) + masses(1, 1) * stiffness(0, 0) -
-                     2.0 * masses(0, 1) * stiffness(0, 1);
-    const double c = stiffness(0, 0) * stiffness(1, 1) - stiffness(0, 1) * stiffness(0, 1);
-    const double root = std::sqrt(b * b - 4.0 * a * c);
+    const double k_ww = 12.0 * k, k_wt = -6.0 * k * length, k_tt = 4.0 * k * length * length;
+    const double m_wt = mass * centre, m_tt = inertia + mass * centre * centre;
+    const double a = mass * m_tt - m_wt * m_wt;
+    const double b = mass * k_tt + m_tt * k_ww - 2.0 * m_wt * k_wt;
+    const double root = std::sqrt(b * b - 4.0 * a * (k_ww * k_tt - k_wt * k_wt));
 
-    const bool own = GENERATE(true, false);  // a node of its own, or the beam's
+    const bool first = GENERATE(true, false);  // whether the body is made before it is attached
     Model model;
     const auto beam = straight_beam<Bar>(model, light, section, {0, 0, 0}, {length, 0, 0}, 4,
                                          CrossSectionOptions::best());
     model.clamp(beam.first(), Clamp::free_slope);
-    const Square moments = diagonal(1e-3, inertia, inertia);
-    if (own) {
-        const NodeId body = model.add_node({length, 0, 0});
-        add_body(model, body, mass, moments, {centre, 0.0, 0.0});
-        model.attach(beam.last(), body);
-        model.fix(body, Field::r, 1);
-    } else {
-        add_body(model, beam.last(), mass, moments, {centre, 0.0, 0.0});
-    }
-    // the beam bends along Z alone
-    for (const NodeId node : beam.nodes)
-        if (!own || node != beam.last()) model.fix(node, Field::r, 1);
+    const NodeId body = model.add_node({length, 0, 0});
+    const auto add = [&] {
+        add_body(model, body, mass, diagonal(1e-3, inertia, inertia), {centre, 0.0, 0.0});
+    };
+    if (first) add();
+    model.attach(beam.last(), body);
+    if (!first) add();
+    for (int node = 0; node < 4; ++node) model.fix(beam.nodes[node], Field::r, 1);
+    model.fix(body, Field::r, 1);
     EigenLu solver;
     ModalOptions options;
     options.count = 2;
@@ -226,6 +219,85 @@ TEST_CASE("add_body: frequencies of a body at the end of a light beam", "[model]
     REQUIRE(solve_statics(model, solver).status == Status::converged);
     const double sag = mass * g / bending * (1.0 / 3.0 + 0.5 * centre);
     CHECK(model.position(beam.last())[2] == Approx(-sag).epsilon(1e-3));
+}
+
+TEST_CASE("add_body: a disc on a shaft has the same modes on every mesh", "[model][body][modal]") {
+    const auto frequency = [](int elements) {
+        Model model;
+        const auto shaft =
+            straight_beam<Bar>(model, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.05, 0.05),
+                               {0, 0, 0}, {1, 0, 0}, elements, CrossSectionOptions::best());
+        for (const NodeId end : {shaft.first(), shaft.last()}) model.clamp(end, Clamp::free_slope);
+        const NodeId disc = model.add_node({0.5, 0.0, 0.0});
+        add_body(model, disc, 10.0, diagonal(1.0, 20.0, 20.0));
+        model.attach(shaft.node(elements / 2), disc);
+        EigenLu solver;
+        ModalOptions options;
+        options.count = 1;
+        const ModalReport report = natural_modes(model, solver, options);
+        REQUIRE(report.status == Status::converged);
+        return std::sqrt(report.modes[0].value);
+    };
+    CHECK(frequency(4) == Approx(frequency(64)).epsilon(1e-3));
+}
+
+TEST_CASE("add_body: a body without load leaves buckling loads as they are",
+          "[model][body][modal]") {
+    const auto load = [](bool with_body) {
+        Model model;
+        const auto column =
+            straight_beam<Bar>(model, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.1, 0.1),
+                               {0, 0, 0}, {1, 0, 0}, 4, CrossSectionOptions::best());
+        model.clamp(column.first());
+        model.add(Force<3>(column.last(), {-1.0, 0.0, 0.0}));
+        if (with_body) {
+            const NodeId body = model.add_node({1.0, 0.0, 0.0});
+            add_body(model, body, 1e-3, diagonal(1.0, 1.0, 1.0));
+            model.add(Weld(model, column.first(), body));
+        }
+        EigenLu solver;
+        const ModalReport report = buckling_modes(model, solver);
+        REQUIRE(report.status == Status::converged);
+        return report.modes[0].value;
+    };
+    CHECK(load(true) == Approx(load(false)).epsilon(1e-9));
+}
+
+TEST_CASE("add_body: a compound pendulum in the plane, also by leapfrog", "[model][body]") {
+    // from rest at the height of its pivot: w^2 = 2 m g d/(J + m d^2) at the lowest point
+    constexpr double mass = 2.0, inertia = 0.1, arm = 0.4;
+    PlanarModel model;
+    const NodeId body = model.add_node({arm, 0.0});
+    add_body(model, body, mass, inertia);
+    model.add(Pin<2>(point_of_body(model, body, {0.0, 0.0}), {0.0, 0.0}));
+    model.set_gravity({0.0, -g});
+    DynamicProblem problem(model);
+    LeapfrogOptions options;
+    options.step = 1e-3;
+    Schedule schedule;
+    schedule.end = 1.0;
+    const DynamicsReport report = Leapfrog(options).integrate(problem, schedule);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.kinetic_largest == Approx(mass * g * arm).epsilon(1e-4));
+    CHECK(report.energy_drift < 1e-6 * mass * g * arm);
+}
+
+TEST_CASE("add_body: a free body by leapfrog, whose multipliers are none", "[model][body]") {
+    // the highest frequency was no number: forces of round-off, whose squares vanish
+    Model model;
+    const NodeId body = model.add_node({0.0, 0.0, 0.0});
+    add_body(model, body, 1.0, diagonal(0.1, 0.12, 0.15));
+    model.set_rigid_rates(Point::Zero(), Point(1.0, 2.0, 8.0));
+    DynamicProblem problem(model);
+    LeapfrogOptions options;
+    options.step = 1e-3;
+    Schedule schedule;
+    schedule.end = 0.1;
+    const DynamicsReport report = Leapfrog(options).integrate(problem, schedule);
+    INFO(report.message);
+    CHECK(report.status == Status::converged);
+    CHECK(report.energy_drift < 1e-6 * report.kinetic_largest);
 }
 
 TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][body][bad-input]") {
@@ -246,21 +318,26 @@ TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][b
     });
     says("symmetric", [&](Model& of, NodeId at) { add_body(of, at, 1.0, skew); });
     says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(1.0, 1.0, 2.1)); });
-    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, not_a_number * good); });
-    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, -good); });
+    says("finite", [&](Model& of, NodeId at) { add_body(of, at, 1.0, not_a_number * good); });
+    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(-1.0, 1.0, 1.0)); });
     says("every axis",
          [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(0.0, 1.0, 1.0)); });
-    says("add_mass", [&](Model& of, NodeId at) { add_body(of, at, 1.0, 0.0 * good); });
+    says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, 0.0 * good); });
     says("there are 1 nodes", [&](Model& of, NodeId) { add_body(of, NodeId{1}, 1.0, good); });
     says("no body", [](Model& of, NodeId at) { (void)point_of_body(of, at, {0.0, 0.0, 0.0}); });
 
     Model model;
-    const auto beam = straight_beam<TorsionBeam>(model, Material::isotropic(2e11, 0.3, 7800.0),
-                                                 circle(0.01), {0, 0, 0}, {1, 0, 0}, 2);
+    const auto beam = straight_beam<Bar>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                         circle(0.01), {0, 0, 0}, {1, 0, 0}, 2);
     CHECK_THROWS_WITH(add_body(model, beam.last(), 1.0, good),
                       Catch::Matchers::Contains("a node of its own"));
+    CHECK_THROWS_WITH(point_of_body(model, beam.last(), {1.0, 1.0, 0.0}),
+                      Catch::Matchers::Contains("a node of its own"));
     const NodeId body = model.add_node({1.0, 0.0, 0.0});
-    add_body(model, body, 1.0, good);
+    // a flat one, rounded
+    add_body(model, body, 1.0, diagonal(1.23457, 2.34568, 3.58026));
+    CHECK_THROWS_WITH(point_of_body(model, body, {1.0, not_a_number, 0.0}),
+                      Catch::Matchers::Contains("finite"));
     CHECK_THROWS_WITH(point_of_body(model, body, {1.0, 0.0, 0.0}),
                       Catch::Matchers::Contains("take that node"));
     PlanarModel plane;

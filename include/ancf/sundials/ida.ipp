@@ -101,9 +101,9 @@ private:
         constexpr double stable = 0.7;
         report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
         // a stiff joint carries no motion of its own, but its frequency would hold order 5's step
-        // down; the mass of a body has none, nor a mixed tangent
+        // down; a body, which has a position, has no stiffness
         for (const auto& group : problem_.model().groups())
-            if (group->one_node() && group->evaluates_mixed()) return 2;
+            if (group->one_node() && !group->fields().contains(Field::r)) return 2;
         if (slow_frequency_ == 0.0) return 5;
         double period = 2.0 * pi / slow_frequency_;
         // what is at rest may be driven far more slowly than it vibrates

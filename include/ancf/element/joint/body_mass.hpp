@@ -45,6 +45,13 @@ public:
     [[nodiscard]] Evaluation<S, dofs> evaluate(const Vector<S, dofs>& e) const noexcept {
         return {energy(e), force(e), Matrix<S, dofs>::Zero()};
     }
+    /// Returns zeros likewise: there is no stress.
+    template <class S>
+    [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
+                                                    const Vector<S, dofs>& /*before*/,
+                                                    const Vector<S, dofs>&) const noexcept {
+        return {evaluate(e), force(e)};
+    }
     /// Returns zero.
     template <class S>
     [[nodiscard]] Vector<S, dofs> force(const Vector<S, dofs>& /*e*/) const noexcept {

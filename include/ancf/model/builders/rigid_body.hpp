@@ -10,7 +10,11 @@
 ///     const auto pivot = ancf::point_of_body(model, hub, {0, 0, 2});
 ///     model.add(ancf::Revolute(model, pivot, {1, 0, 0}));
 ///
-/// docs/theory-dynamics.md, "Rigid bodies", derives their mass.
+/// Beams are attached to the node of a body, at their ends or between them, as a shaft is to its
+/// disc. Joints, loads and springs act at the node or at points of the body. What holds a body is
+/// a joint (Weld, Pin), not Scene::clamp or fix: they would repeat what keeps it rigid. A body on
+/// another one is added to a point of that one.
+/// docs/theory-dynamics.md, "Rigid bodies", derives the mass.
 
 #pragma once
 
@@ -21,26 +25,22 @@
 
 namespace ancf {
 
-/// Adds a body to a node.
+/// Makes a node a rigid body, or adds to the body that it is.
 ///
-/// A node without elements becomes a rigid body of its own: six multipliers (RigidNode) keep its
-/// slopes, the axes of the body, orthonormal. Attach beams to it, or join them by constraints:
-/// what is connected to the node itself shares these slopes.
-/// A node of elements with r_x, r_y and r_z carries the body, as a beam does a rotor, and bends on:
-/// there are no multipliers. Connect its elements first.
+/// Six multipliers, in the plane three, keep its slopes, the axes of the body, orthonormal
+/// (RigidNode). They are so in the reference, or a motion refuses the start.
+/// @param node     one without beams: attach these to it.
 /// @param mass     kg.
 /// @param inertia  moments and products of inertia about the centre of mass along the node's
 ///                 slopes, kg m^2: the diagonal holds int (y^2 + z^2) dm and so on, the rest
 ///                 -int x y dm and so on.
 /// @param centre   of mass, from the node along its slopes, m.
-/// @throws InvalidArgument for a mass that is not positive, an inertia that no body has, a centre
-///         that is not finite, a node of other elements, and of a node without elements an inertia
-///         that vanishes about an axis.
+/// @throws InvalidArgument for a node of other elements, a mass that is not positive, an inertia
+///         that no body has or that vanishes about an axis, and a centre that is not finite.
 void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
               const VectorArgument<3>& centre = {0.0, 0.0, 0.0});
 
-/// Adds a body to a node in the plane, likewise; three multipliers keep the slopes of a body of its
-/// own.
+/// Makes a node in the plane a rigid body likewise.
 /// @param inertia  int (x^2 + y^2) dm about the centre of mass, kg m^2.
 /// @throws InvalidArgument likewise.
 void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
@@ -49,8 +49,11 @@ void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
 /// Adds a node at a point of a body, for joints, loads and springs there. It has a frame along the
 /// global axes of the reference and follows the body without multipliers.
 /// @param point  where it stands in the reference, m.
-/// @throws InvalidArgument for a node that carries no body, and a point that is that node's.
+/// @throws InvalidArgument for a node that carries no body, and a point that is that node's or not
+///         finite.
 NodeId point_of_body(Model& model, NodeId body, const VectorArgument<3>& point);
+/// Adds a node at a point of a body in the plane likewise.
+/// @throws InvalidArgument likewise.
 NodeId point_of_body(PlanarModel& model, NodeId body, const VectorArgument<2>& point);
 
 }  // namespace ancf

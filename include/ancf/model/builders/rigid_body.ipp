@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/element/joint/body_mass.hpp>
 #include <ancf/error.hpp>
@@ -25,65 +26,76 @@ namespace detail {
     return 0.5 * inertia * Matrix<double, 2>::Identity();
 }
 
-/// Tells whether a symmetric matrix is positive definite.
+/// Returns P, lifted so that it is positive definite, of flat bodies too.
 template <int Dimension>
-[[nodiscard]] bool is_positive(Matrix<double, Dimension> p) {
-    for (int k = 0; k < Dimension; ++k) {
-        if (!(p(k, k) > 0.0)) return false;
-        for (int j = k + 1; j < Dimension; ++j)
-            for (int i = k + 1; i < Dimension; ++i) p(i, j) -= p(i, k) * p(k, j) / p(k, k);
+[[nodiscard]] Matrix<double, Dimension> lifted(const Matrix<double, Dimension>& second) {
+    const double trace = second.trace();
+    for (const double lift : {1e-9, 1e-5}) {  // the latter for figures of few digits
+        const Matrix<double, Dimension> p =
+            second + lift * trace * Matrix<double, Dimension>::Identity();
+        if (SmallCholesky<Dimension>(p).definite()) return p;
     }
-    return true;
+    reject(
+        "add_body: no body has this inertia: it is symmetric, and none of its principal moments "
+        "exceeds the sum of the others");
 }
 
-/// @param second  P about the centre of mass
+/// Returns whether a node carries a body.
+/// @throws InvalidArgument for a node that does not exist or is one of another element.
+template <int Dimension>
+[[nodiscard]] bool has_body(const char* call, const Scene& model, NodeId node) {
+    require(node.index >= 0 && node.index < model.nodes(), call, ": there are ", model.nodes(),
+            " nodes, got node ", node.index);
+    bool found = false;
+    for (const auto& group : model.groups())
+        for (const Connection& of : group->connections) {
+            if (of.first != node && of.second != node) continue;
+            require(group->template holds<BodyMass<Dimension>>(), call, ": node ", node.index,
+                    " is one of an element: give the body a node of its own there and attach the "
+                    "other one to it");
+            found = true;
+        }
+    return found;
+}
+
+/// Adds a body, of the second moments P about its centre of mass.
 template <int Dimension>
 void put_body(BasicModel<Dimension>& model, NodeId node, double mass,
               const Matrix<double, Dimension>& second, const Vector<double, Dimension>& centre) {
     using Body = BodyMass<Dimension>;
-    using Square = Matrix<double, Dimension>;
-    constexpr double round_off = 1e-9;
     require_positive("add_body: mass", mass);
     require_finite("add_body: the centre", components(centre));
-    require(node.index >= 0 && node.index < model.nodes(), "add_body: there are ", model.nodes(),
-            " nodes, got node ", node.index);
-    const double trace = second.trace();
-    const Square slack = round_off * trace * Square::Identity();
-    require(all_finite(second) && (second - second.transpose()).norm() <= round_off * trace &&
-                (trace == 0.0 || is_positive<Dimension>(second + slack)),
-            "add_body: no body has this inertia: it is symmetric, and none of its principal "
-            "moments exceeds the sum of the others");
-    const Fields carried = model.layout().fields(node.index);
-    const bool own = carried == Fields() || carried == Fields(Field::r);
-    require(own || carried.contains(Body::fields), "add_body: the elements at node ", node.index,
-            " do not have all slopes: give the body a node of its own and join it to that one");
-    require(!own || is_positive<Dimension>(trace * Square::Identity() - second - slack),
-            "add_body: a body of its own needs inertia about every axis; for a mass at a point "
-            "there is Model::add_mass");
-    const bool flat = own && !is_positive<Dimension>(second - slack);
+    require(all_finite(second) && (second - second.transpose()).norm() <= 1e-9 * second.trace(),
+            "add_body: the inertia must be finite and symmetric");
+    const Matrix<double, Dimension> about = lifted<Dimension>(second);
+    const bool again = has_body<Dimension>("add_body", model, node);
+    // P of a rod has one eigenvalue
+    require(SmallCholesky<Dimension>(
+                (1.0 - 1e-4) * about.trace() * Matrix<double, Dimension>::Identity() - about)
+                .definite(),
+            "add_body: a body needs inertia about every axis; for a mass at a point there is "
+            "Model::add_mass");
     typename Body::Moments moments;
     moments(0, 0) = mass;
     for (int i = 0; i < Dimension; ++i) {
         moments(0, 1 + i) = moments(1 + i, 0) = mass * centre[i];
         for (int j = 0; j < Dimension; ++j)
-            moments(1 + i, 1 + j) =
-                second(i, j) + (flat ? slack(i, j) : 0.0) + mass * centre[i] * centre[j];
+            moments(1 + i, 1 + j) = about(i, j) + mass * centre[i] * centre[j];
     }
     const double size = std::sqrt((moments.trace() - mass) / mass);
-    require(size > 0.0, "add_body: for a mass at a point there is Model::add_mass");
     model.template connect<Body>(model.add_prototype(Body(moments, size)), node, node);
-    if (own) model.add(RigidNode<Dimension>(node));
+    if (!again) model.add(RigidNode<Dimension>(node));
 }
 
 template <int Dimension>
 [[nodiscard]] NodeId put_point(BasicModel<Dimension>& model, NodeId body,
                                const Vector<double, Dimension>& point) {
     using Body = BodyMass<Dimension>;
-    require(body.index >= 0 && body.index < model.nodes() &&
-                model.layout().fields(body.index).contains(Body::fields),
-            "point_of_body: node ", body.index, " carries no body");
+    require(has_body<Dimension>("point_of_body", model, body), "point_of_body: node ", body.index,
+            " carries no body");
+    require_finite("point_of_body: the point", components(point));
     const double distance = span(Vector<double, Dimension>(point - model.position(body)));
-    require(distance > 0.0, "point_of_body: the point is that of node ", body.index,
+    require(distance != 0.0, "point_of_body: the point is that of node ", body.index,
             ": take that node");
     const NodeId node = model.add_node(point);
     const Body massless(Body::Moments::Zero(), distance);
