@@ -242,8 +242,10 @@ private:
             gather(middle_, place.at.read(), middle_q);
             const VectorX rate = change / h_;
             LoadResult result = result_of(load.load, {middle_q, rate, middle.time, matrix});
-            if (result.potential != 0.0 || result.period > 0.0) {
-                // a conservative load does the work by which its potential falls
+            // a conservative load does the work by which its potential falls; that of a one-sided
+            // load may be zero at the middle, or at an end
+            const bool shows = result.potential != 0.0 || result.period > 0.0;
+            if (shows || (load.load.symmetric() && !load.load.constant())) {
                 const auto potential = [&](const VectorX& q) {
                     gather(q, place.at.read(), end);
                     return result_of(load.load, {end, rate, middle.time, false}).potential;
@@ -253,7 +255,8 @@ private:
                 double fall = earlier - later;
                 if (result.period > 0.0)  // an angle that passes pi
                     fall -= result.period * std::round((fall - work) / result.period);
-                if (std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
+                if ((shows || earlier != 0.0 || later != 0.0) &&
+                    std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
                     correct_gradient(model.dimension(), fall, middle_q, change, place.invariant,
                                      place.power, length_, result.force);
             }
