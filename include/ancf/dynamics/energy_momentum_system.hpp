@@ -190,12 +190,21 @@ private:
     [[nodiscard]] bool is_invariant(const AnyLoad& load, const LocalLoad& local) const {
         const double time = problem_.model().state().time;
         if (load.constant()) return false;
-        return is_invariant(local, 0.1, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
-            const LoadResult out = result_of(load, {q, VectorX::Zero(q.size()), time, false});
-            const double none = std::numeric_limits<double>::quiet_NaN();
-            values.setConstant(1, out.potential != 0.0 ? out.potential : none);
-            gradients = -out.force.transpose();
-        });
+        // a stop or a slack rope shows its potential where its points are nearer, or farther apart
+        for (const double strain : {0.1, -0.5, -0.9, 9.0}) {
+            bool shows = false;
+            const bool found = is_invariant(
+                local, strain, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
+                    const LoadResult out =
+                        result_of(load, {q, VectorX::Zero(q.size()), time, false});
+                    const double none = std::numeric_limits<double>::quiet_NaN();
+                    shows = shows || out.potential != 0.0;
+                    values.setConstant(1, out.potential != 0.0 ? out.potential : none);
+                    gradients = -out.force.transpose();
+                });
+            if (shows) return found;
+        }
+        return false;
     }
 
     [[nodiscard]] bool is_invariant(const AnyConstraint& constraint, const LocalLoad& local) const {
