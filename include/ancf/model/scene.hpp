@@ -257,6 +257,9 @@ public:
     /// Of a node with r_z in space, or r_y in the plane, these are r and all slopes across: r_x
     /// stays its own, so that each beam at a joint has its own stretch. Of a node with r_y alone in
     /// space, r, r_x and r_y. Of a node of cables r alone, which is a pin.
+    ///
+    /// A node beside a beam's end along its axis follows r_x, which stretches: the more, the finer
+    /// the mesh. Attach it to a joint of frame(): docs/limits.md, "Frames".
     /// @param end    connect its elements, or add its mass, first.
     /// @param joint  gets the vectors that are followed; docs/theory-frames.md says which joint
     ///               needs a stiffness of its own.
