@@ -259,7 +259,7 @@ public:
     /// space, r, r_x and r_y. Of a node of cables r alone, which is a pin.
     ///
     /// A node beside a beam's end along its axis follows r_x, which stretches: the more, the finer
-    /// the mesh. Attach it to a joint of frame(): docs/limits.md, "Frames".
+    /// the mesh. Attach it to a body or a joint of frame(): docs/limits.md, "Frames".
     /// @param end    connect its elements, or add its mass, first.
     /// @param joint  gets the vectors that are followed; docs/theory-frames.md says which joint
     ///               needs a stiffness of its own.
