@@ -894,4 +894,28 @@ TEST_CASE("richardson: finds limit, error and order of a power of the mesh", "[r
         CHECK_THROWS_AS(ancf::richardson(power, elements), ancf::InvalidArgument);
 }
 
+TEST_CASE("natural_modes: constraints that hold everything leave no modes", "[modal]") {
+    // a mass at a node on three links in space
+    using Point = ancf::Vector<double, 3>;
+    const Point along = Point(2.0, -1.0, 3.0) / std::sqrt(14.0);
+    const auto modes = [&](const std::array<Point, 3>& links) {
+        Scene model;
+        const auto node = model.add_node({0.3, -0.2, 0.1});
+        model.add_mass(node, 2.0);
+        for (const Point& link : links)
+            model.add(ancf::Distance<3>(node, Point(model.position(node) + link), link.norm()));
+        ancf::EigenLu solver;
+        return ancf::natural_modes(model, solver, four_modes());
+    };
+    const auto held = modes({along, Point(0.0, 0.7, 0.2), Point(1.0, 0.0, -0.4)});
+    CHECK(held.status == Status::converged);
+    CHECK(held.modes.empty());
+    CHECK(held.message.empty());
+
+    // two links in a line hold one direction between them: the mass moves along another
+    const auto loose = modes({along, Point(-0.6 * along), Point(1.0, 0.0, -0.4)});
+    CHECK(loose.status == Status::singular);
+    CHECK_FALSE(loose.message.empty());
+}
+
 }  // namespace modal_test

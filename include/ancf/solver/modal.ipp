@@ -237,11 +237,13 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
     };
-    ModalReport report =
-        detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value), model,
-                           assembly, A, solver, high, remedy);
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
-    const int wanted = std::min(options.count, std::max(left, 1));
+    ModalReport report;
+    if (left != 0)  // else a matrix that is not singular has constraints that hold everything
+        report =
+            detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value),
+                               model, assembly, A, solver, high, remedy);
+    const int wanted = std::min(options.count, std::max(left, 0));
     const auto found = static_cast<int>(report.modes.size());
     if (report.status == Status::converged && found < wanted)
         report.message = detail::joined(
