@@ -179,6 +179,21 @@ TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies", "[m
     CHECK(report.violation < 1e-9);
 }
 
+TEST_CASE("add_body: by energy-momentum a spinning body falls back by (w h)^2/12 of its turns",
+          "[model][body]") {
+    constexpr double speed = 50.0, step = 2e-3, end = 1.0;
+    Model model;
+    const NodeId body = model.add_node({0.0, 0.0, 0.0});
+    add_body(model, body, 1.0, diagonal(0.1, 0.1, 0.2));
+    model.set_rigid_rates(Point::Zero(), Point(0.0, 0.0, speed));
+    EnergyMomentumOptions options;
+    options.step = step;
+    run(model, EnergyMomentum(options), end);
+    const Point x = model.value(body, Field::r_x);
+    const double ahead = std::remainder(std::atan2(x[1], x[0]) - speed * end, 2.0 * pi);
+    CHECK(-ahead == Approx(speed * end * std::pow(speed * step, 2) / 12.0).epsilon(0.02));
+}
+
 TEST_CASE("add_body: a body at the end of a light beam swings and sags", "[model][body][modal]") {
     // without mass of its own the beam is K = E I/L^3 [12, -6 L; -6 L, 4 L^2] of (w, w')
     constexpr double length = 1.0, mass = 2.0, inertia = 0.3, centre = 0.2;
@@ -340,8 +355,25 @@ TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][b
                       Catch::Matchers::Contains("finite"));
     CHECK_THROWS_WITH(point_of_body(model, body, {1.0, 0.0, 0.0}),
                       Catch::Matchers::Contains("take that node"));
+    CHECK_THROWS_WITH(model.pin(point_of_body(model, body, {2.0, 0.0, 0.0})),
+                      Catch::Matchers::Contains("a joint such as Pin"));
+    const NodeId twice = model.add_node({0.0, 0.0, 0.0}, 2.0 * good);
+    CHECK_THROWS_WITH(add_body(model, twice, 1.0, good), Catch::Matchers::Contains("orthonormal"));
     PlanarModel plane;
     CHECK_THROWS_AS(add_body(plane, plane.add_node({0.0, 0.0}), 1.0, -1.0), InvalidArgument);
+}
+
+TEST_CASE("point_of_body: the point is one of the reference, wherever the body is",
+          "[model][body]") {
+    Model model;
+    const NodeId body = model.add_node({1.0, 0.0, 0.0});
+    add_body(model, body, 1.0, diagonal(1.0, 1.0, 1.0));
+    model.set_value(body, Field::r, {3.0, 0.0, 0.0});
+    const NodeId point = point_of_body(model, body, {3.0, 0.0, 0.0});
+    CHECK(model.position(point) == Point(5.0, 0.0, 0.0));
+    CHECK(model.reference(point, Field::r) == Point(3.0, 0.0, 0.0));
+    CHECK_THROWS_AS(point_of_body(model, body, {1.0, 0.0, 0.0}), InvalidArgument);
+    CHECK_THROWS_AS(model.reference(NodeId{9}, Field::r), InvalidArgument);
 }
 
 }  // namespace rigid_body_test

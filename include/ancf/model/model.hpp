@@ -125,6 +125,12 @@ public:
 
     // Where a scene is ------------------------------------------------------------------------
 
+    /// Returns one vector of a node in the reference, as the node was added.
+    /// @throws InvalidArgument for a node that does not exist.
+    [[nodiscard]] Point reference(NodeId node, Field field) const {
+        return Eigen::Map<const Point>(vector_added(node, field));
+    }
+
     /// Returns one vector of a node as it stands now.
     /// @throws InvalidArgument where the node does not carry it, and for a state of another model.
     [[nodiscard]] Point value(NodeId node, Field field) const {

@@ -418,6 +418,12 @@ protected:
     /// Returns the components of a vector as it stands now.
     [[nodiscard]] const double* vector_now(NodeId node, Field field) const;
 
+    /// Returns the components of a vector in the reference.
+    [[nodiscard]] const double* vector_added(NodeId node, Field field) const {
+        check(node);
+        return initial_[node.index].vectors.data() + 3 * static_cast<int>(field);
+    }
+
     /// @throws InvalidArgument for an attached vector.
     void check_unattached(const char* call, NodeId node, Field field) const;
 

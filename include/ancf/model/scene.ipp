@@ -353,7 +353,8 @@ ANCF_INLINE std::array<double, 3> Scene::by_slopes(NodeId node, const double* v)
 ANCF_INLINE void Scene::check_unattached(const char* call, NodeId node, Field field) const {
     if (const AttachedVector* const attached = attachment_of(node, field))
         detail::reject("Model::", call, ": ", to_string(field), " of node ", node.index,
-                       " is attached to node ", attached->to.index, ": take that node instead");
+                       " is attached to node ", attached->to.index,
+                       ": take that node, or hold this one by a joint such as Pin");
 }
 
 ANCF_INLINE const AttachedVector* Scene::attachment_of(NodeId node, Field field) const noexcept {

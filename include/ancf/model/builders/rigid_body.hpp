@@ -11,9 +11,10 @@
 ///     model.add(ancf::Revolute(model, pivot, {1, 0, 0}));
 ///
 /// Beams are attached to the node of a body, at their ends or between them, as a shaft is to its
-/// disc. Joints, loads and springs act at the node or at points of the body. What holds a body is
-/// a joint (Weld, Pin), not Scene::clamp or fix: they would repeat what keeps it rigid. A body on
-/// another one is added to a point of that one.
+/// disc. Joints, loads and springs act at the node or at points of the body. The node can be
+/// pinned; what holds its slopes is a joint such as Weld, not Scene::clamp: it would repeat what
+/// keeps the body rigid. Points are held by joints. A body on another one is added to a point of
+/// that one.
 /// docs/theory-dynamics.md, "Rigid bodies", derives the mass.
 
 #pragma once
@@ -28,15 +29,16 @@ namespace ancf {
 /// Makes a node a rigid body, or adds to the body that it is.
 ///
 /// Six multipliers, in the plane three, keep its slopes, the axes of the body, orthonormal
-/// (RigidNode). They are so in the reference, or a motion refuses the start.
+/// (RigidNode, which counts among the constraints of the scene).
 /// @param node     one without beams: attach these to it.
 /// @param mass     kg.
 /// @param inertia  moments and products of inertia about the centre of mass along the node's
 ///                 slopes, kg m^2: the diagonal holds int (y^2 + z^2) dm and so on, the rest
 ///                 -int x y dm and so on.
 /// @param centre   of mass, from the node along its slopes, m.
-/// @throws InvalidArgument for a node of other elements, a mass that is not positive, an inertia
-///         that no body has or that vanishes about an axis, and a centre that is not finite.
+/// @throws InvalidArgument for a node of other elements or whose slopes in the reference are not
+///         orthonormal, a mass that is not positive, an inertia that no body has or that vanishes
+///         about an axis, and a centre that is not finite.
 void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
               const VectorArgument<3>& centre = {0.0, 0.0, 0.0});
 

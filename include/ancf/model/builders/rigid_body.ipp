@@ -68,7 +68,14 @@ void put_body(BasicModel<Dimension>& model, NodeId node, double mass,
     require(all_finite(second) && (second - second.transpose()).norm() <= 1e-9 * second.trace(),
             "add_body: the inertia must be finite and symmetric");
     const Matrix<double, Dimension> about = lifted<Dimension>(second);
+    Matrix<double, Dimension> axes;
     const bool again = has_body<Dimension>("add_body", model, node);
+    for (int k = 0; k < Dimension; ++k)
+        axes.col(k) = model.reference(node, static_cast<Field>(1 + k));
+    require((axes.transpose() * axes - Matrix<double, Dimension>::Identity()).norm() <= 1e-6,
+            "add_body: the slopes of node ", node.index,
+            " are the axes of the body: they must be orthonormal, got (by columns) ",
+            components(axes));
     // P of a rod has one eigenvalue
     require(SmallCholesky<Dimension>(
                 (1.0 - 1e-4) * about.trace() * Matrix<double, Dimension>::Identity() - about)
@@ -94,7 +101,8 @@ template <int Dimension>
     require(has_body<Dimension>("point_of_body", model, body), "point_of_body: node ", body.index,
             " carries no body");
     require_finite("point_of_body: the point", components(point));
-    const double distance = span(Vector<double, Dimension>(point - model.position(body)));
+    const double distance =
+        span(Vector<double, Dimension>(point - model.reference(body, Field::r)));
     require(distance != 0.0, "point_of_body: the point is that of node ", body.index,
             ": take that node");
     const NodeId node = model.add_node(point);
