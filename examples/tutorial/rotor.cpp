@@ -32,8 +32,8 @@ int main() {
     model.attach(shaft.node(2), disc);
     ancf::add_drag(model, shaft, 200.0);  // N s/m^2
 
-    // a motor at one end turns it by angle, up to 100 rad/s in one second; the other end slides in
-    // a bearing that keeps its direction
+    // a motor turns the first end, up to 100 rad/s in one second: the node turns by -angle; the
+    // other end slides in a bearing that keeps its direction
     const double speed = 100.0;  // rad/s
     const auto rate = [=](double t) { return t < 1.0 ? speed * t * t * (3.0 - 2.0 * t) : speed; };
     const ancf::Motion angle{
@@ -47,6 +47,7 @@ int main() {
     model.add(ancf::AlignedTangent(model, shaft.last()));
 
     ancf::EigenLu solver;
+    // at mid-span the disc does not tilt: the critical speed is the frequency at rest
     ancf::ModalOptions modal;
     modal.count = 1;
     const double critical = std::sqrt(ancf::natural_modes(model, solver, modal).modes[0].value);

@@ -104,8 +104,8 @@ TEST_CASE("add_body: in the plane likewise", "[model][body]") {
 }
 
 TEST_CASE("add_body: a free disc, flat or thick, precesses as a symmetric top", "[model][body]") {
-    const double third = GENERATE(0.2, 0.1, 0.05);  // kg m^2 about the axis; of the first P_zz = 0
-    const Square inertia = diagonal(0.1, 0.1, third);
+    const double polar = GENERATE(0.2, 0.1, 0.05);  // kg m^2; 0.2 is that of a flat disc
+    const Square inertia = diagonal(0.1, 0.1, polar);
     Model model;
     const NodeId body = model.add_node({0.0, 0.0, 0.0});
     add_body(model, body, 2.0, inertia);
@@ -191,7 +191,8 @@ TEST_CASE("add_body: by energy-momentum a spinning body falls back by (w h)^2/12
     run(model, EnergyMomentum(options), end);
     const Point x = model.value(body, Field::r_x);
     const double ahead = std::remainder(std::atan2(x[1], x[0]) - speed * end, 2.0 * pi);
-    CHECK(-ahead == Approx(speed * end * std::pow(speed * step, 2) / 12.0).epsilon(0.02));
+    // a step turns it by 2 atan(w h/2): the next term is 1.5e-3 of this one
+    CHECK(-ahead == Approx(speed * end * std::pow(speed * step, 2) / 12.0).epsilon(2e-3));
 }
 
 TEST_CASE("add_body: a body at the end of a light beam swings and sags", "[model][body][modal]") {
@@ -236,7 +237,8 @@ TEST_CASE("add_body: a body at the end of a light beam swings and sags", "[model
     CHECK(model.position(beam.last())[2] == Approx(-sag).epsilon(1e-3));
 }
 
-TEST_CASE("add_body: a disc on a shaft has the same modes on every mesh", "[model][body][modal]") {
+TEST_CASE("add_body: a disc that tilts on a shaft has one frequency with 4 and 64 elements",
+          "[model][body][modal]") {
     const auto frequency = [](int elements) {
         Model model;
         const auto shaft =
@@ -268,7 +270,7 @@ TEST_CASE("add_body: a body without load leaves buckling loads as they are",
         if (with_body) {
             const NodeId body = model.add_node({1.0, 0.0, 0.0});
             add_body(model, body, 1e-3, diagonal(1.0, 1.0, 1.0));
-            model.add(Weld(model, column.first(), body));
+            model.add(Weld(model, column.last(), body));
         }
         EigenLu solver;
         const ModalReport report = buckling_modes(model, solver);
@@ -278,8 +280,8 @@ TEST_CASE("add_body: a body without load leaves buckling loads as they are",
     CHECK(load(true) == Approx(load(false)).epsilon(1e-9));
 }
 
-TEST_CASE("add_body: a compound pendulum in the plane, also by leapfrog", "[model][body]") {
-    // from rest at the height of its pivot: w^2 = 2 m g d/(J + m d^2) at the lowest point
+TEST_CASE("add_body: a compound pendulum in the plane by leapfrog", "[model][body]") {
+    // from rest at the height of its pivot: it gains what its weight does
     constexpr double mass = 2.0, inertia = 0.1, arm = 0.4;
     PlanarModel model;
     const NodeId body = model.add_node({arm, 0.0});
@@ -296,6 +298,10 @@ TEST_CASE("add_body: a compound pendulum in the plane, also by leapfrog", "[mode
     REQUIRE(report.status == Status::converged);
     CHECK(report.kinetic_largest == Approx(mass * g * arm).epsilon(1e-4));
     CHECK(report.energy_drift < 1e-6 * mass * g * arm);
+    // the rate at the end has the inertia about the pivot
+    const double rate = model.velocity(body).norm() / arm;
+    CHECK(0.5 * (inertia + mass * arm * arm) * rate * rate ==
+          Approx(-mass * g * model.position(body)[1]).epsilon(1e-5));
 }
 
 TEST_CASE("add_body: a free body by leapfrog, whose multipliers are none", "[model][body]") {
@@ -325,13 +331,13 @@ TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][b
     };
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
     const Square good = diagonal(1.0, 1.0, 1.0);
-    Square skew = good;
-    skew(0, 1) = 0.1;
+    Square unsymmetric = good;
+    unsymmetric(0, 1) = 0.1;
     says("mass", [&](Model& of, NodeId at) { add_body(of, at, 0.0, good); });
     says("centre", [&](Model& of, NodeId at) {
         add_body(of, at, 1.0, good, {not_a_number, 0, 0});
     });
-    says("symmetric", [&](Model& of, NodeId at) { add_body(of, at, 1.0, skew); });
+    says("symmetric", [&](Model& of, NodeId at) { add_body(of, at, 1.0, unsymmetric); });
     says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(1.0, 1.0, 2.1)); });
     says("finite", [&](Model& of, NodeId at) { add_body(of, at, 1.0, not_a_number * good); });
     says("no body", [&](Model& of, NodeId at) { add_body(of, at, 1.0, diagonal(-1.0, 1.0, 1.0)); });
@@ -360,7 +366,8 @@ TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][b
     const NodeId twice = model.add_node({0.0, 0.0, 0.0}, 2.0 * good);
     CHECK_THROWS_WITH(add_body(model, twice, 1.0, good), Catch::Matchers::Contains("orthonormal"));
     PlanarModel plane;
-    CHECK_THROWS_AS(add_body(plane, plane.add_node({0.0, 0.0}), 1.0, -1.0), InvalidArgument);
+    CHECK_THROWS_WITH(add_body(plane, plane.add_node({0.0, 0.0}), 1.0, -1.0),
+                      Catch::Matchers::Contains("inertia must be positive"));
 }
 
 TEST_CASE("point_of_body: the point is one of the reference, wherever the body is",

@@ -190,7 +190,7 @@ private:
     [[nodiscard]] bool is_invariant(const AnyLoad& load, const LocalLoad& local) const {
         const double time = problem_.model().state().time;
         if (load.constant()) return false;
-        // a stop or a slack rope shows its potential where its points are nearer, or farther apart
+        // a stop shows its potential where its points are nearer, a slack rope farther apart
         for (const double strain : {0.1, -0.5, -0.9, 9.0}) {
             bool shows = false;
             const bool found = is_invariant(
@@ -251,8 +251,8 @@ private:
             gather(middle_, place.at.read(), middle_q);
             const VectorX rate = change / h_;
             LoadResult result = result_of(load.load, {middle_q, rate, middle.time, matrix});
-            // a conservative load does the work by which its potential falls; that of a one-sided
-            // load may be zero at the middle, or at an end
+            // a conservative load does the work by which its potential falls; the potential of a
+            // one-sided load may be zero at the middle or at an end
             const bool shows = result.potential != 0.0 || result.period > 0.0;
             if (shows || (load.load.symmetric() && !load.load.constant())) {
                 const auto potential = [&](const VectorX& q) {

@@ -50,7 +50,7 @@ using LinearMap = std::function<VectorX(const VectorX&)>;
         const double quotient = std::abs(x.dot(force)) / (square * factor * factor);
         const bool settled = k > 5 && std::abs(quotient - estimate) <= 1e-3 * quotient;
         estimate = std::max(quotient, estimate);
-        constexpr double nothing = 1e-150;  // 1/s^2: round-off whose square would vanish
+        constexpr double nothing = 1e-150;  // 1/s^2: round-off, whose square underflows
         if (settled || quotient < nothing) break;
         x = solve_mass(force);
     }

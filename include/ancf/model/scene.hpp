@@ -258,8 +258,8 @@ public:
     /// stays its own, so that each beam at a joint has its own stretch. Of a node with r_y alone in
     /// space, r, r_x and r_y. Of a node of cables r alone, which is a pin.
     ///
-    /// A node beside a beam's end along its axis follows r_x, which stretches: the more, the finer
-    /// the mesh. Attach it to a body or a joint of frame(): docs/limits.md, "Frames".
+    /// A node on the axis beyond a beam's end follows r_x, which stretches: more on finer meshes.
+    /// Attach it to a rigid body or to a joint of frame(): docs/limits.md, "Frames".
     /// @param end    connect its elements, or add its mass, first.
     /// @param joint  gets the vectors that are followed; docs/theory-frames.md says which joint
     ///               needs a stiffness of its own.

@@ -52,8 +52,8 @@ struct Mode {
 struct ModalReport {
     Status status = Status::converged;  ///< why it ended
     std::vector<Mode> modes;     ///< by rising value, of buckling by rising magnitude; none where
-                                 ///< supports, or constraints of vibrations, hold everything, or
-                                 ///< the status is neither converged nor max_iterations
+                                 ///< supports hold everything, of vibrations also where constraints
+                                 ///< do, or the status is neither converged nor max_iterations
     int iterations = 0;          ///< solutions with the whole subspace
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     std::string message = {};    ///< what failed; of a singular tangent, what moves without

@@ -239,7 +239,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     };
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     ModalReport report;
-    if (left != 0)  // else a matrix that is not singular has constraints that hold everything
+    if (left != 0)  // 0: the matrix is regular, so constraints hold everything
         report =
             detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value),
                                model, assembly, A, solver, high, remedy);

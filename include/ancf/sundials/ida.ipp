@@ -101,7 +101,7 @@ private:
         constexpr double stable = 0.7;
         report_.highest_frequency = problem_.highest_frequency(start_.time, start_.q);
         // a stiff joint carries no motion of its own, but its frequency would hold order 5's step
-        // down; a body, which has a position, has no stiffness
+        // down; a rigid body, of one node too, has a position and no stiffness
         for (const auto& group : problem_.model().groups())
             if (group->one_node() && !group->fields().contains(Field::r)) return 2;
         if (slow_frequency_ == 0.0) return 5;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// The inertia of a rigid body whose frame are the slopes of a node.
+/// The inertia of a rigid body. The slopes of its node are its frame.
 ///
 /// Its point at (x, y, z) of that frame stands at r + x r_x + y r_y + z r_z, so its mass matrix is
 /// constant: docs/theory-dynamics.md, "Rigid bodies".
@@ -12,13 +12,12 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
-#include <ancf/error.hpp>
 #include <ancf/types.hpp>
 
 namespace ancf::detail {
 
 /// The mass of a body at one node, without stiffness. As an element it stands between that node and
-/// itself: its coordinates are the node's twice, of which the second ones have no effect.
+/// itself. Its coordinates are those of the node, twice; the second half has no effect.
 template <int Dimension>
 class BodyMass {
 public:
@@ -30,7 +29,7 @@ public:
                        : Field::r | Field::r_x | Field::r_y | Fields(Field::r_z);  ///< of its node
 
     using Coordinates = Vector<double, dofs>;  ///< r, r_x, r_y (and r_z), then the same again
-    /// Of the coordinates (1, x, y, z) of a body's points.
+    /// int (1, x, y, z)^T (1, x, y, z) dm.
     using Moments = Matrix<double, 1 + Dimension>;
 
     /// @param moments  int (1, x, y, z)^T (1, x, y, z) dm: kg, kg m and kg m^2.

@@ -10,11 +10,10 @@
 ///     const auto pivot = ancf::point_of_body(model, hub, {0, 0, 2});
 ///     model.add(ancf::Revolute(model, pivot, {1, 0, 0}));
 ///
-/// Beams are attached to the node of a body, at their ends or between them, as a shaft is to its
-/// disc. Joints, loads and springs act at the node or at points of the body. The node can be
-/// pinned; what holds its slopes is a joint such as Weld, not Scene::clamp: it would repeat what
-/// keeps the body rigid. Points are held by joints. A body on another one is added to a point of
-/// that one.
+/// Beams are attached to the node of a body, at their ends or between them. Joints, loads and
+/// springs act at this node or at points of the body. Hold the node by Scene::pin or by a joint
+/// such as Weld, not by Scene::clamp: a clamp repeats the equations of RigidNode. Hold points by
+/// joints. To fix a second body to a body, give a point of the first one to add_body.
 /// docs/theory-dynamics.md, "Rigid bodies", derives the mass.
 
 #pragma once
@@ -48,8 +47,8 @@ void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& i
 void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
               const VectorArgument<2>& centre = {0.0, 0.0});
 
-/// Adds a node at a point of a body, for joints, loads and springs there. It has a frame along the
-/// global axes of the reference and follows the body without multipliers.
+/// Adds a node at a point of a body, for joints, loads and springs. The node follows the body
+/// without multipliers. Its frame is along X, Y and Z in the reference.
 /// @param point  where it stands in the reference, m.
 /// @throws InvalidArgument for a node that carries no body, and a point that is that node's or not
 ///         finite.

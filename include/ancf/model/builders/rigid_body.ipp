@@ -21,7 +21,7 @@ namespace detail {
     return 0.5 * inertia.trace() * Matrix<double, 3>::Identity() - inertia;
 }
 
-/// In the plane the energy of a rigid motion has the trace of P alone.
+/// Returns P of a body in the plane. Only its trace, the inertia, has an effect.
 [[nodiscard]] ANCF_INLINE Matrix<double, 2> second_moments(double inertia) {
     return 0.5 * inertia * Matrix<double, 2>::Identity();
 }
@@ -30,14 +30,13 @@ namespace detail {
 template <int Dimension>
 [[nodiscard]] Matrix<double, Dimension> lifted(const Matrix<double, Dimension>& second) {
     const double trace = second.trace();
-    for (const double lift : {1e-9, 1e-5}) {  // the latter for figures of few digits
+    for (const double lift : {1e-9, 1e-5}) {  // 1e-5 for figures of few digits
         const Matrix<double, Dimension> p =
             second + lift * trace * Matrix<double, Dimension>::Identity();
         if (SmallCholesky<Dimension>(p).definite()) return p;
     }
     reject(
-        "add_body: no body has this inertia: it is symmetric, and none of its principal moments "
-        "exceeds the sum of the others");
+        "add_body: no body has this inertia: no principal moment may exceed the sum of the others");
 }
 
 /// Returns whether a node carries a body.
@@ -76,7 +75,7 @@ void put_body(BasicModel<Dimension>& model, NodeId node, double mass,
             "add_body: the slopes of node ", node.index,
             " are the axes of the body: they must be orthonormal, got (by columns) ",
             components(axes));
-    // P of a rod has one eigenvalue
+    // P of a rod has one eigenvalue that is not zero, the trace; 1e-4 is above the lift
     require(SmallCholesky<Dimension>(
                 (1.0 - 1e-4) * about.trace() * Matrix<double, Dimension>::Identity() - about)
                 .definite(),
@@ -89,11 +88,13 @@ void put_body(BasicModel<Dimension>& model, NodeId node, double mass,
         for (int j = 0; j < Dimension; ++j)
             moments(1 + i, 1 + j) = about(i, j) + mass * centre[i] * centre[j];
     }
+    // radius of gyration about the node, m
     const double size = std::sqrt((moments.trace() - mass) / mass);
     model.template connect<Body>(model.add_prototype(Body(moments, size)), node, node);
     if (!again) model.add(RigidNode<Dimension>(node));
 }
 
+/// Adds a node without mass that is attached to a body.
 template <int Dimension>
 [[nodiscard]] NodeId put_point(BasicModel<Dimension>& model, NodeId body,
                                const Vector<double, Dimension>& point) {
@@ -121,6 +122,7 @@ ANCF_INLINE void add_body(Model& model, NodeId node, double mass, const Matrix<d
 
 ANCF_INLINE void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
                           const VectorArgument<2>& centre) {
+    detail::require_positive("add_body: inertia", inertia);
     detail::put_body<2>(model, node, mass, detail::second_moments(inertia), centre);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents; and
-/// sections that keep their shape, as Reissner's beam has them.
+/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents;
+/// sections that keep their shape, as Reissner's beam has them, and rigid nodes.
 ///
 /// Each holds the nodes' positions together and some angles between their frames by bilinear forms
 /// of the frames' axes. Axes are given in global components as they stand when the joint is made;
@@ -304,7 +304,7 @@ protected:
 
 private:
     [[nodiscard]] int count() const { return static_cast<int>(slopes_.size()); }
-    // Calls with each equation and its two slopes.
+    // Calls visit(row, a, b) for each equation, the product of slopes a and b.
     template <class Visit>
     void for_each_product(const Visit& visit) const;
 
