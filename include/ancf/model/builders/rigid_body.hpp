@@ -18,6 +18,7 @@
 
 #pragma once
 
+#include <ancf/compiler.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/types.hpp>
@@ -38,24 +39,24 @@ namespace ancf {
 /// @throws InvalidArgument for a node of other elements or whose slopes in the reference are not
 ///         orthonormal, a mass that is not positive, an inertia that no body has or that vanishes
 ///         about an axis, and a centre that is not finite.
-void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
-              const VectorArgument<3>& centre = {0.0, 0.0, 0.0});
+ANCF_LAZY void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
+                        const VectorArgument<3>& centre = {0.0, 0.0, 0.0});
 
 /// Makes a node in the plane a rigid body likewise.
 /// @param inertia  int (x^2 + y^2) dm about the centre of mass, kg m^2.
 /// @throws InvalidArgument likewise.
-void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
-              const VectorArgument<2>& centre = {0.0, 0.0});
+ANCF_LAZY void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
+                        const VectorArgument<2>& centre = {0.0, 0.0});
 
 /// Adds a node at a point of a body, for joints, loads and springs. The node follows the body
 /// without multipliers. Its frame is along X, Y and Z in the reference.
 /// @param point  where it stands in the reference, m.
 /// @throws InvalidArgument for a node that carries no body, and a point that is that node's or not
 ///         finite.
-NodeId point_of_body(Model& model, NodeId body, const VectorArgument<3>& point);
+ANCF_LAZY NodeId point_of_body(Model& model, NodeId body, const VectorArgument<3>& point);
 /// Adds a node at a point of a body in the plane likewise.
 /// @throws InvalidArgument likewise.
-NodeId point_of_body(PlanarModel& model, NodeId body, const VectorArgument<2>& point);
+ANCF_LAZY NodeId point_of_body(PlanarModel& model, NodeId body, const VectorArgument<2>& point);
 
 }  // namespace ancf
 

@@ -115,22 +115,22 @@ template <int Dimension>
 
 }  // namespace detail
 
-ANCF_INLINE void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
-                          const VectorArgument<3>& centre) {
+ANCF_LAZY void add_body(Model& model, NodeId node, double mass, const Matrix<double, 3>& inertia,
+                        const VectorArgument<3>& centre) {
     detail::put_body<3>(model, node, mass, detail::second_moments(inertia), centre);
 }
 
-ANCF_INLINE void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
-                          const VectorArgument<2>& centre) {
+ANCF_LAZY void add_body(PlanarModel& model, NodeId node, double mass, double inertia,
+                        const VectorArgument<2>& centre) {
     detail::require_positive("add_body: inertia", inertia);
     detail::put_body<2>(model, node, mass, detail::second_moments(inertia), centre);
 }
 
-ANCF_INLINE NodeId point_of_body(Model& model, NodeId body, const VectorArgument<3>& point) {
+ANCF_LAZY NodeId point_of_body(Model& model, NodeId body, const VectorArgument<3>& point) {
     return detail::put_point<3>(model, body, point);
 }
 
-ANCF_INLINE NodeId point_of_body(PlanarModel& model, NodeId body, const VectorArgument<2>& point) {
+ANCF_LAZY NodeId point_of_body(PlanarModel& model, NodeId body, const VectorArgument<2>& point) {
     return detail::put_point<2>(model, body, point);
 }
 
