@@ -16,7 +16,7 @@ namespace ancf {
 
 namespace detail {
 
-/// Returns int (x, y, z)^T (x, y, z) dm about the centre of mass: P = tr(J)/2 - J.
+/// Returns int (x, y, z)^T (x, y, z) dm about the centre of mass: P = tr(J)/2 I - J.
 [[nodiscard]] ANCF_INLINE Matrix<double, 3> second_moments(const Matrix<double, 3>& inertia) {
     return 0.5 * inertia.trace() * Matrix<double, 3>::Identity() - inertia;
 }
@@ -67,8 +67,8 @@ void put_body(BasicModel<Dimension>& model, NodeId node, double mass,
     require(all_finite(second) && (second - second.transpose()).norm() <= 1e-9 * second.trace(),
             "add_body: the inertia must be finite and symmetric");
     const Matrix<double, Dimension> about = lifted<Dimension>(second);
-    Matrix<double, Dimension> axes;
     const bool again = has_body<Dimension>("add_body", model, node);
+    Matrix<double, Dimension> axes;
     for (int k = 0; k < Dimension; ++k)
         axes.col(k) = model.reference(node, static_cast<Field>(1 + k));
     require((axes.transpose() * axes - Matrix<double, Dimension>::Identity()).norm() <= 1e-6,
