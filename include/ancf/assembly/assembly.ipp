@@ -184,9 +184,12 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
     for (std::size_t k = 0; k < load_coordinates_.size(); ++k)
         if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k].acted());
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
-        couple_all(constraint_coordinates_[k].acted());
-        for (const int block : blocks)
-            pairs.push_back({block, numbering_.constraint_block(static_cast<int>(k))});
+        for (const Coupling& part : model_.constraints()[k].stiffness_parts())
+            couple_all(detail::LocalCoordinates(model_.layout(), model_.dependence(), part, "part")
+                           .acted());
+        for (const int coordinate : constraint_coordinates_[k].acted())
+            pairs.push_back(
+                {numbering_.block(coordinate), numbering_.constraint_block(static_cast<int>(k))});
     }
     pattern_ = BlockPattern(numbering_.block_sizes(), pairs, storage);
 }

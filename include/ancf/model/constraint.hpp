@@ -73,6 +73,10 @@ using ConstraintMembers =
 template <class T>
 using DrivenAngle = decltype(double(some<T>().driven_angle(0.0)));
 
+/// Of a constraint whose stiffness couples some of its vectors.
+template <class T>
+using StiffnessParts = decltype(std::vector<Coupling>(some<T>().stiffness_parts()));
+
 /// Of a constraint that tells g, G and g_t alone.
 template <class T>
 using TermsMember = decltype(some<T>().terms(some<VectorX>(), some<double>(),
@@ -98,6 +102,8 @@ inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers
 /// Optional members: `static constexpr int dimension`, of the models it belongs to.
 /// `double driven_angle(double time) const`, rad: the angle that it drives, whole turns included;
 /// no step then changes the angle by more than a sixth of a turn.
+/// `std::vector<Coupling> stiffness_parts() const`: lists of its vectors; its stiffness is zero but
+/// between vectors of one list. Without it there is one list of all.
 /// `terms(q, time, ConstraintTerms<double>&)`: g, G and g_t alone, cheaper where no more is needed.
 class AnyConstraint {
 public:
@@ -114,6 +120,8 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return held_->coupling(); }
+    /// Returns the lists of vectors that its stiffness couples.
+    [[nodiscard]] std::vector<Coupling> stiffness_parts() const { return held_->stiffness_parts(); }
     /// Returns the number of equations, as it was when the holder was made.
     [[nodiscard]] int equations() const noexcept { return equations_; }
     /// Returns the word that messages use.
@@ -131,6 +139,7 @@ private:
     struct Interface {
         virtual ~Interface() = default;
         [[nodiscard]] virtual Coupling coupling() const = 0;
+        [[nodiscard]] virtual std::vector<Coupling> stiffness_parts() const = 0;
         [[nodiscard]] virtual int equations() const = 0;
         [[nodiscard]] virtual std::string name() const = 0;
         virtual void evaluate(const ConstraintState&, ConstraintResult&) const = 0;
@@ -149,6 +158,12 @@ private:
     struct Holder final : Interface {
         explicit Holder(Constraint held) : constraint(std::move(held)) {}
         [[nodiscard]] Coupling coupling() const override { return constraint.coupling(); }
+        [[nodiscard]] std::vector<Coupling> stiffness_parts() const override {
+            if constexpr (detail::offers<detail::StiffnessParts, Constraint>)
+                return constraint.stiffness_parts();
+            else
+                return {constraint.coupling()};
+        }
         [[nodiscard]] int equations() const override { return constraint.equations(); }
         [[nodiscard]] std::string name() const override { return constraint.name(); }
         void evaluate(const ConstraintState& state, ConstraintResult& out) const override {
