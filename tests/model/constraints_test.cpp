@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/model/constraints.hpp>
+#include <ancf/model/constraints/slider.hpp>
 #include <ancf/model/model.hpp>
 
 #include <support/carrier.hpp>
@@ -208,6 +209,7 @@ TEST_CASE("joints of frames: derivatives equal complex steps", "[constraint]") {
     check_derivatives(model, ancf::Weld(model, tangent, b), random);
     check_derivatives(model, ancf::Weld(model, b), random);
     check_derivatives(model, ancf::Weld(model, across), random);
+    check_derivatives(model, ancf::FixedOrientation(model, a, across), random);
     check_derivatives(model, ancf::DrivenRevolute(model, a, b, axis, wave(1.5)), random);
     check_derivatives(model, ancf::DrivenRevolute(model, a, axis, wave(1.5)), random);
     check_derivatives(model, ancf::DrivenRevolute(model, tangent, axis, wave(1.5)), random);
@@ -239,6 +241,47 @@ TEST_CASE("planar constraints: derivatives equal complex steps", "[constraint]")
     check_derivatives(model, ancf::RigidNode<2>(b), random);
 }
 
+/// Checks sliders near each of the places of a random chain: inside elements and beyond the ends.
+template <class Carrier>
+void check_sliders(unsigned seed) {
+    constexpr int dimension = Carrier::dimension;
+    using Point = ancf::Vector<double, dimension>;
+    INFO("seed " << seed);
+    Random random(seed);
+    ancf::BasicModel<dimension> model;
+    const int prototype = model.add_prototype(Carrier{});
+    for (int k = 0; k < 3; ++k) {
+        ancf::Matrix<double, dimension> slopes = ancf::Matrix<double, dimension>::Identity();
+        for (int i = 0; i < dimension; ++i) slopes.col(i) += 0.2 * random.vector<dimension>();
+        const Point place = Point::Unit(0) * k + 0.1 * random.vector<dimension>();
+        model.add_node(place, slopes);
+        if (k > 0) model.template connect<Carrier>(prototype, NodeId{k - 1}, NodeId{k});
+    }
+    const NodeId body =
+        model.add_node(random.vector<dimension>(), ancf::test::random_rotation<dimension>(random));
+    model.template connect<Carrier>(prototype, body, NodeId{2});  // it carries all slopes
+    for (const double station : {-0.3, 0.4, 1.7, 2.3}) {
+        const NodeId point = model.add_node(Point::Unit(0) * station);
+        model.add_mass(point, 1.0);
+        const Point across = Point::Unit(1) + 0.2 * random.vector<dimension>();
+        ancf::Beam<Carrier> beam;
+        beam.elements = {0, 1};
+        const ancf::Slider<dimension> along(point, ancf::guide_along(model, beam, across));
+        CHECK(along.station(model, model.state().q) == Approx(station).margin(0.4));
+        check_derivatives(model, along, random);
+        const Point direction = random.direction<dimension>();
+        const ancf::Slider<dimension> straight(
+            point, ancf::straight_guide<dimension>(model, body, direction));
+        check_derivatives(model, straight, random);
+    }
+}
+
+TEST_CASE("sliders: derivatives equal complex steps", "[constraint]") {
+    const auto seed = GENERATE(range(0U, 30U));
+    check_sliders<ancf::test::BeamCarrier>(seed);
+    check_sliders<ancf::test::PlanarCarrier>(seed);
+}
+
 TEST_CASE("joints hold where they are made and no equation repeats another", "[constraint]") {
     const auto seed = GENERATE(range(0U, 30U));
     INFO("seed " << seed);
@@ -252,6 +295,7 @@ TEST_CASE("joints hold where they are made and no equation repeats another", "[c
     check_regular(model, ancf::Revolute(model, a, axis), true);
     check_regular(model, ancf::Weld(model, a, b), true);
     check_regular(model, ancf::Weld(model, a), true);
+    check_regular(model, ancf::FixedOrientation(model, a, b), false);
     check_regular(model, ancf::DrivenRevolute(model, a, b, axis, wave(1.0)), true);
     check_regular(model, ancf::Universal(model, a, b, axis, other), true);
     check_regular(model, ancf::AlignedTangent(model, a, b), false);

@@ -10,3 +10,4 @@
 #include <ancf/model/constraints/motion.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/constraints/points.hpp>
+#include <ancf/model/constraints/slider.hpp>

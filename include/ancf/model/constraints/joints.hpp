@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Joints between node frames: revolute, driven revolute, weld, universal, aligned tangents;
-/// sections that keep their shape, as Reissner's beam has them, and rigid nodes.
+/// Joints between node frames: revolute, driven revolute, weld, fixed orientation, universal,
+/// aligned tangents; sections that keep their shape, as Reissner's beam has them, and rigid nodes.
 ///
-/// Each holds the nodes' positions together and some angles between their frames by bilinear forms
-/// of the frames' axes. Axes are given in global components as they stand when the joint is made;
-/// the joint keeps them fixed in the frames. Equations in m come first, with multipliers in N, then
-/// those of angles (sines and cosines), with multipliers in N m. Sines grow beyond pi/3 until pi
-/// (frames.hpp): no joint holds half a turn off.
+/// Each but FixedOrientation and AlignedTangent holds the nodes' positions together. All hold some
+/// angles between their frames by bilinear forms of the frames' axes. Axes are given in global
+/// components as they stand when the joint is made; the joint keeps them fixed in the frames.
+/// Equations in m come first, with multipliers in N, then those of angles (sines and cosines),
+/// with multipliers in N m. Sines grow beyond pi/3 until pi (frames.hpp): no joint holds half a
+/// turn off.
 
 #pragma once
 
@@ -210,6 +211,18 @@ public:
 private:
     Weld(const BasicModel<3>& model, const FrameAt& a, const FrameAt* b)
         : FrameJoint("weld", model, a, b) {
+        hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
+    }
+};
+
+/// The frames of two nodes held at the turn of the start, while their positions are free; 3
+/// equations, as the last three of Weld. With a Slider (slider.hpp) it makes a prismatic joint.
+class FixedOrientation : public detail::FrameJoint {
+public:
+    /// @throws InvalidArgument for equal nodes or a node without a frame.
+    FixedOrientation(const BasicModel<3>& model, const FrameAt& a, const FrameAt& b)
+        : FrameJoint("fixed orientation", detail::JointSide::frame(model, a),
+                     detail::JointSide::frame(model, b), false) {
         hold_turn({{1.0, 0.0, 0.0}}, std::nullopt);
     }
 };
