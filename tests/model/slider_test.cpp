@@ -100,6 +100,38 @@ TEST_CASE("Slider: a cantilever on a roller bends as beam theory says", "[slider
     CHECK(deflection<3>(8, a) == Approx(deflection<2>(8, a)).epsilon(1e-6));
 }
 
+TEST_CASE("Slider: a force driven over a beam bends it by its influence line",
+          "[slider][statics]") {
+    constexpr double length = 4.0, side = 0.05, force = 200.0;
+    for (const int steps : {1, 16}) {
+        CAPTURE(steps);
+        PlanarModel model;
+        const auto beam = straight_beam<Bar<2>>(model, steel(), rectangle(side, side), {0, 0},
+                                                {length, 0}, 8, CrossSectionOptions::best());
+        model.pin(beam.first());
+        model.fix(beam.last(), Field::r, 1);
+        const NodeId point = model.add_node({0.1 * length, 0});
+        model.add_mass(point, 1.0);
+        model.add(Slider<2>(point, guide_along(model, beam)));
+        model.add(Force<2>(point, {0.0, -force}));
+        model.prescribe(point, Field::r, 0,
+                        [](double factor) { return (0.1 + 0.8 * factor) * length; });
+        StaticsOptions options;
+        options.steps = steps;
+        options.progress = [&](double factor, const State& now) {
+            const double a = (0.1 + 0.8 * factor) * length, b = length - a;
+            const double stiffness = 2e11 * std::pow(side, 4) / 12.0;
+            const double exact = factor * force * a * a * b * b / (3.0 * stiffness * length);
+            CHECK(-model.value(point, Field::r, now.q)[1] == Approx(exact).epsilon(1e-3));
+            return true;
+        };
+        EigenLu solver;
+        const auto report = solve_statics(model, solver, options);
+        CHECK(report.status == Status::converged);
+        CHECK(report.iterations() <= 4 * steps);
+    }
+}
+
 /// Lets a mass of 20 kg roll at 5 m/s over a beam of 4 m on two supports; its place after 0.6 s.
 template <int Dimension>
 Point<Dimension> rolled(int elements) {
@@ -297,6 +329,11 @@ TEST_CASE("Slider: wrong guides are refused", "[slider][bad_input]") {
     CHECK_THROWS_AS(straight_guide<3>(model, rope.first(), {1, 0, 0}), InvalidArgument);
     CHECK_THROWS_AS(straight_guide<3>(model, beam.first(), {0, 0, 0}), InvalidArgument);
     CHECK_THROWS_AS(Slider<3>(beam.node(1), guide_along(model, beam)), InvalidArgument);
+    part.elements = {0, 1};
+    CHECK(guide_along(model, part).pieces.size() == 4);  // with the straight ends
+    model.connect<Bar<3>>(0, beam.last(), beam.first());
+    part.elements = {0, 1, 2, 3};
+    CHECK(guide_along(model, part).pieces.size() == 4);  // a ring
     part.elements = {0, 1};
     CHECK_NOTHROW(Slider<3>(beam.last(), guide_along(model, part)));
 }

@@ -66,7 +66,8 @@ template <int Dimension>
 
 }  // namespace detail
 
-/// Returns the centre line of a beam as a guide. Beyond its ends it goes on straight.
+/// Returns the centre line of a beam as a guide. Beyond its ends it goes on straight, unless they
+/// are one node.
 /// @param beam    only its `elements` count, each from the last one's end on.
 /// @param across  in space, for elements without r_y (cables): a direction that the line never
 ///                takes, such as the normal of the plane in which it hangs. Others ignore it.

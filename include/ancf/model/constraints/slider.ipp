@@ -147,6 +147,7 @@ Guide<Dimension> guide_of_lines(const std::vector<Connection>& elements,
         }
         out.pieces.push_back(std::move(piece));
     }
+    if (elements.back().second == elements.front().first) return out;
     out.pieces.push_back(straight_on(out.pieces.back(), 1.0));
     out.pieces.push_back(straight_on(out.pieces.front(), 0.0));
     return out;
