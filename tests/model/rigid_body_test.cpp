@@ -128,7 +128,7 @@ TEST_CASE("add_body: a free disc, flat or thick, precesses as a symmetric top", 
     CHECK((model.position(body) - Point(0.0, 0.9, 0.0)).norm() < 1e-9);
 }
 
-TEST_CASE("add_body: a heavy top turns as Euler's equations say", "[model][body]") {
+TEST_CASE("add_body: a heavy top turns as Euler's equations say", "[model][body][long]") {
     constexpr double mass = 15.0, end = 0.5;
     const Square inertia = diagonal(0.234375, 0.46875, 0.234375);
     const Point spin(0.0, 150.0, -4.61538), centre(0.0, 1.0, 0.0);
@@ -165,7 +165,8 @@ TEST_CASE("add_body: a heavy top turns as Euler's equations say", "[model][body]
     CHECK((model.value(pivot, Field::r_y) - now.col(1).head<3>()).norm() < 5e-6);
 }
 
-TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies", "[model][body]") {
+TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies",
+          "[model][body][long]") {
     Model model;
     const NodeId upper = model.add_node({0.3, 0.0, -0.4});
     const NodeId lower = model.add_node({0.9, 0.0, -0.8});
@@ -186,7 +187,7 @@ TEST_CASE("add_body: energy-momentum keeps the energy of two hinged bodies", "[m
 }
 
 TEST_CASE("add_body: by energy-momentum a spinning body falls back by (w h)^2/12 of its turns",
-          "[model][body]") {
+          "[model][body][long]") {
     constexpr double speed = 50.0, step = 2e-3, end = 1.0;
     Model model;
     const NodeId body = model.add_node({0.0, 0.0, 0.0});
