@@ -158,7 +158,7 @@ Point<Dimension> rolled(int elements) {
     return model.position(mass);
 }
 
-TEST_CASE("Slider: a mass rolls over a beam and keeps its energy", "[slider][dynamics]") {
+TEST_CASE("Slider: a mass rolls over a beam and keeps its energy", "[slider][dynamics][long]") {
     const auto plane = rolled<2>(4), fine = rolled<2>(8);
     const auto space = rolled<3>(4);
     CHECK(space[1] == Approx(0.0).margin(1e-12));
@@ -168,7 +168,7 @@ TEST_CASE("Slider: a mass rolls over a beam and keeps its energy", "[slider][dyn
 }
 
 TEST_CASE("Slider: a free beam and a mass that runs off its end keep their momenta",
-          "[slider][dynamics]") {
+          "[slider][dynamics][long]") {
     using Place = Point<3>;
     Model model;
     const auto beam = straight_beam<Bar<3>>(model, steel(), rectangle(0.02, 0.03), Place(0, 0, 0),
@@ -238,7 +238,8 @@ struct Turntable {
     }
 };
 
-TEST_CASE("straight_guide: a mass on a turning body slides outwards", "[slider][dynamics][body]") {
+TEST_CASE("straight_guide: a mass on a turning body slides outwards",
+          "[slider][dynamics][body][long]") {
     Turntable scene;
     const NodeId mass = scene.model.add_node(along<3>(0.2));
     scene.model.add_mass(mass, 1.0);
@@ -254,7 +255,7 @@ TEST_CASE("straight_guide: a mass on a turning body slides outwards", "[slider][
 TEST_CASE(
     "straight_guide: two points of a body make a cylindrical joint, its turn held a prismatic "
     "one",
-    "[slider][dynamics][body]") {
+    "[slider][dynamics][body][long]") {
     for (const bool prismatic : {false, true}) {
         Turntable scene;
         Model& model = scene.model;
