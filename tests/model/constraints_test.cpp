@@ -316,6 +316,36 @@ TEST_CASE("joints see directions only: stretching the slopes changes no angle", 
     CHECK(terms(hinge, q, 0.0).violation.tail<2>().norm() <= 1e-14);
 }
 
+TEST_CASE("frame_axes, section_angle: they turn with the node", "[constraint]") {
+    Random random(11);
+    ancf::Model model;
+    const auto turn = ancf::test::rotation(Vector3(0.3, -1.1, 0.7));
+    const NodeId node = model.add_node({0, 0, 0}, ancf::Matrix<double, 3>::Identity());
+    model.connect<ancf::test::BeamCarrier>(model.add_prototype(ancf::test::BeamCarrier{}), node,
+                                           model.add_node({1, 0, 0}));
+    const ancf::FrameAt tangent(node, Field::r_x, Field::r_y);
+    for (const ancf::FrameAt& frame : {ancf::FrameAt(node), tangent}) {
+        const ancf::Matrix<double, 3> start = ancf::frame_axes(model, frame, model.state().q);
+        CHECK((start - ancf::Matrix<double, 3>::Identity()).norm() < 1e-15);
+        VectorX q = model.state().q;
+        for (int k = 0; k < 3; ++k) {
+            const Field slope = k == 0 ? Field::r_x : k == 1 ? Field::r_y : Field::r_z;
+            q.segment<3>(model.coordinate(node, slope)) = turn.col(k);
+        }
+        CHECK((ancf::frame_axes(model, frame, q) - turn).norm() < 1e-14);
+    }
+    for (const double angle : {0.0, 1.0, 3.0, -2.0}) {
+        ancf::PlanarModel plane;
+        const Vector2 along(std::cos(angle), std::sin(angle));
+        ancf::Matrix<double, 2> slopes;
+        slopes << along[0], -along[1], along[1], along[0];
+        const NodeId at = plane.add_node({0, 0}, slopes), other = plane.add_node({1, 0}, slopes);
+        plane.connect<ancf::test::PlanarCarrier>(plane.add_prototype(ancf::test::PlanarCarrier{}),
+                                                 at, other);
+        CHECK(ancf::section_angle(plane, at, plane.state().q) == Approx(angle));
+    }
+}
+
 /// Returns the scene with node 1 turned.
 template <int Dimension>
 ancf::BasicModel<Dimension> turned(ancf::BasicModel<Dimension> model,

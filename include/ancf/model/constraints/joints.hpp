@@ -52,6 +52,13 @@ struct FrameAt {
     FrameAt(NodeId at, Field along, Field across);
 };
 
+/// Returns the axes of a frame, t, n and t x n, as columns.
+/// @param q  coordinates of the model, such as State::q; the axes are not finite where its slopes
+///           are parallel.
+/// @throws InvalidArgument for a node without a frame.
+[[nodiscard]] Matrix<double, 3> frame_axes(const BasicModel<3>& model, const FrameAt& at,
+                                           const VectorX& q);
+
 namespace detail {
 
 /// What a joint holds on one side.

@@ -301,6 +301,18 @@ ANCF_INLINE AlignedTangent::AlignedTangent(const BasicModel<3>& model, detail::J
     hold_angle(detail::outer(detail::turned_back(a().axes, t), {{1.0, 0.0, 0.0}}));
 }
 
+ANCF_INLINE Matrix<double, 3> frame_axes(const BasicModel<3>& model, const FrameAt& at,
+                                         const VectorX& q) {
+    const auto side = detail::JointSide::frame(model, at);
+    const auto axes =
+        detail::triad_of(side, detail::vec3<double>(model.value(at.node, side.at.first, q)),
+                         detail::vec3<double>(model.value(at.node, side.at.second, q)))
+            .axes;
+    Matrix<double, 3> columns;
+    for (int k = 0; k < 3; ++k) columns.col(k) = detail::to_vector(axes[k]);
+    return columns;
+}
+
 namespace detail {
 
 template <int Dimension>

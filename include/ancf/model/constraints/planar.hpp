@@ -22,6 +22,12 @@
 
 namespace ancf {
 
+/// Returns the angle of a node's section, rad, from -pi to pi: that of r_y less a right angle, or,
+/// where the node has no r_y, of r_x.
+/// @param q  coordinates of the model, such as State::q.
+/// @throws InvalidArgument for a node without these vectors.
+[[nodiscard]] double section_angle(const BasicModel<2>& model, NodeId node, const VectorX& q);
+
 /// Positions and the angle between two slopes held, or that angle driven; 3 equations.
 class PlanarWeld {
 public:

@@ -61,6 +61,12 @@ template <class Scalar>
 
 }  // namespace detail
 
+ANCF_INLINE double section_angle(const BasicModel<2>& model, NodeId node, const VectorX& q) {
+    const Field slope = detail::planar_slope("section_angle", model, node, {});
+    const Vector<double, 2> p = model.value(node, slope, q);
+    return slope == Field::r_y ? std::atan2(-p[0], p[1]) : std::atan2(p[1], p[0]);
+}
+
 ANCF_INLINE PlanarWeld::PlanarWeld(const BasicModel<2>& model, NodeId a, const NodeId* b,
                                    Motion angle, std::optional<Field> slope)
     : a_(a),
