@@ -124,6 +124,21 @@ ANCF_INLINE double power_of_two(int exponent) noexcept {
     return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
 }
 
+ANCF_INLINE void drop_round_off(const SparseMatrix& matrix, double bound, VectorX& scales) {
+    std::vector<int> count(static_cast<std::size_t>(scales.size()));
+    const auto for_each = [&](const auto& visit) {
+        for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
+            for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
+                const int i = matrix.innerIndexPtr()[k];
+                if (std::abs(matrix.valuePtr()[k]) * scales[i] * scales[j] > bound) visit(i, j);
+            }
+    };
+    for_each([&](int i, int j) { ++count[i], ++count[j]; });
+    std::vector<int> dropped;
+    for_each([&](int i, int j) { dropped.push_back(count[i] > count[j] ? i : j); });
+    for (const int k : dropped) scales[k] = 0.0;
+}
+
 ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     const auto size = static_cast<int>(matrix.cols());
     const int *outer = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
@@ -140,6 +155,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
             scales[j] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
         }
     if (found == size) return scales;
+    drop_round_off(matrix, std::ldexp(1.0, first + 24), scales);
     VectorX largest = VectorX::Zero(size);
     for (int j = 0; j < size; ++j)
         for (int k = outer[j]; k < outer[j + 1]; ++k) {

@@ -99,4 +99,26 @@ TEST_CASE("symmetric_roots: the root of the diagonal, or what scales a constrain
     CHECK((roots - expected).norm() <= 1e-15);
 }
 
+TEST_CASE("condition: a diagonal of round-off does not make a constrained system singular",
+          "[solver][condition]") {
+    // two unknowns with stiffness, one that a constraint holds to the second, the constraint
+    MatrixX full(4, 4);
+    full << 5e7, 0, 160, 0, 0, 1e6, 0, -0.9, 160, 0, 0, 1, 0, -0.9, 1, 0;
+    double without = 0.0;
+    for (const double diagonal : {0.0, 2.4e-39, -2.4e-39, 2.3e-20}) {
+        CAPTURE(diagonal);
+        full(2, 2) = diagonal;
+        const SparseMatrix matrix = full.sparseView();
+        EigenLu solver;
+        solver.analyze(matrix);
+        const FactorReport report = solver.factorize(matrix);
+        CHECK(report.status == Status::converged);
+        if (diagonal == 0.0) without = report.rcond;
+        CHECK(report.rcond > 0.1 * without);
+        VectorX x;
+        solver.solve(VectorX(full * VectorX::Ones(4)), x);
+        CHECK((x - VectorX::Ones(4)).norm() < 1e-9);
+    }
+}
+
 }  // namespace conditioning_test

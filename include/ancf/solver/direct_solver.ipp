@@ -17,8 +17,14 @@ ANCF_INLINE void require_singular_rcond(double limit) {
     require(limit >= 0.0 && limit < 1.0, "solver: singular_rcond must be in [0, 1), got ", limit);
 }
 
-/// Scales rows whose diagonal is zero, a constraint's, to a largest entry of 1.
+/// Scales rows whose diagonal is zero, a constraint's, or round-off to a largest entry of 1.
 ANCF_INLINE void complete_roots(const SparseMatrix& matrix, VectorX& roots) {
+    VectorX scales = roots;
+    for (double& scale : scales)
+        if (scale > 0.0) scale = 1.0 / scale;
+    drop_round_off(matrix, std::ldexp(1.0, 24), scales);
+    for (Eigen::Index i = 0; i < roots.size(); ++i)
+        if (scales[i] == 0.0) roots[i] = 0.0;
     const VectorX known = roots;
     for (int column = 0; column < matrix.outerSize(); ++column) {
         const bool lacks = known[column] == 0.0;
