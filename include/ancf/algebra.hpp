@@ -105,16 +105,18 @@ void symmetrise(SparseMatrix& A);
 /// Returns 2^exponent, the exponent held within 1000 of 0.
 [[nodiscard]] double power_of_two(int exponent) noexcept;
 
-/// Sets scales of unknowns to zero whose diagonal is round-off. The entries beside such a one, so
-/// scaled, are above a bound; of two unknowns it is the one with more such entries.
-void drop_round_off(const SparseMatrix& matrix, double bound, VectorX& scales);
+/// Completes the roots of the diagonal of a symmetric matrix [A G^T; G 0], of either storage, where
+/// they are 0. There the largest scaled entry, |a_ij|/(r_i r_j), becomes `one`, as the diagonal is.
+///
+/// Likewise where a diagonal is round-off, so that the entry of two unknowns, so scaled, is above
+/// 1024 times `one`: both get the larger of their root and that. Where nothing tells it is 1.
+void complete_roots(const SparseMatrix& matrix, double one, VectorX& roots);
 
 /// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of
 /// two that the units of lengths, masses and times multiply, up to one factor for all, by powers of
 /// two that are exact.
 ///
-/// That is 2^-floor((e_i - e_0)/2), e the exponent of a_ii; of rows without a diagonal, which are
-/// constraints, or with one of round-off, 2^e_0 over their largest scaled entry.
+/// That is 2^-floor((e_i - e_0)/2), e the exponent of a_ii, completed by complete_roots().
 [[nodiscard]] VectorX unit_scales(const SparseMatrix& matrix);
 
 /// Returns scales of the rows of a square matrix, powers of two that bring the largest entry of

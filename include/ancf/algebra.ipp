@@ -124,50 +124,59 @@ ANCF_INLINE double power_of_two(int exponent) noexcept {
     return std::ldexp(1.0, std::max(-1000, std::min(1000, exponent)));
 }
 
-ANCF_INLINE void drop_round_off(const SparseMatrix& matrix, double bound, VectorX& scales) {
-    std::vector<int> count(static_cast<std::size_t>(scales.size()));
+ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX& roots) {
+    const auto size = static_cast<int>(matrix.cols());
     const auto for_each = [&](const auto& visit) {
-        for (int j = 0; j < static_cast<int>(matrix.cols()); ++j)
+        for (int j = 0; j < size; ++j)
             for (int k = matrix.outerIndexPtr()[j]; k < matrix.outerIndexPtr()[j + 1]; ++k) {
-                const int i = matrix.innerIndexPtr()[k];
-                if (std::abs(matrix.valuePtr()[k]) * scales[i] * scales[j] > bound) visit(i, j);
+                const double entry = std::abs(matrix.valuePtr()[k]);
+                if (std::isfinite(entry)) visit(matrix.innerIndexPtr()[k], j, entry);
             }
     };
-    for_each([&](int i, int j) { ++count[i], ++count[j]; });
-    std::vector<int> dropped;
-    for_each([&](int i, int j) { dropped.push_back(count[i] > count[j] ? i : j); });
-    for (const int k : dropped) scales[k] = 0.0;
+    VectorX known = roots, largest = VectorX::Zero(size);  // entries beside the diagonal
+    for_each([&](int i, int j, double entry) {
+        if (i == j) return;
+        largest[i] = std::max(largest[i], entry);
+        largest[j] = std::max(largest[j], entry);
+        if (entry > 1024.0 * one * roots[i] * roots[j] && roots[i] > 0.0 && roots[j] > 0.0)
+            known[i] = known[j] = 0.0;
+    });
+    // From one to the next, first by entries that count in their rows. The limit spares long chains
+    // of rows without a diagonal.
+    for (int pass = 0; pass < 8 && known.size() > 0 && known.minCoeff() == 0.0; ++pass) {
+        VectorX next = roots, beside = VectorX::Zero(size);
+        for_each([&](int i, int j, double entry) {
+            if ((known[i] == 0.0) == (known[j] == 0.0)) return;
+            const int lacking = known[i] == 0.0 ? i : j, other = known[i] == 0.0 ? j : i;
+            next[lacking] = std::max(next[lacking], entry / (one * known[other]));
+            beside[lacking] = std::max(beside[lacking], entry);
+        });
+        for (int i = 0; i < size; ++i)
+            if (known[i] == 0.0 && beside[i] > (pass < 4 ? 1e-2 : 0.0) * largest[i])
+                known[i] = next[i];
+    }
+    for (int i = 0; i < size; ++i) {
+        if (known[i] > 0.0) roots[i] = known[i];
+        if (roots[i] == 0.0) roots[i] = 1.0;
+    }
 }
 
 ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     const auto size = static_cast<int>(matrix.cols());
     const int *outer = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
     const double* value = matrix.valuePtr();
-    const auto counts = [&](int k) { return value[k] != 0.0 && std::isfinite(value[k]); };
     VectorX scales = VectorX::Zero(size);
     int first = 0, found = 0;
     for (int j = 0; j < size; ++j)
         for (int k = outer[j]; k < outer[j + 1] && row[k] <= j; ++k) {
-            if (row[k] != j || !counts(k)) continue;
+            if (row[k] != j || value[k] == 0.0 || !std::isfinite(value[k])) continue;
             const int exponent = std::ilogb(value[k]);
             if (found++ == 0) first = exponent;
             const int apart = exponent - first;
-            scales[j] = power_of_two(apart >= 0 ? -(apart / 2) : (1 - apart) / 2);
+            scales[j] = power_of_two(apart >= 0 ? apart / 2 : -((1 - apart) / 2));
         }
-    if (found == size) return scales;
-    drop_round_off(matrix, std::ldexp(1.0, first + 24), scales);
-    VectorX largest = VectorX::Zero(size);
-    for (int j = 0; j < size; ++j)
-        for (int k = outer[j]; k < outer[j + 1]; ++k) {
-            const int i = row[k];
-            if (!counts(k)) continue;
-            const double entry = std::abs(value[k]);
-            if (scales[i] == 0.0) largest[i] = std::max(largest[i], entry * scales[j]);
-            if (scales[j] == 0.0) largest[j] = std::max(largest[j], entry * scales[i]);
-        }
-    for (int i = 0; i < size; ++i)
-        if (scales[i] == 0.0)
-            scales[i] = largest[i] > 0.0 ? power_of_two(first - std::ilogb(largest[i])) : 1.0;
+    if (found < size) complete_roots(matrix, std::ldexp(1.0, first), scales);
+    for (double& scale : scales) scale = power_of_two(-std::ilogb(scale));
     return scales;
 }
 

@@ -380,4 +380,33 @@ TEST_CASE("point_of_body: the point is one of the reference, wherever the body i
     CHECK_THROWS_AS(model.reference(NodeId{9}, Field::r), InvalidArgument);
 }
 
+TEST_CASE("add_body: a beam on a body that joints hold to the ground bends as a clamped one",
+          "[model][body][statics]") {
+    for (const bool weld : {true, false}) {
+        CAPTURE(weld);
+        Model model;
+        const NodeId body = model.add_node({1, 0, 0});
+        add_body(model, body, 5.0, diagonal(0.1, 0.1, 0.1));
+        model.add(Weld(model, body));
+        const auto beam =
+            straight_beam<Bar>(model, Material::isotropic(2e11, 0.3, 7800.0), rectangle(0.02, 0.02),
+                               {1, 0, 0}, {2, 0, 0}, 6, CrossSectionOptions::best());
+        if (weld) {
+            model.add(Weld(model, body, beam.first()));
+        } else {
+            model.pin(beam.first());
+            model.add(FixedOrientation(model, body, beam.first()));
+        }
+        model.add(Force<3>(beam.last(), {0, -5, 10}));
+        EigenLu solver;
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.iterations() <= 4);
+        const double stiffness = 3.0 * 2e11 * std::pow(0.02, 4) / 12.0;
+        CHECK(model.position(beam.last())[1] == Approx(-5.0 / stiffness).epsilon(1e-3));
+        CHECK(model.position(beam.last())[2] == Approx(10.0 / stiffness).epsilon(1e-3));
+    }
+}
+
 }  // namespace rigid_body_test

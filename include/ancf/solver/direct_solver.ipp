@@ -17,28 +17,6 @@ ANCF_INLINE void require_singular_rcond(double limit) {
     require(limit >= 0.0 && limit < 1.0, "solver: singular_rcond must be in [0, 1), got ", limit);
 }
 
-/// Scales rows whose diagonal is zero, a constraint's, or round-off to a largest entry of 1.
-ANCF_INLINE void complete_roots(const SparseMatrix& matrix, VectorX& roots) {
-    VectorX scales = roots;
-    for (double& scale : scales)
-        if (scale > 0.0) scale = 1.0 / scale;
-    drop_round_off(matrix, std::ldexp(1.0, 24), scales);
-    for (Eigen::Index i = 0; i < roots.size(); ++i)
-        if (scales[i] == 0.0) roots[i] = 0.0;
-    const VectorX known = roots;
-    for (int column = 0; column < matrix.outerSize(); ++column) {
-        const bool lacks = known[column] == 0.0;
-        for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
-            const Eigen::Index row = entry.row();
-            if (lacks == (known[row] == 0.0)) continue;
-            const Eigen::Index lacking = lacks ? column : row, other = lacks ? row : column;
-            roots[lacking] = std::max(roots[lacking], std::abs(entry.value()) / known[other]);
-        }
-    }
-    for (double& root : roots)
-        if (!(root > 0.0)) root = 1.0;
-}
-
 ANCF_INLINE void symmetric_roots(const SparseMatrix& matrix, VectorX& roots) {
     roots.resize(matrix.cols());
     const int* inner = matrix.innerIndexPtr();
@@ -50,7 +28,7 @@ ANCF_INLINE void symmetric_roots(const SparseMatrix& matrix, VectorX& roots) {
         roots[column] = stored ? std::sqrt(std::abs(matrix.valuePtr()[entry - inner])) : 0.0;
         complete = complete && roots[column] > 0.0;
     }
-    if (!complete) complete_roots(matrix, roots);
+    if (!complete) complete_roots(matrix, 1.0, roots);
 }
 
 ANCF_INLINE double probe_load(const VectorX& roots, VectorX& load) {

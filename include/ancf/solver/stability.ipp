@@ -30,6 +30,7 @@ namespace detail {
 ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
+    constexpr double least = 1e-10;    // of what it holds, to the stiffest part of it
     const VectorX held = diagonal;
     const double largest = largest_magnitude(held);
     const int* const row = tangent.innerIndexPtr();
@@ -38,17 +39,18 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
     for (auto column = static_cast<int>(held.size()); column < tangent.cols(); ++column) {
         const int first = tangent.outerIndexPtr()[column];
         const int last = tangent.outerIndexPtr()[column + 1];
-        double flexibility = 0.0, of_negative = 0.0, square = 0.0;
+        double flexibility = 0.0, of_negative = 0.0, square = 0.0, stiffest = 0.0;
         for (int k = first; k < last; ++k) {
             if (!counts(k)) continue;
             square += g[k] * g[k];
+            stiffest = std::max(stiffest, held[row[k]]);
             if (held[row[k]] != 0.0)
                 (held[row[k]] > 0.0 ? flexibility : of_negative) += g[k] * g[k] / held[row[k]];
         }
         if (!(flexibility > 0.0)) flexibility = -of_negative;
         if (!(flexibility > 0.0) && largest > 0.0) flexibility = square / largest;
         if (!(flexibility > 0.0)) return false;
-        const double spring = stiffness / flexibility;
+        const double spring = stiffness * std::max(1.0 / flexibility, least * stiffest / square);
         for (int a = first; a < last; ++a)
             for (int b = first; counts(a) && b <= a; ++b) {
                 if (!counts(b)) continue;
