@@ -12,6 +12,7 @@
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
+#include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/rigid_body.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/constraints/slider.hpp>
@@ -315,11 +316,30 @@ TEST_CASE("stiffness_parts: what they leave out is refused", "[constraint][bad_i
         InvalidArgument);
 }
 
+TEST_CASE("Slider: a bead settles at the lowest place of a bowl", "[slider][statics]") {
+    PlanarModel model;
+    const auto bowl =
+        arc<Bar<2>>(model, steel(), rectangle(0.2, 0.2), {-std::sin(1.0), 1.0 - std::cos(1.0)},
+                    {std::cos(1.0), -std::sin(1.0)}, 1.0, 2.0, 8);
+    for (const NodeId node : bowl.nodes) model.clamp(node);
+    const NodeId bead = model.add_node({0.02, 0.0});
+    model.add_mass(bead, 1.0);
+    model.add(Slider<2>(bead, guide_along(model, bowl)));
+    model.set_gravity({0.0, -g});
+    EigenLu solver;
+    const auto report = solve_statics(model, solver);
+    INFO(report.message);
+    CHECK(report.status == Status::converged);
+    CHECK(report.stability == Stability::stable);
+    CHECK(model.position(bead).norm() < 1e-8);
+}
+
 TEST_CASE("Slider: wrong guides are refused", "[slider][bad_input]") {
     Model model;
     const auto beam =
         straight_beam<Bar<3>>(model, steel(), rectangle(0.1, 0.1), {0, 0, 0}, {1, 0, 0}, 3);
     const auto rope = straight_beam<Cable<3>>(model, steel(), circle(0.1), {0, 1, 0}, {1, 1, 0}, 1);
+    CHECK_THROWS_AS(Slider<3>(beam.last(), Guide<3>()), InvalidArgument);
     Beam<Bar<3>> part;
     CHECK_THROWS_AS(guide_along(model, part), InvalidArgument);
     part.elements = {0, 2};

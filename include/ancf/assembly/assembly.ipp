@@ -185,8 +185,9 @@ ANCF_INLINE void Assembly::build_pattern(Storage storage) {
         if (!model_.loads()[k].load.constant()) couple_all(load_coordinates_[k].acted());
     for (std::size_t k = 0; k < constraint_coordinates_.size(); ++k) {
         for (const Coupling& part : model_.constraints()[k].stiffness_parts())
-            couple_all(detail::LocalCoordinates(model_.layout(), model_.dependence(), part, "part")
-                           .acted());
+            couple_all(
+                detail::LocalCoordinates(model_.layout(), model_.dependence(), part, "constraint")
+                    .acted());
         for (const int coordinate : constraint_coordinates_[k].acted())
             pairs.push_back(
                 {numbering_.block(coordinate), numbering_.constraint_block(static_cast<int>(k))});
@@ -703,7 +704,7 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
         const auto at = static_cast<std::size_t>(faulty_constraint_);
         return detail::joined({"the direction of constraint ", faulty_constraint_, " (",
                                model_.constraints()[at].name(),
-                               ") is not finite: do points coincide?"});
+                               ") is not finite: do points or directions coincide?"});
     }
     return detail::joined({"gravity, a constraint or a coordinate is ", to_string(fault.status)});
 }

@@ -181,7 +181,7 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         if (!std::isfinite(lengths[i]) || !std::isfinite(constraints_.violation()[i]) ||
             !std::isfinite(constraints_.rate()[i]))
             return "no direction belongs to " + constraints_.describe(i) +
-                   ": its derivatives are not finite, do points coincide?";
+                   ": its derivatives are not finite, do points or directions coincide?";
     const double fastest = detail::largest_ratio(full_v_, full_scales_);
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {

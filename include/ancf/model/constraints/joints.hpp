@@ -5,8 +5,8 @@
 /// Joints between node frames: revolute, driven revolute, weld, fixed orientation, universal,
 /// aligned tangents; sections that keep their shape, as Reissner's beam has them, and rigid nodes.
 ///
-/// Each but FixedOrientation and AlignedTangent holds the nodes' positions together. All hold some
-/// angles between their frames by bilinear forms of the frames' axes. Axes are given in global
+/// The joints, but for FixedOrientation and AlignedTangent, hold the nodes' positions together, and
+/// some angles between their frames by bilinear forms of the frames' axes. Axes are given in global
 /// components as they stand when the joint is made; the joint keeps them fixed in the frames.
 /// Equations in m come first, with multipliers in N, then those of angles (sines and cosines),
 /// with multipliers in N m. Sines grow beyond pi/3 until pi (frames.hpp): no joint holds half a

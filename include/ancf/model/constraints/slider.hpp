@@ -50,8 +50,9 @@ template <int Dimension>
 struct Guide {
     Coupling vectors;                        ///< nodal vectors that it combines
     std::vector<detail::GuidePiece> pieces;  ///< in order
-    Vector<double, Dimension> across;        ///< where pieces have none; in space
-    std::string name;                        ///< for messages
+    Vector<double, Dimension> across =
+        Vector<double, Dimension>::Zero();  ///< where pieces have none; in space
+    std::string name;                       ///< for messages
 };
 
 namespace detail {
@@ -71,8 +72,8 @@ template <int Dimension>
 /// @param beam    only its `elements` count, each from the last one's end on.
 /// @param across  in space, for elements without r_y (cables): a direction that the line never
 ///                takes, such as the normal of the plane in which it hangs. Others ignore it.
-/// @throws InvalidArgument for no elements, elements that do not exist or follow each other, and an
-///         `across` of no length where it counts.
+/// @throws InvalidArgument for no elements, elements that do not exist or do not follow each
+///         other, and an `across` of no length where it counts.
 template <class Element>
 [[nodiscard]] Guide<Element::dimension> guide_along(
     const BasicModel<Element::dimension>& model, const Beam<Element>& beam,
@@ -105,13 +106,14 @@ template <int Dimension>
 /// the part of the section's r_y, or of `across`, that is normal to t, and n_2 = t x n_1. The
 /// multipliers are the forces along n_k that the point exerts, N.
 ///
-/// Its equations couple all nodes of the guide: take no more elements than the point may reach.
+/// G has entries at all nodes of the guide, the stiffness at those of one element. Take no more
+/// elements than the point may reach. Where several places are next to P it is the first.
 template <int Dimension = 3>
 class Slider {
 public:
     static constexpr int dimension = Dimension;  ///< of the model it belongs to
 
-    /// @throws InvalidArgument for a point of a node of the guide.
+    /// @throws InvalidArgument for a guide that no function made and a point of one of its nodes.
     Slider(MaterialPoint point, Guide<Dimension> guide);
 
     /// Returns where on the guide the point is: elements passed, 2.25 a quarter of the parameter
@@ -151,7 +153,10 @@ private:
     [[nodiscard]] Place place(const VectorX& q) const;
     // Those of the coupling's coordinates that count there: the point's, then the piece's.
     [[nodiscard]] std::vector<int> coordinates(const Place& at) const;
-    // The terms by these coordinates.
+    // The terms at a place.
+    template <class Scalar>
+    void write(const Place& at, const DynamicVector<Scalar>& q, ConstraintTerms<Scalar>& out) const;
+    // Those by these coordinates alone.
     template <class Scalar>
     [[nodiscard]] ConstraintTerms<Scalar> terms_at(const Place& at,
                                                    const DynamicVector<Scalar>& q) const;

@@ -200,10 +200,13 @@ Guide<Dimension> straight_guide(const BasicModel<Dimension>& model, NodeId node,
 template <int Dimension>
 Slider<Dimension>::Slider(MaterialPoint point, Guide<Dimension> guide)
     : point_(std::move(point)), guide_(std::move(guide)) {
+    detail::require(!guide_.pieces.empty(),
+                    "Slider: the guide is empty; guide_along() and "
+                    "straight_guide() make one");
     for (const NodeField& of_point : point_.vectors)
         for (const NodeField& of_guide : guide_.vectors)
-            detail::require(of_point.node != of_guide.node, "Slider: ", point_.name,
-                            " belongs to node ", of_guide.node.index, " of the guide");
+            detail::require(of_point.node != of_guide.node, "Slider: node ", of_guide.node.index,
+                            ", of ", point_.name, ", is a node of the guide");
 }
 
 template <int Dimension>
@@ -334,19 +337,25 @@ template <int Dimension>
 template <class Scalar>
 void Slider<Dimension>::terms(const DynamicVector<Scalar>& q, const Scalar& /*time*/,
                               ConstraintTerms<Scalar>& out) const {
-    const Place here = place(q.real());
-    const ConstraintTerms<Scalar> found = terms_at(here, q);
+    write(place(q.real()), q, out);
+}
+
+template <int Dimension>
+template <class Scalar>
+void Slider<Dimension>::write(const Place& at, const DynamicVector<Scalar>& q,
+                              ConstraintTerms<Scalar>& out) const {
+    const ConstraintTerms<Scalar> found = terms_at(at, q);
     out.violation = found.violation;
-    Eigen::Index at = 0;
-    for (const int coordinate : coordinates(here))
-        out.jacobian.col(coordinate) = found.jacobian.col(at++);
+    Eigen::Index j = 0;
+    for (const int coordinate : coordinates(at))
+        out.jacobian.col(coordinate) = found.jacobian.col(j++);
 }
 
 template <int Dimension>
 void Slider<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& out) const {
-    terms(at.q, at.time, out);
-    // Second derivatives by complex steps, exact to round-off.
     const Place here = place(at.q);
+    write(here, at.q, out);
+    // Second derivatives by complex steps, exact to round-off.
     const std::vector<int> local = coordinates(here);
     DynamicVector<std::complex<double>> q = at.q.template cast<std::complex<double>>();
     constexpr double step = 1e-40;
