@@ -126,8 +126,6 @@ void run(const Settings& settings, const char* name, const std::vector<Rule>& ru
     }
 }
 
-// Elements --------------------------------------------------------------------------------------
-
 void cross_section(const Settings& settings);
 void transported(const Settings& settings);
 void geodesic(const Settings& settings);

@@ -118,7 +118,7 @@ public:
     /// @throws InvalidArgument where nodes, elements, supports, loads or constraints have changed.
     void refresh();
 
-    // Results of the last evaluation; forces are of all coordinates, N and N m ----------------
+    // Results of the last evaluation; forces are of all coordinates, N and N m.
 
     /// Returns the elastic force Q_e.
     [[nodiscard]] const VectorX& internal_force() const noexcept { return internal_; }
@@ -201,7 +201,7 @@ public:
     [[nodiscard]] int damping_load(const VectorX& q, const VectorX& v, const VectorX& others,
                                    double time) const;
 
-    // Inertia, as the prototypes are now, constant in q -------------------------------------------
+    // Inertia, as the prototypes are now, constant in q.
 
     /// Returns the mass matrix in the pattern of the tangent; zero for the multipliers.
     [[nodiscard]] SparseMatrix mass() const;
@@ -211,8 +211,6 @@ public:
 
     /// Sets the driven coordinates of q to their values at an instant.
     void apply_supports(const Instant& instant, VectorX& q) const;
-
-    // Single elements, for integrators with element forces of their own ---------------------------
 
     /// Writes the indices of the nodal coordinates of an element, as many as its type has.
     void element_coordinates(const ElementPlace& place, int* out) const;
@@ -224,8 +222,6 @@ public:
         const auto group = static_cast<std::size_t>(place.group);
         model_.groups()[group]->add_block(place.element, target(group, matrix.valuePtr()), block);
     }
-
-    // Single loads and constraints, likewise ------------------------------------------------------
 
     /// Returns the coordinates of a load.
     [[nodiscard]] const detail::LocalCoordinates& load_coordinates(std::size_t load) const {

@@ -102,8 +102,6 @@ public:
     /// Returns what evaluates the scene.
     [[nodiscard]] const Assembly& assembly() const noexcept { return assembly_; }
 
-    // Start ------------------------------------------------------------------------------------
-
     /// Reads the model's state, checks it against the constraints, finds redundant ones and solves
     /// [M G^T; G 0] (v', lambda) = (-r(lambda = 0), -c) for accelerations and multipliers.
     ///
@@ -139,7 +137,7 @@ public:
     [[nodiscard]] std::optional<Fault> force_curvature(const Start& at, double distance,
                                                        VectorX& curvature);
 
-    // Evaluation at (t, q, v, lambda); results stand until the next one ------------------------
+    // Evaluation at (t, q, v, lambda); results stand until the next one.
 
     /// Evaluates the scene.
     /// @param q,v  n entries.  @param lambda  m entries.
@@ -198,10 +196,8 @@ public:
     /// @throws InvalidArgument before the first evaluation
     [[nodiscard]] Energies energies() const;
 
-    // Constraints alone: no element is evaluated ------------------------------------------------
-
-    /// Evaluates g, G, g_t and c at (t, q, v) for the functions below. Equations left out have zero
-    /// rows. c only where it is asked for.
+    /// Evaluates g, G, g_t and c at (t, q, v) for the functions below, and no element. Equations
+    /// left out have zero rows. c only where it is asked for.
     void evaluate_constraints(double t, const VectorX& q, const VectorX& v,
                               bool convection = true) {
         expand(t, q, v);
@@ -230,8 +226,6 @@ public:
         constraints_.add_velocity_level(mu, out);
     }
 
-    // Projection --------------------------------------------------------------------------------
-
     /// Moves q on g(q, t) = 0, then v on G v + g_t = 0, each by the least change in the mass norm.
     /// @return false where the iteration does not reach round-off; q and v are then as they came.
     bool project(double t, VectorX& q, VectorX& v);
@@ -244,8 +238,6 @@ public:
     /// Moves accelerations on G v' + c = 0 at (t, q, v), by the least change in the mass norm.
     /// @return false where the system cannot be solved; they are then as they came.
     bool project_accelerations(double t, const VectorX& q, const VectorX& v, VectorX& acceleration);
-
-    // Whole states ------------------------------------------------------------------------------
 
     /// Returns the state of all coordinates, supports included, with the multipliers as reported.
     [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
@@ -281,8 +273,6 @@ public:
     /// @return converged, or why the accelerations could not be solved for; forces are then zero.
     /// @throws InvalidArgument for a state of another size.
     [[nodiscard]] Status reactions(const State& state, VectorX& forces);
-
-    // Scales ------------------------------------------------------------------------------------
 
     /// Returns the scene's size, m: the diagonal of its nodes, at least an element's length, when
     /// the problem was made.

@@ -42,8 +42,6 @@ ANCF_INLINE DynamicProblem::DynamicProblem(Scene& model, const ProblemOptions& o
 
 ANCF_INLINE DynamicProblem::~DynamicProblem() = default;
 
-// --- parts -------------------------------------------------------------------------------------
-
 ANCF_INLINE void DynamicProblem::add_parts(VectorX& forces) const {
     if (exchange_ == nullptr) return;
     VectorX all = VectorX::Zero(numbering().coordinates());
@@ -59,8 +57,6 @@ ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) c
         if (exchange_->owns(static_cast<int>(k))) sum += x[k] * y[k];
     return sum;
 }
-
-// --- mass --------------------------------------------------------------------------------------
 
 ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
     if (exchange_ != nullptr) return detail::solve_with(*options_.mass_solver, b, x);
@@ -151,8 +147,6 @@ ANCF_INLINE void DynamicProblem::expand(double t, const VectorX& q, const Vector
     const Dependence& dependence = numbers.dependence();
     for (VectorX* const full : {&full_q_, &full_v_, &full_a_}) dependence.complete(*full);
 }
-
-// --- start -------------------------------------------------------------------------------------
 
 ANCF_INLINE std::string DynamicProblem::check_supports(double t, double fastest) const {
     const State& state = model_.state();
@@ -397,8 +391,6 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::force_curvature(const Start& at
     return {};
 }
 
-// --- evaluation --------------------------------------------------------------------------------
-
 ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const VectorX& q,
                                                           const VectorX& v, const VectorX& lambda,
                                                           Request request) {
@@ -502,8 +494,6 @@ ANCF_INLINE void DynamicProblem::evaluate_constraints(double t, const std::vecto
     constraints_.evaluate(t, full_q_, full_v_, false);
 }
 
-// --- projection --------------------------------------------------------------------------------
-
 ANCF_INLINE bool DynamicProblem::project(double t, VectorX& q, VectorX& v) {
     if (multipliers() == 0) return true;
     VectorX moved = q;
@@ -568,8 +558,6 @@ ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& 
     for (int i = 0; i < size(); ++i) acceleration[i] += x[i];
     return true;
 }
-
-// --- whole states ------------------------------------------------------------------------------
 
 ANCF_INLINE State DynamicProblem::raw_state(double t, const VectorX& q, const VectorX& v) {
     expand(t, q, v);
@@ -643,8 +631,6 @@ ANCF_INLINE Status DynamicProblem::reactions(const State& state, VectorX& forces
     for (const int k : numbering().held()) forces[k] = exerted[k];
     return Status::converged;
 }
-
-// --- scales ------------------------------------------------------------------------------------
 
 ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
     const VectorX none = VectorX::Zero(multipliers());

@@ -114,8 +114,6 @@ public:
     /// Returns a copy with all prototypes and connections.
     [[nodiscard]] virtual std::unique_ptr<ElementGroup> clone() const = 0;
 
-    // What the type is -------------------------------------------------------------------------
-
     /// Returns the name of the element's type.
     [[nodiscard]] std::string_view name() const noexcept { return type_.name; }
     /// Returns the vectors that a node of such an element carries.
@@ -131,8 +129,6 @@ public:
     [[nodiscard]] bool holds() const noexcept {
         return type_.id == type_id<Element>() || is_of_type(*type_id<Element>());
     }
-
-    // What it holds ----------------------------------------------------------------------------
 
     detail::Records<Connection> connections;  ///< one for each element
 
@@ -151,8 +147,6 @@ public:
     }
     /// Returns the number of prototypes.
     [[nodiscard]] virtual int prototype_count() const noexcept = 0;
-
-    // One element, given by its prototype ------------------------------------------------------
 
     /// Returns the reference length, m.
     [[nodiscard]] virtual double length(int prototype) const = 0;
@@ -174,8 +168,6 @@ public:
     virtual void gravity(int prototype, const double* acceleration, double* out) const = 0;
     /// Writes what its torsion puts on r_y and on r_z; zero where the element does not say.
     virtual void torsion_stiffness(int prototype, double (&out)[2]) const = 0;
-
-    // All that an assembly asks for at every iteration -----------------------------------------
 
     /// Evaluates elements of a run and adds their forces and, where wanted, their tangents.
     /// @return their strain energy, J; 0 where the force alone is wanted.

@@ -123,8 +123,6 @@ public:
         return result;
     }
 
-    // Where a scene is ------------------------------------------------------------------------
-
     /// Returns one vector of a node in the reference, as the node was added.
     /// @throws InvalidArgument for a node that does not exist.
     [[nodiscard]] Point reference(NodeId node, Field field) const {

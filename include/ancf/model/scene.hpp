@@ -146,8 +146,6 @@ public:
     /// Returns the dimension of space, 2 or 3.
     [[nodiscard]] int dimension() const noexcept { return dimension_; }
 
-    // Elements --------------------------------------------------------------------------------
-
     /// Adds an element type's constant data for several equal elements to share.
     /// @return its index for `connect`.
     /// @throws InvalidArgument for an element of another dimension or without a length.
@@ -249,8 +247,6 @@ public:
     /// @throws InvalidArgument for a node that does not exist or a vector that is attached.
     void release(NodeId node, Field field);
 
-    // Attachments: joints without multipliers ---------------------------------------------------
-
     /// Attaches a node rigidly to another one, at the place and in the directions that they have in
     /// the reference: its position, and the slopes that hold its section.
     ///
@@ -278,8 +274,6 @@ public:
     ///         another one already, nodes that would follow each other in a circle, and a joint
     ///         whose slopes are not independent.
     void attach(NodeId end, NodeId joint, Fields vectors);
-
-    // Loads, constraints, masses --------------------------------------------------------------
 
     /// Adds a load; `amplitude` scales it over time (over the load factor in statics). Without one
     /// it grows with the load factor in statics, unless it declares `in_full` as Spring does, and
@@ -319,8 +313,6 @@ public:
     /// @throws InvalidArgument for a node that does not exist, or a mass that is not positive.
     void add_mass(NodeId node, double mass);
 
-    // Parts -----------------------------------------------------------------------------------
-
     /// Returns a part of the scene, in its present state, with the numbers of all nodes: those that
     /// the part has not carry no vectors. Supports and attachments come with their nodes.
     /// @param exchange  tells the parts of each other's forces.
@@ -331,8 +323,6 @@ public:
 
     /// Returns what joins a part to the others; none of a whole scene.
     [[nodiscard]] const detail::Exchange* exchange() const noexcept { return exchange_.get(); }
-
-    // What a scene holds ----------------------------------------------------------------------
 
     /// Returns how often the model has changed, its state aside.
     [[nodiscard]] const Revision& revision() const noexcept { return revision_; }
@@ -378,8 +368,6 @@ public:
     /// Returns the index in `State::q` of the first component of a node's vector.
     /// @throws InvalidArgument where the node does not carry it.
     [[nodiscard]] int coordinate(NodeId node, Field field) const;
-
-    // Where a scene is ------------------------------------------------------------------------
 
     /// Returns coordinates, rates, multipliers and time.
     [[nodiscard]] const State& state() const {

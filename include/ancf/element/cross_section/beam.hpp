@@ -165,7 +165,7 @@ public:
         return !Measure::engineering && line_.least_stretch(e) < softening_stretch;
     }
 
-    // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
+    // Results at a place: xi in [0, 1] along the element, y and z in the section, m.
 
     /// Returns the twelve generalised strains (eps, b_y, b_z, a_yy/2, a_yz, a_zz/2, g_y, h_yy,
     /// h_zy, g_z, h_yz, h_zz).

@@ -75,7 +75,7 @@ public:
     /// other way. One driven joint does not pass that in a load step; two joints or a moment can.
     ANCF_LAZY [[nodiscard]] bool admissible(const Coordinates& e) const noexcept;
 
-    // Results at a place: xi in [0, 1] along the element, y and z in the section, m. -------------
+    // Results at a place: xi in [0, 1] along the element, y and z in the section, m.
 
     /// Returns (eps, b_y, b_z, om): e_xx = eps + y b_y + z b_z, 1 and 1/m; om the twist rate, 1/m.
     ANCF_LAZY [[nodiscard]] Vector<double, 4> strains(const Coordinates& e,
