@@ -94,12 +94,4 @@ template <class Scalar>
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Returns the matrix [a]x of the vector product: [a]x b = a x b.
-template <class Scalar>
-[[nodiscard]] Matrix<Scalar, 3> cross_matrix(const Vector<Scalar, 3>& a) {
-    Matrix<Scalar, 3> result;
-    result << Scalar(0), -a[2], a[1], a[2], Scalar(0), -a[0], -a[1], a[0], Scalar(0);
-    return result;
-}
-
 }  // namespace ancf

@@ -154,9 +154,6 @@ public:
         return constraint_residual_;
     }
 
-    /// Returns the largest |g| over all equations, those left out included.
-    [[nodiscard]] double violation() const noexcept { return violation_; }
-
     /// Returns [K + (G^T lambda)_q - dQ/dq, G^T; G, 0], n + m square, after Request::tangent. For
     /// equations left out the row and column of G are zero and the diagonal is 1.
     [[nodiscard]] const SparseMatrix& tangent() const noexcept {
@@ -406,7 +403,6 @@ private:
     double time_ = 0.0;
     VectorX full_q_, full_v_, full_a_, lambda_;
     VectorX force_, constraint_residual_;
-    double violation_ = 0.0;
 };
 
 }  // namespace ancf

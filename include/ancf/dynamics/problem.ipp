@@ -411,7 +411,6 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
         force_ += inertia;
     }
     constraint_residual_ = assembly_.violation();
-    violation_ = detail::largest_magnitude(constraint_residual_);
     for (const int equation : left_out_) constraint_residual_[equation] = lambda[equation];
     if (request != Request::force && !left_out_.empty()) {
         tangent_ = assembly_.tangent();

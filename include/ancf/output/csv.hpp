@@ -44,9 +44,6 @@ public:
     /// @throws InvalidArgument for another number of values.
     void row(const std::vector<double>& values);
 
-    /// Returns the number of columns.
-    [[nodiscard]] const std::vector<std::string>& columns() const noexcept { return columns_; }
-
 private:
     template <class Value>
     [[nodiscard]] static std::string cell(const Value& value) {
