@@ -17,11 +17,22 @@
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/dynamics/report.hpp>
-#include <ancf/sundials/table.hpp>
 
 #include <string>
 
 namespace ancf::sundials {
+
+/// A pair of explicit Runge-Kutta formulas. Only those whose stability region holds a piece of the
+/// imaginary axis are here; the comments have that piece, as frequency times step.
+enum class Table {
+    bogacki_shampine,  ///< order 3, 3 forces a step, stable to 1.73
+    zonneveld,         ///< order 4, 5 forces, 2.82: the classical method with an error estimate
+    ark436,            ///< order 4, 6 forces, 4.00: explicit part of ARK4(3)6L[2]SA
+    ark437,            ///< order 4, 7 forces, 4.69: explicit part of ARK4(3)7L[2]SA1
+    dormand_prince,    ///< order 5, 6 forces, 0.99
+    verner,            ///< order 6, 8 forces, 1.30
+    fehlberg           ///< order 8, 13 forces, 2.36
+};
 
 /// How an explicit method integrates.
 struct ExplicitOptions {

@@ -8,10 +8,22 @@
 #include <ancf/sundials/explicit.hpp>
 #include <ancf/sundials/run.hpp>
 
+#include <arkode/arkode.h>
+#include <arkode/arkode_erkstep.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <memory>
 #include <utility>
+
+// SUNDIALS 7.1 renamed ERKStepX to ARKodeX and deprecates the old names.
+#if SUNDIALS_VERSION_MAJOR > 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR >= 1)
+#define ANCF_ARKODE(name) ARKode##name
+#else
+#define ANCF_ARKODE(name) ERKStep##name
+#endif
 
 namespace ancf::sundials {
 namespace detail {
@@ -31,6 +43,13 @@ namespace detail {
     }
 }
 
+/// Returns ARKODE's own name of a return code, such as ARK_ERR_FAILURE.
+[[nodiscard]] ANCF_INLINE std::string arkode_code_name(int code) {
+    const std::unique_ptr<char, decltype(&std::free)> name(ANCF_ARKODE(GetReturnFlagName)(code),
+                                                           &std::free);
+    return name == nullptr ? std::string() : std::string(name.get());
+}
+
 /// A dynamic problem without multipliers as y' = f(t, y), and how long steps may be:
 ///
 ///     y = (q, v),    f = (v, -M^-1 r(t, q, v)).
@@ -38,9 +57,9 @@ class ExplicitSystem : public SceneCalls {
 public:
     /// @pre problem.start() has converged; no multipliers.
     /// @param every  steps between two estimates of the stable one.
-    ExplicitSystem(DynamicProblem& problem, Reach reach, int every)
+    ExplicitSystem(DynamicProblem& problem, const ErkTable& table, int every)
         : SceneCalls(problem),
-          reach_(reach),
+          table_(table),
           every_(every),
           stable_step_(std::numeric_limits<double>::infinity()) {}
 
@@ -91,7 +110,7 @@ public:
                 : 0.5 * problem_.largest_eigenvalue(problem_.damping(), most_damped_);
         const bool damped = damping > 1e-3 * frequency_;
         const double fastest = damping + std::sqrt(damping * damping + frequency_ * frequency_);
-        stable_step_ = (damped ? reach_.disc : reach_.axis) / fastest;
+        stable_step_ = (damped ? table_.disc : table_.axis) / fastest;
     }
 
     [[nodiscard]] double stable_step() const noexcept { return stable_step_; }  ///< s
@@ -100,7 +119,7 @@ public:
     [[nodiscard]] long estimates() const noexcept { return estimates_; }        ///< of the step
 
 private:
-    Reach reach_;
+    const ErkTable& table_;
     int every_;
     VectorX none_, acceleration_;
     VectorX stiffest_, most_damped_;  // modes of the last estimate
@@ -116,7 +135,8 @@ public:
         : SteppedRun("Explicit", &arkode_code_name, problem, schedule, options.follow_energy,
                      report_),
           options_(options),
-          system_(problem, reach_of(options.table), options.stable_interval),
+          table_(erk_tables[static_cast<int>(options.table)]),
+          system_(problem, table_, options.stable_interval),
           y_(make_vector(context_, system_.size())),
           tolerances_(make_vector(context_, system_.size())),
           dense_(make_vector(context_, system_.size())) {}
@@ -134,8 +154,8 @@ public:
             const std::string reason = instability();
             if (!reason.empty()) report_.message += (report_.message.empty() ? "" : "; ") + reason;
         }
-        Arkode::error_failures(erk_.get(), &report_.rejected);
-        Arkode::limited_steps(erk_.get(), &report_.limited);
+        ANCF_ARKODE(GetNumErrTestFails)(erk_.get(), &report_.rejected);
+        ANCF_ARKODE(GetNumExpSteps)(erk_.get(), &report_.limited);
         report_.rejected += earlier_rejected_;
         report_.limited += earlier_limited_;
         report_.evaluations += system_.evaluations();
@@ -154,20 +174,25 @@ private:
         auto y = view(y_.get());
         system_.q(y) = start_.q;
         system_.v(y) = start_.v;
-        erk_ = make_erk(context_, &ExplicitSystem::rate, start_.time, y_.get());
+        erk_.reset(
+            made(ERKStepCreate(&ExplicitSystem::rate, start_.time, y_.get(), context_.get())));
+#if SUNDIALS_VERSION_MAJOR < 7
+        ERKStepSetErrHandlerFn(erk_.get(), &Context::take, &context_);
+#endif
         revision_ = problem_.model().revision();
         system_.estimate(start_.time, start_.q, start_.v);
         void* erk = erk_.get();
-        call(Arkode::set_user_data(erk, &system_));
-        call(ERKStepSetTableNum(erk, table_id(options_.table)));
+        call(ANCF_ARKODE(SetUserData)(erk, &system_));
+        call(ERKStepSetTableNum(erk, table_.id));
         // of what gives the accelerations; more asks for more forces
-        call(Arkode::set_degree(erk, 3));
+        call(ANCF_ARKODE(SetInterpolantDegree)(erk, 3));
 #if SUNDIALS_VERSION_MAJOR < 7 || (SUNDIALS_VERSION_MAJOR == 7 && SUNDIALS_VERSION_MINOR < 1)
         // Before 7.1 every table whose last stage is at the step's end has it taken for the first
         // one of the next step, which lowers the order to three; after a step that was processed it
         // is not.
-        if (!is_first_same_as_last(options_.table))
-            call(Arkode::set_after_step(erk, [](sunrealtype, N_Vector, void*) { return 0; }));
+        if (!table_.reuses_last)
+            call(ANCF_ARKODE(SetPostprocessStepFn)(erk,
+                                                   [](sunrealtype, N_Vector, void*) { return 0; }));
 #endif
         set_tolerances();
         set_steps();
@@ -183,30 +208,30 @@ private:
         auto absolute = view(tolerances_.get());
         system_.q(absolute) = options_.tolerance * sizes;
         system_.v(absolute) = options_.tolerance * velocity / length * sizes;
-        call(Arkode::set_tolerances(erk_.get(), options_.tolerance, tolerances_.get()));
+        call(ANCF_ARKODE(SVtolerances)(erk_.get(), options_.tolerance, tolerances_.get()));
     }
 
     void set_steps() {
         void* erk = erk_.get();
         const double duration = schedule_.end - start_.time;
-        call(Arkode::set_stop_time(erk, schedule_.end));
+        call(ANCF_ARKODE(SetStopTime)(erk, schedule_.end));
         if (is_fixed()) {
             fixed_step_ = duration / std::max(1.0, std::ceil(duration / options_.step - 1e-9));
-            if (duration > 0.0) call(Arkode::set_fixed_step(erk, fixed_step_));
+            if (duration > 0.0) call(ANCF_ARKODE(SetFixedStep)(erk, fixed_step_));
             return;
         }
-        call(Arkode::set_stability(erk, &ExplicitSystem::stability, &system_));
-        call(Arkode::set_stable_share(erk, options_.stable_share));
+        call(ANCF_ARKODE(SetStabilityFn)(erk, &ExplicitSystem::stability, &system_));
+        call(ANCF_ARKODE(SetCFLFraction)(erk, options_.stable_share));
         // a step just below the stable one grows to it
-        call(Arkode::set_kept_steps(erk, 1.0, 1.0));
+        call(ANCF_ARKODE(SetFixedStepBounds)(erk, 1.0, 1.0));
         first_step_ = options_.first_step;
         if (first_step_ == 0.0)
             first_step_ = std::min(0.1 * system_.stable_step(), 1e-3 * duration);
         first_step_ = std::min(first_step_, options_.stable_share * system_.stable_step());
         if (options_.max_step > 0.0) first_step_ = std::min(first_step_, options_.max_step);
-        if (first_step_ > 0.0) call(Arkode::set_first_step(erk, first_step_));
-        call(Arkode::set_min_step(erk, least_step()));
-        if (options_.max_step > 0.0) call(Arkode::set_max_step(erk, options_.max_step));
+        if (first_step_ > 0.0) call(ANCF_ARKODE(SetInitStep)(erk, first_step_));
+        call(ANCF_ARKODE(SetMinStep)(erk, least_step()));
+        if (options_.max_step > 0.0) call(ANCF_ARKODE(SetMaxStep)(erk, options_.max_step));
     }
 
     // Whether the steps that stability allows reach the end.
@@ -243,7 +268,7 @@ private:
         system_.estimate(now_.time, now_.q, now_.v);
         if (changed) {
             double next = 0.0;
-            Arkode::current_step(erk_.get(), &next);
+            ANCF_ARKODE(GetCurrentStep)(erk_.get(), &next);
             VectorX none;
             ++report_.evaluations;
             // where that fails the next step does
@@ -275,7 +300,7 @@ private:
         take_state(reached);
         if (jumps_.ends(now_)) now_.time = schedule_.end;
         double length = 0.0;
-        Arkode::last_step(erk_.get(), &length);
+        ANCF_ARKODE(GetLastStep)(erk_.get(), &length);
         return record(length, [this](double time) { return between(time); }) && remains_stable();
     }
 
@@ -283,14 +308,14 @@ private:
     void stay_on_grid() {
         const double point = start_.time + (report_.steps + 1.0) * fixed_step_;
         const double end = point < schedule_.end - 1e-9 * fixed_step_ ? point : schedule_.end;
-        if (end > now_.time) call(Arkode::set_fixed_step(erk_.get(), end - now_.time));
+        if (end > now_.time) call(ANCF_ARKODE(SetFixedStep)(erk_.get(), end - now_.time));
     }
 
     // Lets the next step end at a jump or a corner of a load or a drive; at a jump it begins anew
     // behind it.
     void limit_step() {
         double next = first_step_;
-        if (ran_) Arkode::current_step(erk_.get(), &next);
+        if (ran_) ANCF_ARKODE(GetCurrentStep)(erk_.get(), &next);
         const auto end = [&] { return std::min(now_.time + next, schedule_.end); };
         const auto look = [&] { jumps_.look(now_, end()); };
         for (look(); jumps_.passes(now_, start_, first_step_, report_); look()) {
@@ -299,7 +324,7 @@ private:
         }
         const double corner = jumps_.corner(now_.time, end(), options_.tolerance);
         const double stop = stop_time();
-        call(Arkode::set_stop_time(erk_.get(), corner < end() ? std::min(corner, stop) : stop));
+        call(ANCF_ARKODE(SetStopTime)(erk_.get(), corner < end() ? std::min(corner, stop) : stop));
     }
 
     [[nodiscard]] double stop_time() const {
@@ -311,12 +336,12 @@ private:
         constexpr int most = 12;
         for (int attempt = 0;; ++attempt) {
             const int code =
-                Arkode::evolve(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
+                ANCF_ARKODE(Evolve)(erk_.get(), schedule_.end, y_.get(), &reached, ARK_ONE_STEP);
             system_.rethrow();
             if (arkode_status(code) != Status::not_finite || is_fixed() || attempt == most)
                 return code;
             double tried = 0.0;
-            Arkode::current_step(erk_.get(), &tried);
+            ANCF_ARKODE(GetCurrentStep)(erk_.get(), &tried);
             ++report_.convergence_failures;
             restart(0.25 * tried);
         }
@@ -326,16 +351,16 @@ private:
     void restart(double step) {
         void* erk = erk_.get();
         long count = 0;
-        Arkode::error_failures(erk, &count);
+        ANCF_ARKODE(GetNumErrTestFails)(erk, &count);
         earlier_rejected_ += count;
-        Arkode::limited_steps(erk, &count);
+        ANCF_ARKODE(GetNumExpSteps)(erk, &count);
         earlier_limited_ += count;
         auto y = view(y_.get());
         system_.q(y) = now_.q;
         system_.v(y) = now_.v;
         call(ERKStepReInit(erk, &ExplicitSystem::rate, now_.time, y_.get()));
-        call(Arkode::set_stop_time(erk, stop_time()));
-        if (!is_fixed()) call(Arkode::set_first_step(erk, step));
+        call(ANCF_ARKODE(SetStopTime)(erk, stop_time()));
+        if (!is_fixed()) call(ANCF_ARKODE(SetInitStep)(erk, step));
     }
 
     // Takes the end of a step into now_.
@@ -343,7 +368,7 @@ private:
         if (schedule_.observe) {
             std::swap(from_, now_);
             from_a_.swap(a_);
-            call(Arkode::derivative(erk_.get(), time, 1, dense_.get()));
+            call(ANCF_ARKODE(GetDky)(erk_.get(), time, 1, dense_.get()));
             a_ = system_.v(view(dense_.get()));
         }
         const auto y = view(y_.get());
@@ -378,11 +403,12 @@ private:
     }
 
     const ExplicitOptions& options_;
+    const ErkTable& table_;
     ExplicitReport report_;
 
     ExplicitSystem system_;
     VectorOwner y_, tolerances_, dense_;
-    ArkodeOwner erk_;
+    std::unique_ptr<void, Destroy<ANCF_ARKODE(Free)>> erk_;
 
     double fixed_step_ = 0.0;  // s: options_.step, shortened
     double first_step_ = 0.0;  // s, where steps are not fixed
@@ -426,3 +452,5 @@ ANCF_INLINE ExplicitReport Explicit::integrate(DynamicProblem& problem,
 }
 
 }  // namespace ancf::sundials
+
+#undef ANCF_ARKODE
