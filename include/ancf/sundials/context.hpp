@@ -129,15 +129,6 @@ using IdaOwner = std::unique_ptr<void, detail::Destroy<IDAFree>>;  ///< owns the
 [[nodiscard]] MatrixOwner make_matrix(const Context& context, Eigen::Index size,
                                       Eigen::Index values);
 
-/// Returns KLU for the size of a matrix and a vector.
-[[nodiscard]] LinearSolverOwner make_klu(const Context& context, N_Vector vector, SUNMatrix matrix);
-
-/// Returns an IDA object whose messages go to the context.
-[[nodiscard]] IdaOwner make_ida(Context& context);
-
-/// Returns IDA's own name of a return code, such as IDA_ERR_FAIL.
-[[nodiscard]] std::string code_name(int code);
-
 /// Returns the entries of a vector of SUNDIALS as a column that can be read and written.
 [[nodiscard]] inline Eigen::Map<VectorX> view(N_Vector vector) noexcept {
     return {N_VGetArrayPointer(vector), static_cast<Eigen::Index>(N_VGetLength(vector))};

@@ -5,11 +5,9 @@
 
 #include <ancf/sundials/context.hpp>
 
-#include <sunlinsol/sunlinsol_klu.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include <cmath>
-#include <cstdlib>
 
 namespace ancf::sundials {
 namespace detail {
@@ -61,23 +59,6 @@ ANCF_INLINE MatrixOwner make_matrix(const Context& context, Eigen::Index size,
     const auto entries = detail::checked_index(values, "entries of the Jacobian");
     return MatrixOwner(
         detail::made(SUNSparseMatrix(length, length, entries, CSC_MAT, context.get())));
-}
-
-ANCF_INLINE LinearSolverOwner make_klu(const Context& context, N_Vector vector, SUNMatrix matrix) {
-    return LinearSolverOwner(detail::made(SUNLinSol_KLU(vector, matrix, context.get())));
-}
-
-ANCF_INLINE IdaOwner make_ida(Context& context) {
-    IdaOwner ida(detail::made(IDACreate(context.get())));
-#if SUNDIALS_VERSION_MAJOR < 7
-    IDASetErrHandlerFn(ida.get(), &Context::take, &context);
-#endif
-    return ida;
-}
-
-ANCF_INLINE std::string code_name(int code) {
-    const std::unique_ptr<char, decltype(&std::free)> name(IDAGetReturnFlagName(code), &std::free);
-    return name == nullptr ? std::string() : std::string(name.get());
 }
 
 ANCF_INLINE void Context::remember(const char* message) noexcept {

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -41,13 +40,6 @@ namespace detail {
         case ARK_UNREC_RHSFUNC_ERR: return Status::not_finite;
         default: return Status::diverged;
     }
-}
-
-/// Returns ARKODE's own name of a return code, such as ARK_ERR_FAILURE.
-[[nodiscard]] ANCF_INLINE std::string arkode_code_name(int code) {
-    const std::unique_ptr<char, decltype(&std::free)> name(ANCF_ARKODE(GetReturnFlagName)(code),
-                                                           &std::free);
-    return name == nullptr ? std::string() : std::string(name.get());
 }
 
 /// A dynamic problem without multipliers as y' = f(t, y), and how long steps may be:
@@ -132,8 +124,8 @@ private:
 class ExplicitRun : SteppedRun {
 public:
     ExplicitRun(DynamicProblem& problem, const Schedule& schedule, const ExplicitOptions& options)
-        : SteppedRun("Explicit", &arkode_code_name, problem, schedule, options.follow_energy,
-                     report_),
+        : SteppedRun("Explicit", &ANCF_ARKODE(GetReturnFlagName), problem, schedule,
+                     options.follow_energy, report_),
           options_(options),
           table_(erk_tables[static_cast<int>(options.table)]),
           system_(problem, table_, options.stable_interval),
@@ -162,7 +154,7 @@ public:
         report_.jacobians = system_.estimates();
         report_.highest_frequency = system_.frequency();
         report_.stable_step = system_.stable_step();
-        if (ran_) report_.code = arkode_code_name(code_);
+        if (ran_) report_.code = code_name(code_);
         recorder_.finish(now_);
         return std::move(report_);
     }

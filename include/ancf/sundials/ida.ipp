@@ -42,7 +42,8 @@ namespace detail {
 class IdaRun : SteppedRun {
 public:
     IdaRun(DynamicProblem& problem, const Schedule& schedule, const IdaOptions& options)
-        : SteppedRun("Ida", &code_name, problem, schedule, options.follow_energy, report_),
+        : SteppedRun("Ida", &IDAGetReturnFlagName, problem, schedule, options.follow_energy,
+                     report_),
           options_(options),
           system_(problem, options.form == Form::gear_gupta_leimkuhler),
           y_(make_vector(context_, system_.size())),
@@ -50,9 +51,13 @@ public:
           tolerances_(make_vector(context_, system_.size())),
           dense_(make_vector(context_, system_.size())),
           matrix_(make_matrix(context_, system_.size(), system_.map().values())),
-          klu_(make_klu(context_, y_.get(), matrix_.get())),
+          klu_(made(SUNLinSol_KLU(y_.get(), matrix_.get(), context_.get()))),
           turned_(make_turned()),
-          ida_(make_ida(context_)) {}
+          ida_(made(IDACreate(context_.get()))) {
+#if SUNDIALS_VERSION_MAJOR < 7
+        IDASetErrHandlerFn(ida_.get(), &Context::take, &context_);
+#endif
+    }
 
     IdaReport run() {
         if (!starts()) return std::move(report_);

@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
@@ -95,8 +97,8 @@ protected:
     using MotionPoint = ancf::detail::MotionPoint;
 
     /// @param who    the integrator, for messages.
-    /// @param names  of its return codes.
-    SteppedRun(const char* who, std::string (*names)(int), DynamicProblem& problem,
+    /// @param names  of its return codes, to be freed.
+    SteppedRun(const char* who, char* (*names)(long), DynamicProblem& problem,
                const Schedule& schedule, bool follow_energy, DynamicsReport& report)
         : problem_(problem),
           schedule_(schedule),
@@ -110,7 +112,13 @@ protected:
     void call(int code) const {
         if (code == IDA_SUCCESS) return;
         if (code == IDA_MEM_FAIL) throw std::bad_alloc();
-        ancf::detail::reject(who_, ": ", names_(code), ": ", context_.message());
+        ancf::detail::reject(who_, ": ", code_name(code), ": ", context_.message());
+    }
+
+    /// Returns SUNDIALS's own name of a return code, such as IDA_ERR_FAIL.
+    [[nodiscard]] std::string code_name(int code) const {
+        const std::unique_ptr<char, decltype(&std::free)> name(names_(code), &std::free);
+        return name == nullptr ? std::string() : std::string(name.get());
     }
 
     /// Makes a consistent start; false where there is none.
@@ -156,7 +164,7 @@ protected:
     /// Ends it by a return code, or by the element that the report blames.
     bool fail(int code, Status status, long max_steps) {
         code_ = code;
-        std::string message = ancf::detail::joined({names_(code), " at ", now_.time, " s"});
+        std::string message = ancf::detail::joined({code_name(code), " at ", now_.time, " s"});
         if (code == IDA_TOO_MUCH_WORK)
             message += ancf::detail::joined({": ", max_steps, " steps were taken"});
         if (!context_.message().empty()) message += ": " + context_.message();
@@ -175,7 +183,7 @@ protected:
 
 private:
     const char* who_;
-    std::string (*names_)(int);
+    char* (*names_)(long);
     DynamicsReport& outcome_;
 };
 
