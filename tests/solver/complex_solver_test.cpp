@@ -3,9 +3,8 @@
 
 #include <ancf/error.hpp>
 #include <ancf/solver/automatic.hpp>
-#include <ancf/solver/complex_block_tridiagonal.hpp>
+#include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/complex_solver_for.hpp>
-#include <ancf/solver/eigen_complex_lu.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/scaled.hpp>
 
@@ -23,21 +22,23 @@ TEST_CASE("complex chains of every width are solved to round-off", "[solver]") {
         for (const int blocks : {1, 2, 3, 9}) {
             CAPTURE(width, blocks);
             const ComplexSample sample = complex_chain(blocks, width, Storage::lower, 11);
-            ComplexBlockTridiagonal solver;
-            solver.analyze(sample.pattern);
-            check_solution(solver, sample);
+            const auto solver = complex_solver_for(BlockTridiagonal(), sample.pattern);
+            REQUIRE(solver->name() == "complex block-tridiagonal");
+            check_solution(*solver, sample);
             ++checked;
         }
     CHECK(checked == 36);
 }
 
 TEST_CASE("complex matrices of either storage are solved by Eigen to round-off", "[solver]") {
-    for (const Storage storage : {Storage::lower, Storage::full}) {
-        const ComplexSample sample = complex_chain(5, 6, storage, 13);
-        EigenComplexLu solver(storage);
-        solver.analyze(sample.pattern);
-        check_solution(solver, sample);
-    }
+    const auto check = [](const LinearSolver& real, int width) {
+        const ComplexSample sample = complex_chain(5, width, real.storage(), 13);
+        const auto solver = complex_solver_for(real, sample.pattern);
+        REQUIRE(solver->name() == "complex eigen-lu");
+        check_solution(*solver, sample);
+    };
+    check(EigenLdlt(), BlockTridiagonal::max_block + 1);
+    check(EigenLu(), 6);
 }
 
 TEST_CASE("a real solver has its complex one, by pattern where it makes none", "[solver]") {
@@ -53,8 +54,8 @@ TEST_CASE("a real solver has its complex one, by pattern where it makes none", "
     check_solution(*complex_solver_for(EigenLdlt(), wide.pattern), wide);
     CHECK_THROWS_AS(complex_solver_for(EigenLu(), lower.pattern.block(0, 0, 3, 2)),
                     InvalidArgument);
-    ComplexBlockTridiagonal chains;
-    CHECK_THROWS_AS(chains.analyze(wide.pattern), InvalidArgument);
+    const auto chains = complex_solver_for(BlockTridiagonal(), lower.pattern);
+    CHECK_THROWS_AS(chains->analyze(wide.pattern), InvalidArgument);
 }
 
 }  // namespace complex_solver_test

@@ -16,8 +16,9 @@
 namespace ancf {
 
 /// Returns a solver of complex matrices of a pattern, already analysed: the one that the real
-/// solver makes; else, of lower storage, ComplexBlockTridiagonal where the pattern is a chain; else
-/// EigenComplexLu.
+/// solver makes; else, of lower storage, L D L^T block by block where the pattern is a chain; else
+/// Eigen's LU with partial pivoting.
+/// @throws InvalidArgument for a pattern that is not square, compressed and of the solver's storage
 ANCF_LAZY [[nodiscard]] std::unique_ptr<ComplexSolver> complex_solver_for(
     const LinearSolver& solver, const SparseMatrix& pattern);
 
