@@ -23,14 +23,8 @@ void gather(const VectorX& x, const std::vector<int>& at, VectorX& out);
 /// Returns the largest |x_i| / scale_i, 0 of none and NaN where an entry is NaN.
 [[nodiscard]] double largest_ratio(const VectorX& x, const VectorX& scale);
 
-/// Returns the largest |x_i - y_i| / scale_i, likewise.
-[[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale);
-
 /// Returns the largest |x_i|, 0 of none and NaN where an entry is NaN.
 [[nodiscard]] double largest_magnitude(const VectorX& x) noexcept;
-
-/// Returns x.y.
-[[nodiscard]] double dot(const VectorX& x, const VectorX& y) noexcept;
 
 /// Returns A x.
 [[nodiscard]] VectorX multiply(const MatrixX& A, const VectorX& x);

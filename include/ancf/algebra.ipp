@@ -16,18 +16,9 @@ ANCF_INLINE void gather(const VectorX& x, const std::vector<int>& at, VectorX& o
     for (const int k : at) *to++ = x[k];
 }
 
-/// Returns the largest entry of a column, 0 of none and NaN where an entry is NaN.
-template <class Column>
-double largest_of(const Column& ratios) {
-    return ratios.size() > 0 ? ratios.template maxCoeff<Eigen::PropagateNaN>() : 0.0;
-}
-
 ANCF_INLINE double largest_ratio(const VectorX& x, const VectorX& scale) {
-    return largest_of(x.cwiseAbs().cwiseQuotient(scale));
-}
-
-ANCF_INLINE double largest_distance(const VectorX& x, const VectorX& y, const VectorX& scale) {
-    return largest_of((x - y).cwiseAbs().cwiseQuotient(scale));
+    if (x.size() == 0) return 0.0;
+    return x.cwiseAbs().cwiseQuotient(scale).maxCoeff<Eigen::PropagateNaN>();
 }
 
 ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
@@ -36,8 +27,6 @@ ANCF_INLINE double largest_magnitude(const VectorX& x) noexcept {
         if (!(std::abs(x[i]) <= largest)) largest = std::abs(x[i]);
     return largest;
 }
-
-ANCF_INLINE double dot(const VectorX& x, const VectorX& y) noexcept { return x.dot(y); }
 
 ANCF_INLINE VectorX multiply(const MatrixX& A, const VectorX& x) {
     VectorX out = VectorX::Zero(A.rows());

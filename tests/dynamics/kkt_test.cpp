@@ -257,14 +257,6 @@ TEST_CASE("dependent_rows: a long closed chain has one dependent row, at no grea
     CHECK(dependent_rows(columns, 0, VectorX::Ones(links), 1e-10) == std::vector<int>{links - 1});
 }
 
-TEST_CASE("algebra: the largest distance is the largest ratio of the difference", "[algebra]") {
-    test::Random random(7);
-    const VectorX a = random.vector<5>(), b = random.vector<5>();
-    const VectorX scale = VectorX::Constant(5, 0.5);
-    CHECK(detail::largest_distance(a, b, scale) == detail::largest_ratio(a - b, scale));
-    CHECK(std::isnan(detail::largest_distance(a, b * std::nan(""), scale)));
-}
-
 TEST_CASE("algebra: products and blocks of symmetric matrices from either storage", "[algebra]") {
     test::Random random(5);
     constexpr int size = 9;

@@ -367,7 +367,7 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
     const double gravity_scale = model_.gravity_scale(at.instant);
     external_ = gravity_;
     for (double& entry : external_) entry *= gravity_scale;
-    load_potential_ = -detail::dot(external_, at.q);
+    load_potential_ = -external_.dot(at.q);
     add_loads(at, request);
     add_constraints(at, request);
     if (std::isfinite(strain_energy_) && detail::all_finite(internal_) &&

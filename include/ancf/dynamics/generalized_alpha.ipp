@@ -389,7 +389,7 @@ private:
     }
 
     [[nodiscard]] double change_of_acceleration() const {
-        return problem_.largest_distance(next_.acceleration, now_.acceleration);
+        return problem_.largest_ratio(next_.acceleration - now_.acceleration);
     }
 
     const GeneralizedAlphaOptions& options_;

@@ -80,8 +80,8 @@ ANCF_INLINE void require_continuation(const char* who, const Memory& memory,
     VectorX v = point.v;
     (void)problem.project(point.time, q, v);
     const double fastest = problem.largest_ratio(v);
-    const double moved = problem.largest_distance(q, start.q);
-    const double sped = problem.largest_distance(v, start.v);
+    const double moved = problem.largest_ratio(q - start.q);
+    const double sped = problem.largest_ratio(v - start.v);
     require(moved <= same && sped <= same * fastest, who,
             ": the model's state is not the one that the memory belongs to");
     const VectorX then = memory.get("signature", 10);

@@ -289,11 +289,6 @@ public:
         return largest_of_parts(detail::largest_ratio(x, scales_));
     }
 
-    /// Returns the largest |x_i - y_i| / scale_i, likewise.
-    [[nodiscard]] double largest_distance(const VectorX& x, const VectorX& y) const {
-        return largest_of_parts(detail::largest_distance(x, y, scales_));
-    }
-
     /// Tells whether any coordinate is free, of all parts of a scene.
     [[nodiscard]] bool can_move() const { return largest_of_parts(size()) > 0.0; }
 

@@ -51,7 +51,7 @@ ANCF_INLINE void DynamicProblem::add_parts(VectorX& forces) const {
 }
 
 ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) const {
-    if (exchange_ == nullptr) return detail::dot(x, y);
+    if (exchange_ == nullptr) return x.dot(y);
     double sum = 0.0;
     for (Eigen::Index k = 0; k < x.size(); ++k)
         if (exchange_->owns(static_cast<int>(k))) sum += x[k] * y[k];
@@ -445,14 +445,14 @@ ANCF_INLINE Energies DynamicProblem::energies() const {
     result.strain = assembly_.strain_energy();
     result.potential = assembly_.load_potential();
     result.load_power = own_dot(assembly_.external_force(), full_v_);
-    result.constraint_power = detail::dot(lambda_, assembly_.violation_rate());
+    result.constraint_power = lambda_.dot(assembly_.violation_rate());
     if (drives_) {
         result.kinetic = 0.5 * own_dot(full_v_, assembly_.mass_product(full_v_));
         result.constraint_power += driving_power();
     } else {
         VectorX v;
         numbering().gather_free(full_v_, v);
-        result.kinetic = 0.5 * detail::dot(v, detail::multiply(compact_mass_, Storage::full, v));
+        result.kinetic = 0.5 * v.dot(detail::multiply(compact_mass_, Storage::full, v));
     }
     if (exchange_ == nullptr) return result;
     double sums[3] = {result.kinetic, result.load_power, result.constraint_power};

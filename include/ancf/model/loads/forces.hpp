@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/error.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/load.hpp>
@@ -65,7 +64,7 @@ public:
         detail::require(force_.size() == state.q.size(), "GeneralisedForce: ", state.q.size(),
                         " coordinates are coupled, got ", force_.size(), " force components");
         out.force = force_;
-        out.potential = -detail::dot(force_, state.q);
+        out.potential = -force_.dot(state.q);
     }
 
 private:
