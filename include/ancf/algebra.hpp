@@ -123,9 +123,6 @@ void complete_roots(const SparseMatrix& matrix, double one, VectorX& roots);
 /// Returns a copy of a compressed matrix.
 [[nodiscard]] SparseMatrix copied(const SparseMatrix& A);
 
-/// Returns the lower half of a compressed matrix, with its zeros.
-[[nodiscard]] SparseMatrix lower_half(const SparseMatrix& A);
-
 }  // namespace ancf::detail
 
 #if !defined(ANCF_COMPILED)

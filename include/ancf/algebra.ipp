@@ -189,18 +189,4 @@ ANCF_INLINE SparseMatrix copied(const SparseMatrix& A) {
     return result;
 }
 
-ANCF_INLINE SparseMatrix lower_half(const SparseMatrix& A) {
-    const auto size = static_cast<int>(A.cols());
-    SparseMatrix lower(size, size);
-    lower.reserve(entries(A));
-    for (int j = 0; j < size; ++j) {
-        lower.startVec(j);
-        for (int k = A.outerIndexPtr()[j]; k < A.outerIndexPtr()[j + 1]; ++k)
-            if (const int i = A.innerIndexPtr()[k]; i >= j)
-                lower.insertBack(i, j) = A.valuePtr()[k];
-    }
-    lower.finalize();
-    return lower;
-}
-
 }  // namespace ancf::detail

@@ -137,7 +137,7 @@ TEST_CASE("KktSystem: zeros that it leaves out count from when they are zero no 
 TEST_CASE("KktSystem: what is not finite is refused, and a lower half is enough",
           "[dynamics][kkt]") {
     SparseMatrix matrix = nearly_dependent(1.0);
-    const SparseMatrix lower = detail::lower_half(matrix);
+    const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
     KktSystem of_all, of_half;
     of_all.analyze(matrix, 2);
     of_half.analyze(lower, 2);
@@ -261,7 +261,7 @@ TEST_CASE("algebra: products and blocks of symmetric matrices from either storag
     test::Random random(5);
     constexpr int size = 9;
     const SparseMatrix full = symmetric(size, random);
-    const SparseMatrix lower = detail::lower_half(full);
+    const SparseMatrix lower = full.triangularView<Eigen::Lower>();
     CHECK(lower.nonZeros() < full.nonZeros());
     const VectorX x = random.vector<size>();
     const VectorX expected = full * x;

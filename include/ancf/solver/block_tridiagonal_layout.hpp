@@ -51,20 +51,21 @@ struct BlockLayout {
 ///
 /// The first block is the set of columns that reach as far as the first one; each block ends where
 /// the profile of the block before it does.
-/// @param rows  of the leading part that is looked at.
-[[nodiscard]] std::vector<int> chain_starts(const SparseMatrix& lower, int rows);
+/// @param matrix  of symmetric pattern, all of it or its lower half.
+/// @param rows    of the leading part that is looked at.
+[[nodiscard]] std::vector<int> chain_starts(const SparseMatrix& matrix, int rows);
 
 /// Returns those of all of a matrix.
-[[nodiscard]] inline std::vector<int> chain_starts(const SparseMatrix& lower) {
-    return chain_starts(lower, static_cast<int>(lower.cols()));
+[[nodiscard]] inline std::vector<int> chain_starts(const SparseMatrix& matrix) {
+    return chain_starts(matrix, static_cast<int>(matrix.cols()));
 }
 
 /// Returns the size of the largest block.
 [[nodiscard]] int widest_block(const std::vector<int>& starts);
 
 /// Returns the layout of a chain in panels of the given width.
-[[nodiscard]] BlockLayout block_layout(const SparseMatrix& lower, const std::vector<int>& starts,
-                                       int width);
+/// @param outer  where each column of its lower half begins, and their end.
+[[nodiscard]] BlockLayout block_layout(const int* outer, const std::vector<int>& starts, int width);
 
 /// Returns the layout of a chain in panels of the narrowest compiled width that holds its blocks.
 /// @param solver  for the message

@@ -11,12 +11,12 @@
 
 namespace ancf::detail {
 
-/// Returns for each of the leading columns of a lower half the end of its profile: one more than
-/// the last of the leading rows reached by it or by a column before it.
-ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& lower, int rows) {
+/// Returns for each of the leading columns the end of its profile: one more than the last of the
+/// leading rows reached by it or by a column before it.
+ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& matrix, int rows) {
     std::vector<int> ends(static_cast<std::size_t>(rows));
-    const int* outer = lower.outerIndexPtr();
-    const int* inner = lower.innerIndexPtr();
+    const int* outer = matrix.outerIndexPtr();
+    const int* inner = matrix.innerIndexPtr();
     int end = 0;
     for (int column = 0; column < rows; ++column) {
         int last = outer[column + 1];
@@ -28,8 +28,8 @@ ANCF_INLINE std::vector<int> profile_ends(const SparseMatrix& lower, int rows) {
     return ends;
 }
 
-ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& lower, int rows) {
-    const std::vector<int> ends = profile_ends(lower, rows);
+ANCF_INLINE std::vector<int> chain_starts(const SparseMatrix& matrix, int rows) {
+    const std::vector<int> ends = profile_ends(matrix, rows);
     std::vector<int> starts = {0};
     int reach = 0;  // of the block before: rows that the next block has to hold
     while (starts.back() < rows) {
@@ -54,8 +54,7 @@ ANCF_INLINE int widest_block(const std::vector<int>& starts) {
     return widest;
 }
 
-ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vector<int>& starts,
-                                     int width) {
+ANCF_INLINE BlockLayout block_layout(const int* outer, const std::vector<int>& starts, int width) {
     BlockLayout layout;
     std::vector<int>& joined = layout.starts;  // neighbours, as long as they fit into a panel
     for (std::size_t k = 1; k < starts.size(); ++k) {
@@ -64,7 +63,6 @@ ANCF_INLINE BlockLayout block_layout(const SparseMatrix& lower, const std::vecto
     }
     layout.width = width;
     layout.dense.assign(static_cast<std::size_t>(layout.blocks()), 0);
-    const int* outer = lower.outerIndexPtr();
     for (int block = 0; block + 1 < layout.blocks(); ++block) {
         bool dense = layout.size(block) == width && layout.size(block + 1) == width;
         for (int j = 0; dense && j < width; ++j) {
@@ -81,7 +79,7 @@ ANCF_INLINE BlockLayout chain_layout(std::string_view solver, const SparseMatrix
     const int widest = widest_block(starts);
     require(widest <= widest_compiled_block, solver, " needs a chain of blocks of at most ",
             widest_compiled_block, " unknowns, got a block of ", widest);
-    return block_layout(lower, starts, fitting_width(widest));
+    return block_layout(lower.outerIndexPtr(), starts, fitting_width(widest));
 }
 
 ANCF_INLINE bool stays_within(const SparseMatrix& lower, const BlockLayout& layout) {

@@ -17,11 +17,10 @@ namespace ancf::detail {
 template <class Scalar>
 bool BorderedFactors<Scalar>::divide(int least_border) {
     const auto size = static_cast<int>(pattern_.cols());
-    const SparseMatrix lower = lower_half(pattern_);
     int width = 0;
     int found = 0;
     for (int border = std::min(max_border, size - 1); border >= least_border; --border) {
-        const int widest = widest_block(chain_starts(lower, size - border));
+        const int widest = widest_block(chain_starts(pattern_, size - border));
         if (widest > widest_compiled_block) break;  // as it is with more rows
         const int fitting = fitting_width(widest);
         if (width > 0 && fitting > width) break;
@@ -31,10 +30,6 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
     if (width == 0) return false;
     border_ = found;
     chain_ = size - border_;
-    SparseMatrix chain = lower.topLeftCorner(chain_, chain_);
-    chain.makeCompressed();
-    layout_ = block_layout(chain, chain_starts(chain), width);
-    panels_.resize(static_cast<std::size_t>(layout_.panel_entries()));
     const int* outer = pattern_.outerIndexPtr();
     const int* inner = pattern_.innerIndexPtr();
     chain_outer_.assign(1, 0);
@@ -56,6 +51,8 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
         }
         if (column < chain_) chain_outer_.push_back(static_cast<int>(chain_inner_.size()));
     }
+    layout_ = block_layout(chain_outer_.data(), chain_starts(pattern_, chain_), width);
+    panels_.resize(static_cast<std::size_t>(layout_.panel_entries()));
     chain_values_.resize(chain_slots_.size());
     columns_.resize(static_cast<std::size_t>(chain_) * static_cast<std::size_t>(border_));
     small_.resize(static_cast<std::size_t>(border_) * static_cast<std::size_t>(border_));
