@@ -110,14 +110,15 @@ public:
     explicit ConstraintManifold(DynamicProblem& problem) : problem_(problem) {
         const int n = problem.size(), m = problem.multipliers();
         if (m == 0) return;
-        const SparseMatrix rows = problem.constraints().transposed_jacobian();
-        std::vector<char> acted(static_cast<std::size_t>(n), 0);
-        for (int e = 0; e < entries(rows); ++e) acted[rows.innerIndexPtr()[e]] = 1;
-        place_.assign(static_cast<std::size_t>(n), -1);
         const Numbering& numbering = problem.numbering();
+        std::vector<char> acted(static_cast<std::size_t>(numbering.coordinates()), 0);
+        for (std::size_t k = 0; k < problem.model().constraints().size(); ++k)
+            for (const int coordinate : problem.assembly().constraint_coordinates(k).acted())
+                acted[coordinate] = 1;
+        place_.assign(static_cast<std::size_t>(n), -1);
         for (int coordinate = 0; coordinate < numbering.coordinates(); ++coordinate) {
             const int equation = numbering.equation(coordinate);
-            if (equation < 0 || acted[equation] == 0) continue;
+            if (equation < 0 || acted[coordinate] == 0) continue;
             place_[equation] = static_cast<int>(active_.size());
             active_.push_back(equation);
             coordinates_.push_back(coordinate);

@@ -78,9 +78,6 @@ public:
     /// pattern.
     void add_velocity_level(const VectorX& mu, SparseMatrix& matrix) const;
 
-    /// Returns G^T of the free coordinates, all equations included, as n x m.
-    [[nodiscard]] SparseMatrix transposed_jacobian() const;
-
     /// Returns the constraint and the place in it of an equation, as messages name them.
     [[nodiscard]] std::string describe(int equation) const;
 

@@ -168,30 +168,6 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
     }
 }
 
-ANCF_INLINE SparseMatrix ConstraintSet::transposed_jacobian() const {
-    SparseMatrix columns(assembly_.numbering().free_coordinates(), size());
-    std::vector<int> rows;  // of a constraint's columns: a vector listed twice is summed
-    for_each([&](int, const ConstraintResult& result, const std::vector<int>& at, int first) {
-        rows.clear();
-        for (const int coordinate : at)
-            if (assembly_.numbering().equation(coordinate) >= 0)
-                rows.push_back(assembly_.numbering().equation(coordinate));
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        for (int i = 0; i < result.jacobian.rows(); ++i) {
-            columns.startVec(first + i);
-            for (const int row : rows) columns.insertBack(row, first + i) = 0.0;
-            double* values = columns.valuePtr() + columns.outerIndexPtr()[first + i];
-            for (std::size_t j = 0; j < at.size(); ++j)
-                if (const int row = assembly_.numbering().equation(at[j]); row >= 0)
-                    values[std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()] +=
-                        result.jacobian(i, j);
-        }
-    });
-    columns.finalize();
-    return columns;
-}
-
 ANCF_INLINE std::string ConstraintSet::describe(int equation) const {
     return describe_equation(constraints_, equation);
 }

@@ -210,8 +210,9 @@ ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     left_out_.clear();
     constraints_.leave_out(left_out_);
     if (multipliers() == 0) return;
-    const std::vector<int> dependent = detail::dependent_rows(
-        constraints_.transposed_jacobian(), 0, scales_, options_.redundancy_tolerance);
+    constraints_.write_jacobian(kkt_matrix_);
+    const std::vector<int> dependent =
+        detail::dependent_rows(kkt_matrix_, size(), scales_, options_.redundancy_tolerance);
     if (dependent.empty()) return;
     if (options_.redundancy == Redundancy::minimum_norm) {
         left_out_ = dependent;
@@ -567,7 +568,9 @@ ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
     for (const int equation : left_out_) multipliers[equation] = 0.0;
     constraints_.evaluate(time_, full_q_, full_v_);
     if (factorize_kkt() != Status::converged) return;
-    const SparseMatrix rows = constraints_.transposed_jacobian();
+    constraints_.leave_out({});
+    constraints_.write_jacobian(kkt_matrix_);  // of all equations, for their rows alone
+    constraints_.leave_out(left_out_);
     // multipliers of all units compare by the work that changes by the coordinates' scales take
     const VectorX weights = constraints_.magnitude(full_scales_).cwiseAbs2();
     const auto product = [&](const VectorX& a, const VectorX& b) {
@@ -578,8 +581,8 @@ ANCF_INLINE void DynamicProblem::minimize_multipliers(VectorX& multipliers) {
     std::vector<VectorX> basis;
     for (const int equation : left_out_) {
         VectorX b = VectorX::Zero(numbering().unknowns()), x;
-        for (SparseMatrix::InnerIterator entry(rows, equation); entry; ++entry)
-            b[entry.row()] = entry.value();
+        for (SparseMatrix::InnerIterator entry(kkt_matrix_, size() + equation); entry; ++entry)
+            if (entry.row() < size()) b[entry.row()] = entry.value();
         if (solve_kkt(b, x) != Status::converged) continue;
         // of an equation that no longer follows from the others something is left
         const VectorX rest = detail::multiply(compact_mass_, Storage::full, x.head(size()));
