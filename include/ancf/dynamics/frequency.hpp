@@ -34,29 +34,6 @@ using LinearMap = std::function<VectorX(const VectorX&)>;
     return x;
 }
 
-/// Returns the largest |omega^2| of M^-1 K by power iteration with the Rayleigh quotient.
-/// @param x          where to begin, not zero; becomes the mode.
-/// @param stiffness  x -> K x.  @param mass  x -> M x.  @param solve_mass  b -> M^-1 b.
-[[nodiscard]] inline double largest_eigenvalue(VectorX& x, const LinearMap& stiffness,
-                                               const LinearMap& mass, const LinearMap& solve_mass) {
-    if (x.size() == 0) return 0.0;
-    double estimate = 0.0;
-    for (int k = 0; k < 60; ++k) {
-        // by a power of two: units that differ by such a factor then change no bit
-        const double square = x.dot(mass(x));
-        const double factor = std::ldexp(1.0, std::ilogb(square) / -2);
-        x *= factor;
-        const VectorX force = stiffness(x);
-        const double quotient = std::abs(x.dot(force)) / (square * factor * factor);
-        const bool settled = k > 5 && std::abs(quotient - estimate) <= 1e-3 * quotient;
-        estimate = std::max(quotient, estimate);
-        constexpr double nothing = 1e-150;  // 1/s^2: round-off, whose square underflows
-        if (settled || quotient < nothing) break;
-        x = solve_mass(force);
-    }
-    return estimate;
-}
-
 /// Turns the symmetric matrix into the diagonal one of its eigenvalues by cyclic Jacobi rotations.
 ///
 /// For the few rows of a projected problem: Eigen's solver costs far more to compile.

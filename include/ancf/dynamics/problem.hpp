@@ -317,7 +317,8 @@ public:
     /// the largest acceleration, over length_scale(); 0 where all of it is round-off.
     [[nodiscard]] double motion_frequency(const Start& start);
 
-    /// Returns the largest |eigenvalue| of M^-1 A within some per cent, by power iteration.
+    /// Returns the largest |eigenvalue| of M^-1 A within some per cent, by power iteration with the
+    /// Rayleigh quotient.
     /// @param matrix  A, in the pattern of tangent().
     /// @param mode    of an earlier estimate, n entries, from which the iteration begins, or empty;
     ///                becomes the mode.

@@ -693,13 +693,21 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
         mode = all_modes;
     else  // of another part of the scene the last mode may have nothing
         mode += 0.1 * std::sqrt(mode.dot(mass(mode)) / all_modes.dot(mass(all_modes))) * all_modes;
-    return detail::largest_eigenvalue(
-        mode, [&](const VectorX& x) { return detail::multiply(matrix, options_.storage, x); }, mass,
-        [&](const VectorX& b) {
-            VectorX x;
-            solve_mass(b, x);
-            return x;
-        });
+    double estimate = 0.0;
+    for (int k = 0; size() > 0 && k < 60; ++k) {
+        // by a power of two: units that differ by such a factor then change no bit
+        const double square = mode.dot(mass(mode));
+        const double factor = std::ldexp(1.0, std::ilogb(square) / -2);
+        mode *= factor;
+        const VectorX force = detail::multiply(matrix, options_.storage, mode);
+        const double quotient = std::abs(mode.dot(force)) / (square * factor * factor);
+        const bool settled = k > 5 && std::abs(quotient - estimate) <= 1e-3 * quotient;
+        estimate = std::max(quotient, estimate);
+        constexpr double nothing = 1e-150;  // 1/s^2: round-off, whose square underflows
+        if (settled || quotient < nothing) break;
+        solve_mass(force, mode);
+    }
+    return estimate;
 }
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {
