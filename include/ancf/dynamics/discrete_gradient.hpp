@@ -63,13 +63,6 @@ struct TurnedStep {
         return half.symmetric(v) - half.skew(v);
     }
 
-    /// Returns a nodal vector of coordinates.
-    [[nodiscard]] Vector<double, 3> vector(const double* e, int k) const {
-        Vector<double, 3> v = Vector<double, 3>::Zero();
-        for (int i = 0; i < dimension; ++i) v[i] = e[dimension * k + i];
-        return v;
-    }
-
     /// Adds a nodal vector to coordinates.
     void add(double* e, int k, const Vector<double, 3>& v) const {
         for (int i = 0; i < dimension; ++i) e[dimension * k + i] += v[i];
@@ -80,7 +73,7 @@ struct TurnedStep {
 inline void turned_force(TurnedStep& step, StepForce& out) {
     Vector<double, 3> moment = Vector<double, 3>::Zero();
     for (int k = 0; k < step.vectors(); ++k) {
-        step.gradient[k] = step.vector(out.force, k);
+        step.gradient[k] = out.modes.component(out.force, k);
         const Vector<double, 3> turned = step.half.symmetric(step.gradient[k]);
         moment -= 0.5 * cross(step.arm[k], turned);
         for (int i = 0; i < step.dimension; ++i) out.force[step.dimension * k + i] = turned[i];
@@ -140,9 +133,9 @@ inline void add_turn_tangent(const TurnedStep& step, const Vector<double, 3>& tu
                 -0.5 * cross(step.half.skew(back), step.half.symmetric(step.gradient[m]));
             for (int b = first_axis; b < 3; ++b) moment += by_turn[b] * moment_rate[b];
             for (int k = 0; k < vectors; ++k) {
-                Vector<double, 3> turned = step.half.symmetric(step.vector(rate, k));
+                Vector<double, 3> turned = step.half.symmetric(out.modes.component(rate, k));
                 for (int b = first_axis; b < 3; ++b)
-                    turned += by_turn[b] * step.vector(turned_rate[b], k);
+                    turned += by_turn[b] * out.modes.component(turned_rate[b], k);
                 moment -= 0.5 * cross(step.arm[k], turned);
                 for (int i = 0; i < dimension; ++i) column[dimension * k + i] = turned[i];
             }
@@ -206,7 +199,7 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
     for (int k = 0; k < step.vectors(); ++k) {
         Vector<double, 3>&x = step.at[k], &d = step.by[k];
         x = out.modes.vector(k);
-        d = 0.5 * step.vector(change, k);
+        d = 0.5 * out.modes.component(change, k);
         if (out.modes.is_position(k)) d -= shift;
         Vector<double, 3> mean;
         step.half.middle(x, d, mean, step.arm[k]);
@@ -240,7 +233,7 @@ inline void step_force(const ElementGroup& group, int prototype, const double* e
         add_correction_tangent(dofs, end, change, rest, square, s, out);
     }
     for (int k = 0; k < step.vectors(); ++k)
-        step.add(out.force, k, s * out.modes.weight_of(k) * step.vector(rest, k));
+        step.add(out.force, k, s * out.modes.weight_of(k) * out.modes.component(rest, k));
 }
 
 /// Corrects the middle's gradient G_m of one function of a few nodal vectors to the discrete

@@ -68,6 +68,12 @@ public:
         firm_inertia_ = SmallCholesky<3>(inertia);
     }
 
+    /// Returns a vector of coordinates.
+    [[nodiscard]] Vector<double, 3> component(const double* x, std::size_t k) const {
+        const double* const at = x + dimension_ * k;
+        return {at[0], at[1], dimension_ == 3 ? at[2] : 0.0};
+    }
+
     /// Returns W of a coordinate.
     [[nodiscard]] double weight(int coordinate) const {
         return vectors_[coordinate / dimension_].weight;
@@ -173,11 +179,6 @@ private:
         double weight;
         bool position;
     };
-
-    [[nodiscard]] Vector<double, 3> component(const double* x, std::size_t k) const {
-        const double* const at = x + dimension_ * k;
-        return {at[0], at[1], dimension_ == 3 ? at[2] : 0.0};
-    }
 
     [[nodiscard]] Vector<double, 3> moment_of(const double* change) const {
         Vector<double, 3> moment = Vector<double, 3>::Zero();
