@@ -313,6 +313,11 @@ public:
     /// coordinate changes in it, at most.
     [[nodiscard]] double force_round_off(double t, const VectorX& q);
 
+    /// Returns what one rounding of every coordinate changes in the forces of a matrix, at most, N
+    /// for one of stiffness.
+    /// @param matrix  in the pattern of tangent().
+    [[nodiscard]] double round_off_of(const SparseMatrix& matrix) const;
+
     /// Returns how fast the start moves or begins to move, rad/s: the largest rate, or the root of
     /// the largest acceleration, over length_scale(); 0 where all of it is round-off.
     [[nodiscard]] double motion_frequency(const Start& start);

@@ -654,7 +654,11 @@ ANCF_INLINE double DynamicProblem::force_scale(const Start& start) {
 ANCF_INLINE double DynamicProblem::force_round_off(double t, const VectorX& q) {
     const VectorX rest = VectorX::Zero(size());
     if (evaluate(t, q, rest, VectorX::Zero(multipliers()), Request::tangent)) return 0.0;
-    SparseMatrix magnitudes = detail::copied(assembly_.tangent());
+    return round_off_of(assembly_.tangent());
+}
+
+ANCF_INLINE double DynamicProblem::round_off_of(const SparseMatrix& matrix) const {
+    SparseMatrix magnitudes = detail::copied(matrix);
     for (int k = 0; k < detail::entries(magnitudes); ++k)
         magnitudes.valuePtr()[k] = std::abs(magnitudes.valuePtr()[k]);
     VectorX changes = detail::multiply(magnitudes, options_.storage, scales_);

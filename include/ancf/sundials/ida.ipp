@@ -146,7 +146,7 @@ private:
         call(IDASetMaxNonlinIters(ida, report_.order == 2 ? 7 : 6));
         call(IDASetNonlinConvCoef(ida, 0.1));
         if (options_.form == Form::index3 && problem_.multipliers() > 0)
-            inertia_round_off_ = inertia_round_off();
+            inertia_round_off_ = problem_.round_off_of(problem_.mass());
         first_step_ = first_step();
         call(IDASetInitStep(ida, first_step_));
         call(IDASetMinStep(ida, least_step()));
@@ -213,19 +213,6 @@ private:
         most_ = 1e-3 * force;
         measured(least_, system_.lambda(absolute));
         measured(tolerance_ * force * length / velocity, system_.mu(absolute));
-    }
-
-    // Returns what one rounding of every coordinate, at the rate of one a second, changes in the
-    // inertia forces, N s^2, at most.
-    [[nodiscard]] double inertia_round_off() const {
-        const SparseMatrix& mass = problem_.compact_mass();
-        const VectorX& scales = problem_.scales();
-        VectorX changes = VectorX::Zero(scales.size());
-        for (int j = 0; j < mass.outerSize(); ++j)
-            for (SparseMatrix::InnerIterator entry(mass, j); entry; ++entry)
-                changes[entry.row()] += std::abs(entry.value()) * scales[j];
-        return std::numeric_limits<double>::epsilon() * changes.cwiseProduct(scales).maxCoeff() /
-               problem_.length_scale();
     }
 
     // Lets the tolerance of multipliers be no less than what round-off of the inertia forces leaves
