@@ -12,6 +12,7 @@
 
 #include <ancf/assembly/numbering.hpp>
 #include <ancf/compiler.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/layout.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
@@ -81,9 +82,11 @@ private:
             if (numbering_.equation(k) < 0) return false;
         return true;
     }
+    [[nodiscard]] detail::Vec3<double> vector_of(const std::array<int, 2>& chord,
+                                                 const VectorX& x) const;
     [[nodiscard]] double twist(const std::array<int, 2>& chord, const VectorX& before,
                                const VectorX& change) const;
-    void add_curvature_of_chord(const std::array<int, 2>& chord, const double* force,
+    void add_curvature_of_chord(const std::array<int, 2>& chord, const double* forces,
                                 const VectorX& q, const SparseMatrix& pattern,
                                 double* values) const;
     [[nodiscard]] std::vector<double> chord_forces(const VectorX& residual) const;

@@ -14,158 +14,72 @@ namespace ancf {
 
 namespace detail {
 
-/// A frame of slopes in the plane or in space, by columns, and what acts on it.
-struct SlopeFrame {
-    int dimension;
-    double entry[9] = {};
+/// The slopes of a node and what completes them to a frame: in the plane e_z, in space r_x x r_y
+/// where there are two.
+using SlopeFrame = std::array<Vec3<double>, 3>;
 
-    [[nodiscard]] double& operator()(int i, int j) { return entry[j * dimension + i]; }
-    [[nodiscard]] double operator()(int i, int j) const { return entry[j * dimension + i]; }
-};
-
-/// Returns the inner product of two vectors of 2, 3, 4 or 9 entries.
-[[nodiscard]] ANCF_INLINE double inner(const double* a, const double* b, int size) noexcept {
-    if (size <= 3) {
-        const double sum = a[0] * b[0] + a[1] * b[1];
-        return size == 3 ? sum + a[2] * b[2] : sum;
-    }
-    // pairs side by side, as a register of two takes them
-    double pairs[2] = {a[0] * b[0] + a[2] * b[2], a[1] * b[1] + a[3] * b[3]};
-    if (size == 9)
-        for (int k = 0; k < 2; ++k) pairs[k] += a[4 + k] * b[4 + k] + a[6 + k] * b[6 + k];
-    const double sum = pairs[0] + pairs[1];
-    return size == 9 ? sum + a[8] * b[8] : sum;
+/// Returns a vector of two or three coordinates.
+[[nodiscard]] ANCF_INLINE Vec3<double> vector_at(const double* x, int dimension) noexcept {
+    return {{x[0], x[1], dimension == 3 ? x[2] : 0.0}};
 }
 
-/// Writes v + change with the part of the change across v as a turn.
+/// Returns v + change with the part of the change across v as a turn.
 /// @param twist  angle by which v turns about itself meanwhile: both are one rotation
-ANCF_INLINE void turned(const double* v, const double* change, double twist, int dimension,
-                        TurnBy by, double* out) {
-    const double length = std::sqrt(inner(v, v, dimension));
-    double unit[3] = {}, across[3] = {};
-    for (int k = 0; k < dimension; ++k) {
-        unit[k] = v[k] / length;
-        out[k] = v[k] + change[k];
-    }
-    if (length == 0.0) return;
-    const double along = inner(unit, change, dimension);
-    for (int k = 0; k < dimension; ++k) across[k] = change[k] - along * unit[k];
-    for (double& entry : across) entry /= length;
-    const double bend = std::sqrt(inner(across, across, dimension));
-    if (bend < 1e-12) return;
+[[nodiscard]] ANCF_INLINE Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& change,
+                                              double twist, TurnBy by) {
+    const double before = length(v);
+    if (before == 0.0) return v + change;
+    const Vec3<double> unit = v / before;
+    const double along = dot(unit, change);
+    const Vec3<double> across = (change - along * unit) / before;
+    const double bend = length(across);
+    if (bend < 1e-12) return v + change;
     // exp of the spin w = unit x across + twist unit, on the unit vector
     const double size = std::hypot(bend, twist);
     const double angle = by == TurnBy::angle ? size : std::atan(size);
     const double first = std::sin(angle) / size, second = (1.0 - std::cos(angle)) / (size * size);
-    const double normal[3] = {unit[1] * across[2] - unit[2] * across[1],
-                              unit[2] * across[0] - unit[0] * across[2],
-                              unit[0] * across[1] - unit[1] * across[0]};
-    for (int k = 0; k < dimension; ++k)
-        out[k] = (length + along) * ((1.0 - second * bend * bend) * unit[k] + first * across[k] +
-                                     second * twist * normal[k]);
-}
-
-[[nodiscard]] ANCF_NOINLINE ANCF_INLINE SlopeFrame product(const SlopeFrame& a,
-                                                           const SlopeFrame& b) {
-    SlopeFrame result{a.dimension};
-    for (int j = 0; j < a.dimension; ++j)
-        for (int k = 0; k < a.dimension; ++k)
-            for (int i = 0; i < a.dimension; ++i) result(i, j) += a(i, k) * b(k, j);
-    return result;
-}
-
-/// Returns exp(W), W skew.
-[[nodiscard]] ANCF_INLINE SlopeFrame rotation(const SlopeFrame& skew) {
-    const int dimension = skew.dimension;
-    const double square = 0.5 * inner(skew.entry, skew.entry, dimension * dimension);
-    const double angle = std::sqrt(square);
-    const bool small = angle < 1e-4;  // where the series is exact to round-off
-    const double first = small ? 1.0 - square / 6.0 : std::sin(angle) / angle;
-    const double second = small ? 0.5 - square / 24.0 : (1.0 - std::cos(angle)) / square;
-    SlopeFrame result = product(skew, skew);
-    for (int j = 0; j < dimension; ++j)
-        for (int i = 0; i < dimension; ++i)
-            result(i, j) = (i == j ? 1.0 : 0.0) + first * skew(i, j) + second * result(i, j);
-    return result;
-}
-
-/// Writes the inverse of a frame of unit size.
-/// @return false where its determinant is below 1e-12.
-[[nodiscard]] ANCF_INLINE bool invert(const SlopeFrame& a, SlopeFrame& inverse) {
-    double determinant = 0.0;
-    if (a.dimension == 2) {
-        determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
-        inverse(0, 0) = a(1, 1);
-        inverse(0, 1) = -a(0, 1);
-        inverse(1, 0) = -a(1, 0);
-        inverse(1, 1) = a(0, 0);
-    } else {
-        for (int k = 0; k < 3; ++k) {  // row k is the vector product of the other two columns
-            const int p = (k + 1) % 3, q = (k + 2) % 3;
-            for (int j = 0; j < 3; ++j) {
-                const int m = (j + 1) % 3, n = (j + 2) % 3;
-                inverse(k, j) = a(m, p) * a(n, q) - a(n, p) * a(m, q);
-            }
-        }
-        determinant = inverse(0, 0) * a(0, 0) + inverse(0, 1) * a(1, 0) + inverse(0, 2) * a(2, 0);
-    }
-    if (!(std::abs(determinant) > 1e-12)) return false;
-    for (double& entry : inverse.entry) entry /= determinant;
-    return true;
-}
-
-/// Keeps of a spin [w]x the part about the first column of a frame.
-ANCF_INLINE void keep_tangent_part(const SlopeFrame& frame, SlopeFrame& skew) {
-    const double* const t = frame.entry;
-    const double spin[3] = {skew(2, 1), skew(0, 2), skew(1, 0)};
-    const double part = inner(spin, t, 3) / inner(t, t, 3);
-    for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        skew(k, k) = 0.0;
-        skew(j, i) = part * t[k];
-        skew(i, j) = -skew(j, i);
-    }
-}
-
-/// Adds a x b to a third of a frame's columns: where a node has two slopes, r_x x r_y stands for
-/// the third.
-ANCF_INLINE void add_product(const double* a, const double* b, SlopeFrame& frame) {
-    for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        frame(k, 2) += a[i] * b[j] - a[j] * b[i];
-    }
+    return (before + along) * ((1.0 - second * bend * bend) * unit + first * across +
+                               second * twist * cross(unit, across));
 }
 
 /// Returns the frame of a node from its slopes, as many as the dimension or one less in space.
 [[nodiscard]] ANCF_INLINE SlopeFrame frame_of(const double* slopes, int count, int dimension) {
-    SlopeFrame G{dimension};
-    std::copy_n(slopes, count * dimension, G.entry);
-    if (count < dimension) add_product(slopes, slopes + 3, G);
+    SlopeFrame G = {};
+    for (int k = 0; k < count; ++k) G[k] = vector_at(slopes + dimension * k, dimension);
+    if (dimension == 2) G[2][2] = 1.0;
+    if (count < dimension) G[2] = cross(G[0], G[1]);
     return G;
 }
 
 /// Returns the change of that frame, to first order.
-[[nodiscard]] ANCF_INLINE SlopeFrame change_of_frame(const double* slopes, const double* change,
+[[nodiscard]] ANCF_INLINE SlopeFrame change_of_frame(const SlopeFrame& G, const double* change,
                                                      int count, int dimension) {
-    SlopeFrame dG{dimension};
-    std::copy_n(change, count * dimension, dG.entry);
-    if (count < dimension) {
-        add_product(change, slopes + 3, dG);
-        add_product(slopes, change + 3, dG);
-    }
+    SlopeFrame dG = {};
+    for (int k = 0; k < count; ++k) dG[k] = vector_at(change + dimension * k, dimension);
+    if (count < dimension) dG[2] = cross(dG[0], G[1]) + cross(G[0], dG[1]);
     return dG;
+}
+
+/// Writes the columns g_k of G^-T, G of unit size.
+/// @return false where the determinant of G is below 1e-12.
+[[nodiscard]] ANCF_INLINE bool invert(const SlopeFrame& G, SlopeFrame& g) {
+    g = {cross(G[1], G[2]), cross(G[2], G[0]), cross(G[0], G[1])};
+    const double determinant = dot(g[0], G[0]);
+    for (Vec3<double>& column : g) column = column / determinant;
+    return std::abs(determinant) > 1e-12;
 }
 
 /// Moves a derivative by dG to the slopes of a node, in place: adds what the third column of dG
 /// has of the two others where a node has two slopes.
 /// @param stride  between the entries
-ANCF_INLINE void pull_back(const double* slopes, int count, int stride, double* derivative) {
+ANCF_INLINE void pull_back(const SlopeFrame& G, int count, int stride, double* derivative) {
     if (count == 3) return;
+    const double* const third = derivative + 6 * stride;
+    const Vec3<double> by = {{third[0], third[stride], third[2 * stride]}};
+    const Vec3<double> first = cross(G[1], by), second = cross(by, G[0]);
     for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const double of_i = derivative[(6 + i) * stride], of_j = derivative[(6 + j) * stride];
-        derivative[k * stride] += slopes[3 + i] * of_j - slopes[3 + j] * of_i;
-        derivative[(3 + k) * stride] += slopes[j] * of_i - slopes[i] * of_j;
+        derivative[k * stride] += first[k];
+        derivative[(3 + k) * stride] += second[k];
     }
 }
 
@@ -173,38 +87,37 @@ ANCF_INLINE void pull_back(const double* slopes, int count, int stride, double* 
 /// frame G is the axial vector of the skew part of dG G^-1: half the sum of g_k x dG_k, g_k the
 /// columns of G^-T.
 /// @return false where the frame has no inverse
-[[nodiscard]] ANCF_INLINE bool spin_about(const double* unit, const double* slopes, int count,
+[[nodiscard]] ANCF_INLINE bool spin_about(const Vec3<double>& unit, const double* slopes, int count,
                                           double* derivative) {
-    SlopeFrame inverse{3};
-    if (!invert(frame_of(slopes, count, 3), inverse)) return false;
-    for (int k = 0; k < 9; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        derivative[k] = 0.5 * (unit[i] * inverse(k / 3, j) - unit[j] * inverse(k / 3, i));
-    }
-    pull_back(slopes, count, 1, derivative);
+    const SlopeFrame G = frame_of(slopes, count, 3);
+    SlopeFrame g;
+    if (!invert(G, g)) return false;
+    for (int k = 0; k < 3; ++k) std::copy_n((0.5 * cross(unit, g[k])).v, 3, derivative + 3 * k);
+    pull_back(G, count, 1, derivative);
     return true;
 }
 
-/// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew.
-/// @param tangent_only  W keeps the part about r_x
+/// Moves a node's frame G = [r_x r_y r_z] to exp(W) (I + D) G, W + D = dG G^-1, W skew: dG_k and
+/// what the spin w of W takes from it, w x G_k, turned by w.
+/// @param tangent_only  w keeps the part about r_x
 /// @param by            tangent: exp takes atan of the angle of W instead of the angle
 ANCF_INLINE void turn_frame(const double* before, const double* change, int count, int dimension,
                             bool tangent_only, TurnBy by, double* after) {
     const SlopeFrame G = frame_of(before, count, dimension);
-    const SlopeFrame dG = change_of_frame(before, change, count, dimension);
-    SlopeFrame inverse{dimension}, skew{dimension};
-    if (!invert(G, inverse)) return;
-    SlopeFrame rate = product(dG, inverse);
-    for (int j = 0; j < dimension; ++j)
-        for (int i = 0; i < dimension; ++i) skew(i, j) = 0.5 * (rate(i, j) - rate(j, i));
-    if (tangent_only) keep_tangent_part(G, skew);
-    for (int j = 0; j < dimension; ++j)  // I + D
-        for (int i = 0; i < dimension; ++i) rate(i, j) += (i == j ? 1.0 : 0.0) - skew(i, j);
-    const double angle = std::sqrt(0.5 * inner(skew.entry, skew.entry, dimension * dimension));
-    if (by == TurnBy::tangent && angle > 1e-8)
-        for (double& entry : skew.entry) entry *= std::atan(angle) / angle;
-    const SlopeFrame result = product(rotation(skew), product(rate, G));
-    std::copy_n(result.entry, count * dimension, after);
+    const SlopeFrame dG = change_of_frame(G, change, count, dimension);
+    SlopeFrame g;
+    if (!invert(G, g)) return;
+    Vec3<double> spin = 0.5 * (cross(g[0], dG[0]) + cross(g[1], dG[1]) + cross(g[2], dG[2]));
+    if (tangent_only) spin = dot(spin, G[0]) / dot(G[0], G[0]) * G[0];
+    const double size = length(spin);
+    const double angle = by == TurnBy::tangent ? std::atan(size) : size;
+    const double first = size > 0.0 ? std::sin(angle) / size : 1.0;
+    const double half = size > 0.0 ? std::sin(0.5 * angle) / size : 0.5;
+    for (int k = 0; k < count; ++k) {
+        const Vec3<double> rest = G[k] + dG[k] - cross(spin, G[k]), across = cross(spin, rest);
+        const Vec3<double> end = rest + first * across + 2.0 * half * half * cross(spin, across);
+        std::copy_n(end.v, dimension, after + dimension * k);
+    }
 }
 
 /// Writes rate + change, the rate of a slope along the line, with what turns it as the tangent
@@ -215,25 +128,15 @@ ANCF_INLINE void turn_frame(const double* before, const double* change, int coun
 ANCF_INLINE void turn_rate(const double* before, const double* change, const double* after,
                            const double* rate, const double* rate_change, int dimension,
                            double* out) {
-    Vector<double, 3> t = Vector<double, 3>::Zero(), dt = t, to = t, v = t, dv = t;
-    for (int k = 0; k < dimension; ++k) {
-        t[k] = before[k];
-        dt[k] = change[k];
-        to[k] = after[k];
-        v[k] = rate[k];
-        dv[k] = rate_change[k];
-    }
-    const double length = t.norm();
-    t /= length;
-    to /= to.norm();
-    dt /= length;
-    const double cosine = t.dot(to);
+    const Vec3<double> r_x = vector_at(before, dimension), end = vector_at(after, dimension);
+    const Vec3<double> t = r_x / length(r_x), to = end / length(end);
+    const double cosine = dot(t, to);
     if (!(cosine > -0.9)) return;  // where that rotation is not unique
-    const Vector<double, 3> spin = cross(t, dt), axis = cross(t, to);
-    v += dv - cross(spin, v);
-    const Vector<double, 3> turned =
-        cosine * v + cross(axis, v) + axis.dot(v) / (1.0 + cosine) * axis;
-    std::copy_n(turned.data(), dimension, out);
+    const Vec3<double> spin = cross(t, vector_at(change, dimension) / length(r_x));
+    const Vec3<double> axis = cross(t, to), old = vector_at(rate, dimension);
+    const Vec3<double> v = old + vector_at(rate_change, dimension) - cross(spin, old);
+    const Vec3<double> turned = cosine * v + cross(axis, v) + dot(axis, v) / (1.0 + cosine) * axis;
+    std::copy_n(turned.v, dimension, out);
 }
 
 /// Writes the second derivative of rho . exp(W) (I + D) G by dG, 9 x 9. With the columns g_k of
@@ -245,22 +148,21 @@ ANCF_INLINE void turn_rate(const double* before, const double* change, const dou
 /// @return false where the frame has no inverse
 [[nodiscard]] ANCF_INLINE bool frame_curvature(const SlopeFrame& G, const SlopeFrame& rho,
                                                double* curvature) {
-    SlopeFrame inverse{3}, M{3}, Mg{3}, gg{3}, gr{3};
-    if (!invert(G, inverse)) return false;
+    SlopeFrame g, M = {}, Mg = {};  // M by rows
+    if (!invert(G, g)) return false;
+    double gg[3][3], gr[3][3];
     for (int k = 0; k < 3; ++k)
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) {
-                M(i, j) += rho(i, k) * G(j, k);
-                gg(i, j) += inverse(i, k) * inverse(j, k);
-                gr(i, j) += inverse(i, k) * rho(k, j);
-            }
+        for (int i = 0; i < 3; ++i) {
+            add(M[i], rho[k][i], G[k]);
+            gg[k][i] = dot(g[k], g[i]);
+            gr[k][i] = dot(g[k], rho[i]);
+        }
     for (int k = 0; k < 3; ++k)
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) Mg(j, k) += M(i, j) * inverse(k, i);
+        for (int i = 0; i < 3; ++i) add(Mg[k], g[k][i], M[i]);
     const auto half = [&](int a, int b) {
         const int i = a % 3, k = a / 3, j = b % 3, l = b / 3;
-        return 0.125 * (3.0 * inverse(k, j) * rho(i, l) + gg(k, l) * M(i, j) -
-                        (i == j ? 3.0 * gr(k, l) : 0.0) - inverse(l, i) * Mg(j, k));
+        return 0.125 * (3.0 * g[k][j] * rho[l][i] + gg[k][l] * M[i][j] -
+                        (i == j ? 3.0 * gr[k][l] : 0.0) - g[l][i] * Mg[k][j]);
     };
     for (int a = 0; a < 9; ++a)
         for (int b = 0; b < 9; ++b) curvature[9 * a + b] = half(a, b) + half(b, a);
@@ -329,15 +231,12 @@ ANCF_INLINE double Turning::largest_angle(const VectorX& before, const VectorX& 
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
         for (int slope = 0; slope < at.count; ++slope) {
-            const double* const v = before.data() + at.first + slope * dimension_;
-            const double* const d = change.data() + at.first + slope * dimension_;
-            const double square = detail::inner(v, v, dimension_);
+            const int k = at.first + slope * dimension_;
+            const auto v = detail::vector_at(before.data() + k, dimension_);
+            const auto d = detail::vector_at(change.data() + k, dimension_);
+            const double square = dot(v, v);
             if (!(square > 0.0)) continue;
-            const double along = detail::inner(v, d, dimension_) / square;
-            double across[3] = {};
-            for (int k = 0; k < dimension_; ++k) across[k] = d[k] - along * v[k];
-            largest = std::max(
-                largest, std::sqrt(detail::inner(across, across, dimension_)) / std::sqrt(square));
+            largest = std::max(largest, length(d - dot(v, d) / square * v) / std::sqrt(square));
         }
     }
     return largest;
@@ -349,18 +248,17 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
     for (int node = 0; node < layout_.nodes(); ++node) {
         const Slopes at = slopes(node);
         if (!at.whole) continue;
-        const double* const slopes = q.data() + at.first;
-        detail::SlopeFrame rho{3};
+        const detail::SlopeFrame G = detail::frame_of(q.data() + at.first, at.count, 3);
+        detail::SlopeFrame rho = {};
         int equations[9];
         double curvature[81];
         for (int k = 0; k < 3 * at.count; ++k) {
             equations[k] = numbering_.equation(at.first + k);
-            rho.entry[k] = residual[equations[k]];
+            rho[k / 3][k % 3] = residual[equations[k]];
         }
-        if (!detail::frame_curvature(detail::frame_of(slopes, at.count, 3), rho, curvature))
-            continue;
-        for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 9, curvature + k);
-        for (int k = 0; k < 9; ++k) detail::pull_back(slopes, at.count, 1, curvature + 9 * k);
+        if (!detail::frame_curvature(G, rho, curvature)) continue;
+        for (int k = 0; k < 9; ++k) detail::pull_back(G, at.count, 9, curvature + k);
+        for (int k = 0; k < 9; ++k) detail::pull_back(G, at.count, 1, curvature + 9 * k);
         detail::add_block(curvature, 9, 1, equations, 3 * at.count, equations, 3 * at.count,
                           pattern, values);
     }
@@ -376,20 +274,15 @@ ANCF_INLINE void Turning::add_curvature(const VectorX& q, const VectorX& residua
 /// nodes' mean twist t, the chord changes by (a b - b.b u/2)/L + t u x b/2 to second order. By the
 /// difference of positions that is (u f^T + f u^T - (f.u) (I + u u^T))/L, f the force.
 ANCF_INLINE void Turning::add_curvature_of_chord(const std::array<int, 2>& chord,
-                                                 const double* force, const VectorX& q,
+                                                 const double* forces, const VectorX& q,
                                                  const SparseMatrix& pattern,
                                                  double* values) const {
-    double unit[3], turn[3];
-    for (int k = 0; k < 3; ++k)
-        unit[k] = q[layout_.first(chord[1]) + k] - q[layout_.first(chord[0]) + k];
-    const double length = std::sqrt(detail::inner(unit, unit, 3));
+    const detail::Vec3<double> line = vector_of(chord, q), force = detail::vector_at(forces, 3);
+    const double length = detail::length(line);
     if (!(length > 0.0)) return;
-    for (double& entry : unit) entry /= length;
-    for (int k = 0; k < 3; ++k) {  // force . (u x b) = turn . b
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        turn[k] = force[i] * unit[j] - force[j] * unit[i];
-    }
-    const double tension = detail::inner(force, unit, 3);
+    const detail::Vec3<double> unit = line / length;
+    const detail::Vec3<double> turn = cross(force, unit);  // force . (u x b) = turn . b
+    const double tension = dot(force, unit);
 
     double bend[9];
     for (int k = 0; k < 3; ++k)
@@ -489,8 +382,9 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
                                dimension_, false, by, q.data() + at.first);
         else
             for (int k = at.first; k < at.first + at.count * dimension_; k += dimension_) {
-                double slope[3];
-                detail::turned(before.data() + k, change.data() + k, 0.0, dimension_, by, slope);
+                const auto slope =
+                    detail::turned(detail::vector_at(before.data() + k, dimension_),
+                                   detail::vector_at(change.data() + k, dimension_), 0.0, by);
                 for (int i = 0; i < dimension_; ++i)  // what is held or driven is where it must be
                     if (numbering_.equation(k + i) >= 0) q[k + i] = slope[i];
             }
@@ -506,28 +400,32 @@ ANCF_INLINE void Turning::turn(const VectorX& before, const VectorX& change, Vec
     wanted.reserve(chords_.size() * dimension_);
     for (const auto& chord : chords_) {
         const int i = layout_.first(chord[0]), j = layout_.first(chord[1]);
-        double old[3] = {}, step[3] = {}, moved[3];
-        for (int k = 0; k < dimension_; ++k) {
-            old[k] = before[j + k] - before[i + k];
-            step[k] = change[j + k] - change[i + k];
-        }
-        detail::turned(old, step, twist(chord, before, change), dimension_, by, moved);
+        const auto moved = detail::turned(vector_of(chord, before), vector_of(chord, change),
+                                          twist(chord, before, change), by);
         for (int k = 0; k < dimension_; ++k) wanted.push_back(moved[k] - q[j + k] + q[i + k]);
     }
     for (int k = 0; k < dimension_; ++k) shift(k, wanted, q);
     numbering_.dependence().complete(q);
 }
 
+/// Returns the vector along a chord, or its change.
+ANCF_INLINE detail::Vec3<double> Turning::vector_of(const std::array<int, 2>& chord,
+                                                    const VectorX& x) const {
+    const auto at = [&](int node) {
+        return detail::vector_at(x.data() + layout_.first(node), dimension_);
+    };
+    return at(chord[1]) - at(chord[0]);
+}
+
 /// Returns the mean angle by which the nodes of a chord turn about it, to first order.
 ANCF_INLINE double Turning::twist(const std::array<int, 2>& chord, const VectorX& before,
                                   const VectorX& change) const {
     if (dimension_ < 3) return 0.0;
-    double unit[3], mean = 0.0;
-    for (int k = 0; k < 3; ++k)
-        unit[k] = before[layout_.first(chord[1]) + k] - before[layout_.first(chord[0]) + k];
-    const double length = std::sqrt(detail::inner(unit, unit, 3));
+    const detail::Vec3<double> line = vector_of(chord, before);
+    const double length = detail::length(line);
     if (!(length > 0.0)) return 0.0;
-    for (double& entry : unit) entry /= length;
+    const detail::Vec3<double> unit = line / length;
+    double mean = 0.0;
     for (const int node : chord) {
         const Slopes at = slopes(node);
         double spin[9];
