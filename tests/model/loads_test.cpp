@@ -7,6 +7,7 @@
 
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
+#include <support/load_theory.hpp>
 #include <support/random_state.hpp>
 
 #include <limits>
@@ -47,51 +48,68 @@ ancf::Moment on_section(const Vector3& moment,
     return load;
 }
 
-template <class Load, int Size>
-void check_stiffness(const Load& load, const ancf::Vector<double, Size>& q) {
+/// @param force  of the theory, on any scalar.
+template <class Load, class Force, int Size>
+void check_load(const Load& load, const Force& force, const ancf::Vector<double, Size>& q) {
     const auto out = evaluate(load, q);
-    const auto expected =
-        ancf::test::complex_step_jacobian([&](const auto& z) { return load.force(z); }, q);
+    const auto expected = ancf::test::complex_step_jacobian(force, q);
     REQUIRE(expected.norm() > 0.0);
-    CHECK((out.force - load.force(q)).norm() <= tolerance * out.force.norm());
+    CHECK((out.force - force(q)).norm() <= tolerance * out.force.norm());
     CHECK(ancf::test::relative_error(out.stiffness, expected) <= tolerance);
 }
 
-TEST_CASE("moments on slopes: stiffness equals the complex-step derivative of the force",
+TEST_CASE("moments on slopes: force of the theory, stiffness equals its complex-step derivative",
           "[load]") {
     const auto seed = GENERATE(range(0U, 50U));
     INFO("seed " << seed);
     ancf::test::Random random(seed);
     const Vector3 vector = random.vector<3>();
     const Vector6 slopes = random_slopes(random);
+    const Vector3 axis = random.direction<3>();
 
-    check_stiffness(ancf::SlopeMoment(NodeId{0}, Field::r_y, random.direction<3>(), 2.5),
-                    Vector3(slopes.tail<3>()));
-    check_stiffness(ancf::PlanarSlopeMoment(NodeId{0}, Field::r_x, -1.5),
-                    ancf::Vector<double, 2>(slopes.head<2>()));
-    check_stiffness(ancf::TangentMoment(NodeId{0}, vector), Vector3(slopes.head<3>()));
-    check_stiffness(ancf::Moment(NodeId{0}, vector), slopes);
-    check_stiffness(ancf::Moment(NodeId{0}, vector, ancf::Attachment::frame), slopes);
-    check_stiffness(on_section(vector), slopes);
-    check_stiffness(on_section(vector, ancf::Attachment::frame), slopes);
+    check_load(
+        ancf::SlopeMoment(NodeId{0}, Field::r_y, axis, 2.5),
+        [&](const auto& z) { return ancf::test::slope_moment(axis, 2.5, z); },
+        Vector3(slopes.tail<3>()));
+    check_load(
+        ancf::PlanarSlopeMoment(NodeId{0}, Field::r_x, -1.5),
+        [](const auto& z) { return ancf::test::planar_slope_moment(-1.5, z); },
+        ancf::Vector<double, 2>(slopes.head<2>()));
+    check_load(
+        ancf::TangentMoment(NodeId{0}, vector),
+        [&](const auto& z) { return ancf::test::tangent_moment(vector, z); },
+        Vector3(slopes.head<3>()));
+    for (const bool in_frame : {false, true}) {
+        const auto attachment = in_frame ? ancf::Attachment::frame : ancf::Attachment::space;
+        check_load(
+            ancf::Moment(NodeId{0}, vector, attachment),
+            [&](const auto& z) { return ancf::test::moment_on_tangent(vector, in_frame, z); },
+            slopes);
+        check_load(
+            on_section(vector, attachment),
+            [&](const auto& z) { return ancf::test::moment_on_section(vector, in_frame, z); },
+            slopes);
+    }
 }
 
-TEST_CASE("FollowerForce: stiffness equals the complex-step derivative of the force", "[load]") {
+TEST_CASE("FollowerForce: force of the theory, stiffness equals its complex-step derivative",
+          "[load]") {
     const auto seed = GENERATE(range(0U, 50U));
     INFO("seed " << seed);
     ancf::test::Random random(seed);
-    const ancf::FollowerForce load(NodeId{0}, random.vector<3>());
+    const Vector3 force = random.vector<3>();
+    const ancf::FollowerForce load(NodeId{0}, force);
     const Vector6 slopes = random_slopes(random);
     ancf::VectorX q(9);
     q << random.vector<3>(), slopes;
 
     const auto out = evaluate(load, q);
-    const auto expected =
-        ancf::test::complex_step_jacobian([&](const auto& z) { return load.force(z); }, slopes);
+    const auto expected = ancf::test::complex_step_jacobian(
+        [&](const auto& z) { return ancf::test::follower_force(force, z); }, slopes);
     CHECK(ancf::test::relative_error(out.stiffness.topRightCorner<3, 6>(), expected) <= tolerance);
     CHECK(out.stiffness.leftCols<3>().norm() == 0.0);
     CHECK(out.stiffness.bottomRows<6>().norm() == 0.0);
-    CHECK((out.force.head<3>() - load.force(slopes)).norm() <= tolerance);
+    CHECK((out.force.head<3>() - ancf::test::follower_force(force, slopes)).norm() <= tolerance);
 }
 
 TEST_CASE("Moment: the generalised force has the moment as its resultant", "[load]") {
@@ -101,7 +119,7 @@ TEST_CASE("Moment: the generalised force has the moment as its resultant", "[loa
     const Vector3 moment = random.vector<3>();
     const Vector6 slopes = random_slopes(random);
     for (const ancf::Moment& load : {ancf::Moment(NodeId{0}, moment), on_section(moment)}) {
-        const Vector6 force = load.force(slopes);
+        const Vector6 force = evaluate(load, slopes).force;
         const Vector3 sum = ancf::cross(Vector3(slopes.head<3>()), Vector3(force.head<3>())) +
                             ancf::cross(Vector3(slopes.tail<3>()), Vector3(force.tail<3>()));
         CHECK((sum - moment).norm() <= tolerance * moment.norm());
@@ -113,10 +131,10 @@ TEST_CASE("Moment: on a section it stretches no slope; without shares a torque d
     const Vector3 y(0.0, 1.1, 0.0), z(0.0, 0.0, 0.9);
     Vector6 slopes;
     slopes << y, z;
-    const Vector6 torque = on_section({2.0, 0.0, 0.0}).force(slopes);
+    const Vector6 torque = evaluate(on_section({2.0, 0.0, 0.0}), slopes).force;
     CHECK((torque.head<3>() - Vector3(0.0, 0.0, 1.0 / 1.1)).norm() <= tolerance);
     CHECK((torque.tail<3>() - Vector3(0.0, -1.0 / 0.9, 0.0)).norm() <= tolerance);
-    const Vector6 bending = on_section({0.0, 0.0, 2.0}).force(slopes);
+    const Vector6 bending = evaluate(on_section({0.0, 0.0, 2.0}), slopes).force;
     CHECK((bending.head<3>() - Vector3(-2.0 / 1.1, 0.0, 0.0)).norm() <= tolerance);
     CHECK(bending.tail<3>().norm() <= tolerance);
 }
@@ -129,7 +147,7 @@ TEST_CASE("SlopeMoment: the work over one turn of a normal slope is 2 pi m", "[l
         const double angle = 2.0 * ancf::pi * k / parts;
         const Vector3 slope(1.2 * std::cos(angle), 1.2 * std::sin(angle), 0.0);
         const Vector3 step = 2.0 * ancf::pi / parts * Vector3(-slope[1], slope[0], 0.0);
-        work += load.force(slope).dot(step);
+        work += evaluate(load, slope).force.dot(step);
     }
     CHECK(work == Approx(6.0 * ancf::pi).epsilon(1e-12));
 }

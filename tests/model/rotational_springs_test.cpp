@@ -4,16 +4,19 @@
 /// @file
 /// Springs and dampers of hinges: derivatives, and scenes with a closed form.
 
+#include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/momentum.hpp>
 #include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cross_section/beam.hpp>
 #include <ancf/element/planar/beam.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/model.hpp>
+#include <ancf/model/triad.hpp>
 #include <ancf/section/profiles.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/statics.hpp>
@@ -23,6 +26,7 @@
 #include <support/load_result.hpp>
 #include <support/random_state.hpp>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -31,7 +35,6 @@
 namespace rotational_springs_test {
 
 using namespace ancf;
-using Complex = DynamicVector<std::complex<double>>;
 using Point = Vector<double, 3>;
 using Point2 = Vector<double, 2>;
 using Bar = CrossSectionBeam<3>;
@@ -48,9 +51,96 @@ VectorX local(const Scene& model, const Coupling& coupling) {
     return q;
 }
 
-template <class Spring, class Damper>
-void check_derivatives(const Scene& model, const Spring& spring, const Damper& damper,
-                       test::Random& random) {
+/// Returns the angle of a sine and a cosine, rad, of complex numbers continued by its derivative.
+double angle_of(double s, double c) { return std::atan2(s, c); }
+std::complex<double> angle_of(const std::complex<double>& s, const std::complex<double>& c) {
+    return {std::atan2(s.real(), c.real()),
+            (c.real() * s.imag() - s.real() * c.imag()) / (std::norm(c) + std::norm(s))};
+}
+
+/// Returns the frame of a hinge's side at its slopes, which start at q[first].
+template <class S>
+detail::Triad<S> frame_of(const detail::JointSide& side, const DynamicVector<S>& q, int first) {
+    if (side.kind == detail::SideKind::space) return detail::Triad<S>::at_rest(side.axes);
+    const auto p = detail::vec3<S>(q, first), a = detail::vec3<S>(q, first + 3);
+    return side.kind == detail::SideKind::section ? detail::Triad<S>::of_section(p, a, side.share)
+                                                  : detail::Triad<S>::of_slopes(p, a);
+}
+
+/// phi = atan2(s, c), s = n_A.p_B, c = p_A.p_B; p and n normal to the axis, fixed in both frames.
+struct SpatialAngle {
+    detail::JointSide a, b;
+    std::array<detail::Vec3<double>, 2> normals;  ///< p, n as the model stands at the start
+
+    SpatialAngle(const Model& model, const FrameAt& on_a, const FrameAt* on_b, const Point& axis)
+        : a(detail::JointSide::frame(model, on_a)),
+          b(on_b == nullptr ? detail::JointSide::space(model, on_a.node)
+                            : detail::JointSide::frame(model, *on_b)),
+          normals(detail::normals_of(detail::vec3<double>(Point(axis.normalized())))) {}
+
+    /// Returns a normal, fixed in a side's frame, as that stands now.
+    template <class S>
+    [[nodiscard]] detail::Vec3<S> carried(const detail::JointSide& side,
+                                          const detail::Triad<S>& now, int k) const {
+        const auto& v = normals[static_cast<std::size_t>(k)];
+        return now.in_space({{dot(side.axes[0], v), dot(side.axes[1], v), dot(side.axes[2], v)}});
+    }
+
+    /// Returns phi and writes phi_q = (c s_q - s c_q)/(s^2 + c^2); a carried v turns by w x v.
+    template <class S>
+    S operator()(const DynamicVector<S>& q, DynamicVector<S>& gradient) const {
+        const auto frame_a = frame_of(a, q, 0), frame_b = frame_of(b, q, 6);
+        const auto p_a = carried(a, frame_a, 0), n_a = carried(a, frame_a, 1),
+                   p_b = carried(b, frame_b, 0);
+        const S s = dot(n_a, p_b), c = dot(p_a, p_b);
+        gradient.resize(q.size());
+        for (int k = 0; k < q.size(); ++k) {
+            const bool of_a = k < 6;
+            const auto& spin = of_a ? frame_a.spin[k] : frame_b.spin[k - 6];
+            const S by_s = of_a ? dot(cross(spin, n_a), p_b) : dot(n_a, cross(spin, p_b));
+            const S by_c = of_a ? dot(cross(spin, p_a), p_b) : dot(p_a, cross(spin, p_b));
+            gradient[k] = (c * by_s - s * by_c) / (s * s + c * c);
+        }
+        return angle_of(s, c);
+    }
+};
+
+/// phi = th_B - th_A less that of the start, th the angles of the slopes; of space 0.
+struct PlanarAngle {
+    double start;  ///< th_B - th_A of the start, rad
+
+    template <class S>
+    S operator()(const DynamicVector<S>& q, DynamicVector<S>& gradient) const {
+        const bool space = q.size() == 2;
+        gradient.resize(q.size());
+        for (int k = 0; k < q.size(); k += 2) {
+            const S square = q[k] * q[k] + q[k + 1] * q[k + 1];
+            const double sign = k == 0 ? -1.0 : 1.0;
+            gradient[k] = -sign * q[k + 1] / square;
+            gradient[k + 1] = sign * q[k] / square;
+        }
+        const S th_a = angle_of(q[1], q[0]), th_b = space ? S(0.0) : angle_of(q[3], q[2]);
+        const S phi = th_b - th_a - start;
+        return phi - 2.0 * pi * std::round(std::real(phi) / (2.0 * pi));
+    }
+};
+
+template <class Angle, class Spring, class Damper>
+void check_derivatives(const Scene& model, const Angle& angle, const Spring& spring,
+                       const Damper& damper, test::Random& random) {
+    const auto force = [&](const auto& x) {  // -k phi phi_q
+        auto gradient = x;
+        const auto phi = angle(x, gradient);
+        gradient *= -3.0 * phi;
+        return gradient;
+    };
+    const auto resistance = [&](const auto& x, const auto& rate) {  // -c (phi_q.v) phi_q
+        auto gradient = x;
+        (void)angle(x, gradient);
+        const auto turn = (gradient.transpose() * rate).value();
+        gradient *= -0.3 * turn;
+        return gradient;
+    };
     VectorX q = local(model, spring.coupling()), v(q.size());
     CHECK(test::load_result(spring, q, v).force.norm() <= 1e-12);  // at rest where it was made
     for (Eigen::Index i = 0; i < q.size(); ++i) {
@@ -58,10 +148,9 @@ void check_derivatives(const Scene& model, const Spring& spring, const Damper& d
         v[i] = random.uniform(-2.0, 2.0);
     }
     const LoadResult at = test::load_result(spring, q, v);
-    const auto expected =
-        test::complex_step_jacobian([&](const Complex& z) { return spring.force(z); }, q);
+    const auto expected = test::complex_step_jacobian(force, q);
     CHECK(test::relative_error(at.stiffness, expected) < tolerance);
-    CHECK(test::relative_error(at.force, spring.force(q)) < tolerance);
+    CHECK(test::relative_error(at.force, force(q)) < tolerance);
     CHECK(test::relative_error(at.stiffness, at.stiffness.transpose()) < tolerance);
     // Q = -dV/dq, by a central difference
     const double h = 1e-5;
@@ -69,7 +158,7 @@ void check_derivatives(const Scene& model, const Spring& spring, const Damper& d
                           test::load_result(spring, q - h * v, v).potential) /
                          (2.0 * h);
     CHECK(slope == Approx(-at.force.dot(v)).epsilon(1e-7).margin(1e-8));
-    test::check_damper(damper, q, v, tolerance);
+    test::check_damper(damper, resistance, q, v, tolerance);
 }
 
 /// A hundred times as stiff as steel: bars hardly bend.
@@ -85,7 +174,7 @@ Beam<Flat> flat(PlanarModel& model, const Point2& from, const Point2& to, int el
                                CrossSectionOptions::best());
 }
 
-TEST_CASE("RotationalSpring, RotationalDamper: derivatives equal the complex step's",
+TEST_CASE("RotationalSpring, RotationalDamper: force of the theory, derivatives by complex steps",
           "[model][springs]") {
     const auto seed = GENERATE(range(0U, 20U));
     INFO("seed " << seed);
@@ -95,18 +184,27 @@ TEST_CASE("RotationalSpring, RotationalDamper: derivatives equal the complex ste
                  b = bar(model, {0, 0, 0}, random.vector<3>()).first();
     const Point axis = random.vector<3>();
     const FrameAt tangent(a, Field::r_x, Field::r_y);
-    check_derivatives(model, RotationalSpring(model, a, b, axis, 3.0),
+    const FrameAt of_b(b);
+    check_derivatives(model, SpatialAngle(model, a, &of_b, axis),
+                      RotationalSpring(model, a, b, axis, 3.0),
                       RotationalDamper(model, a, b, axis, 0.3), random);
-    check_derivatives(model, RotationalSpring(model, tangent, b, axis, 3.0),
+    check_derivatives(model, SpatialAngle(model, tangent, &of_b, axis),
+                      RotationalSpring(model, tangent, b, axis, 3.0),
                       RotationalDamper(model, tangent, b, axis, 0.3), random);
-    check_derivatives(model, RotationalSpring(model, b, axis, 3.0),
-                      RotationalDamper(model, b, axis, 0.3), random);
+    check_derivatives(model, SpatialAngle(model, b, nullptr, axis),
+                      RotationalSpring(model, b, axis, 3.0), RotationalDamper(model, b, axis, 0.3),
+                      random);
     PlanarModel plane;
     const NodeId c = flat(plane, {0, 0}, random.vector<2>()).last(),
                  d = flat(plane, {0, 0}, random.vector<2>()).first();
-    check_derivatives(plane, PlanarRotationalSpring(plane, c, d, 3.0),
+    const auto heading = [&](NodeId node) {
+        const Point2 slope = plane.value(node, Field::r_y);
+        return std::atan2(slope[1], slope[0]);
+    };
+    check_derivatives(plane, PlanarAngle{heading(d) - heading(c)},
+                      PlanarRotationalSpring(plane, c, d, 3.0),
                       PlanarRotationalDamper(plane, c, d, 0.3), random);
-    check_derivatives(plane, PlanarRotationalSpring(plane, d, 3.0),
+    check_derivatives(plane, PlanarAngle{-heading(d)}, PlanarRotationalSpring(plane, d, 3.0),
                       PlanarRotationalDamper(plane, d, 0.3), random);
 }
 

@@ -25,18 +25,17 @@
 #include <support/catch.hpp>
 #include <support/complex_step.hpp>
 #include <support/load_result.hpp>
+#include <support/load_theory.hpp>
 #include <support/random_state.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <vector>
 
 namespace springs_test {
 
 using namespace ancf;
-using Complex = DynamicVector<std::complex<double>>;
 using Point = Vector<double, 3>;
 using Beam3 = CrossSectionBeam<3>;
 
@@ -50,27 +49,30 @@ void check_derivatives(const MaterialPoint& a, const MaterialPoint& b, test::Ran
         q[i] = random.uniform(-2.0, 2.0);
         v[i] = random.uniform(-2.0, 2.0);
     }
+    test::WeightedPoints<Dimension> points{a.weights};
+    for (const double weight : b.weights) points.weights.push_back(-weight);
     for (const double length : {0.0, 0.7}) {
         const Spring<Dimension> spring(a, b, 3.0, length);
+        const auto force = [&](const auto& z) { return points.spring(3.0, length, z); };
         const LoadResult result = test::load_result(spring, q, v);
-        const auto expected =
-            test::complex_step_jacobian([&](const Complex& z) { return spring.force(z); }, q);
+        const auto expected = test::complex_step_jacobian(force, q);
         CHECK(test::relative_error(result.stiffness, expected) < tolerance);
-        CHECK(test::relative_error(result.force, spring.force(q)) < tolerance);
+        CHECK(test::relative_error(result.force, force(q)) < tolerance);
         // U = k (l - l0)^2/2 and Q = -dU/dq: U(q) by the work along a straight way, Simpson's rule
         const VectorX aside = q + 1e-3 * v;
         const VectorX middle = 0.5 * (q + aside);
-        const double work =
-            (spring.force(q) + 4.0 * spring.force(middle) + spring.force(aside)).dot(aside - q) /
-            6.0;
+        const double work = (force(q) + 4.0 * force(middle) + force(aside)).dot(aside - q) / 6.0;
         CHECK(test::load_result(spring, aside, v).potential - result.potential ==
               Approx(-work).epsilon(1e-9));
     }
     const Damper<Dimension> damper(a, b, 0.3);
-    test::check_damper(damper, q, v, tolerance);
+    test::check_damper(
+        damper, [&](const auto& x, const auto& rate) { return points.damper(0.3, x, rate); }, q, v,
+        tolerance);
 }
 
-TEST_CASE("Spring, Damper: derivatives equal the complex step's", "[model][springs]") {
+TEST_CASE("Spring, Damper: force of the theory, derivatives equal its complex step's",
+          "[model][springs]") {
     const auto seed = GENERATE(range(0U, 20U));
     INFO("seed " << seed);
     test::Random random(seed);

@@ -26,20 +26,19 @@ LoadResult load_result(const Load& load, const VectorX& q, const VectorX& v) {
     return out;
 }
 
-/// Checks dQ/dq and dQ/dv of a damper by complex steps.
-template <class Damper>
-void check_damper(const Damper& damper, const VectorX& q, const VectorX& v, double tolerance) {
+/// Checks Q of a damper, and dQ/dq and dQ/dv by complex steps.
+/// @param force  Q(q, v) of the theory, on any scalar.
+template <class Damper, class Force>
+void check_damper(const Damper& damper, const Force& force, const VectorX& q, const VectorX& v,
+                  double tolerance) {
     using Complex = DynamicVector<std::complex<double>>;
     const LoadResult result = load_result(damper, q, v);
-    const auto by_q = complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(z, Complex(v.cast<std::complex<double>>())); },
-        q);
-    const auto by_v = complex_step_jacobian(
-        [&](const Complex& z) { return damper.force(Complex(q.cast<std::complex<double>>()), z); },
-        v);
+    const Complex at_q = q.cast<std::complex<double>>(), at_v = v.cast<std::complex<double>>();
+    const auto by_q = complex_step_jacobian([&](const Complex& z) { return force(z, at_v); }, q);
+    const auto by_v = complex_step_jacobian([&](const Complex& z) { return force(at_q, z); }, v);
     CHECK(relative_error(result.stiffness, by_q) < tolerance);
     CHECK(relative_error(result.damping, by_v) < tolerance);
-    CHECK(relative_error(result.force, damper.force(q, v)) < tolerance);
+    CHECK(relative_error(result.force, force(q, v)) < tolerance);
 }
 
 }  // namespace ancf::test

@@ -77,9 +77,7 @@ public:
     [[nodiscard]] Vector<Scalar, Dimension> moved(const DynamicVector<Scalar>& q) const;
 
     /// Returns the generalised force of a force on P_a, and its opposite on P_b: W^T f.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> generalised_force(
-        const Vector<Scalar, Dimension>& force) const;
+    [[nodiscard]] VectorX generalised_force(const Vector<double, Dimension>& force) const;
     /// Adds W^T B W.
     void add_block(const Matrix<double, Dimension>& block, MatrixX& to) const;
 

@@ -101,10 +101,8 @@ Vector<Scalar, Dimension> PointPair<Dimension>::moved(const DynamicVector<Scalar
 }
 
 template <int Dimension>
-template <class Scalar>
-DynamicVector<Scalar> PointPair<Dimension>::generalised_force(
-    const Vector<Scalar, Dimension>& force) const {
-    DynamicVector<Scalar> out(Dimension * static_cast<int>(weights_.size()));
+VectorX PointPair<Dimension>::generalised_force(const Vector<double, Dimension>& force) const {
+    VectorX out(Dimension * static_cast<int>(weights_.size()));
     int at = 0;
     for (const double weight : weights_)
         for (int i = 0; i < Dimension; ++i) out[at++] = weight * force[i];

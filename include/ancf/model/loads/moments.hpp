@@ -42,10 +42,6 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
 
-    /// Returns the generalised force on the slope, 3 x 1, N m.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
-
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
@@ -72,13 +68,6 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, slope_}}; }
 
-    /// Returns the generalised force on the slope, 2 x 1, N m.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 2> force(const Vector<Scalar, 2>& slope) const {
-        const Scalar scale = moment_ / (slope[0] * slope[0] + slope[1] * slope[1]);
-        return {-scale * slope[1], scale * slope[0]};
-    }
-
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
@@ -102,10 +91,6 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return {{node_, Field::r_x}}; }
-
-    /// Returns the generalised force on r_x, 3 x 1, N m.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 3>& slope) const;
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
@@ -148,19 +133,10 @@ public:
     /// @throws InvalidArgument for a node that carries no r_y.
     void settle(const Layout& layout);
 
-    /// Returns the generalised force on (r_y, r_z) or, before it is in a model and for a node
-    /// without r_z, on (r_x, r_y), 6 x 1, N m.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 6> force(const Vector<Scalar, 6>& slopes) const;
-
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
 private:
-    // The frame at a place, and the moment there in global axes.
-    template <class Scalar>
-    struct At;
-
     NodeId node_;
     Vector<double, 3> moment_;
     Attachment attachment_;
@@ -183,10 +159,6 @@ public:
     [[nodiscard]] Coupling coupling() const {
         return {{node_, Field::r}, {node_, Field::r_x}, {node_, Field::r_y}};
     }
-
-    /// Returns the force in global axes at slopes (r_x, r_y), 3 x 1, N.
-    template <class Scalar>
-    [[nodiscard]] Vector<Scalar, 3> force(const Vector<Scalar, 6>& slopes) const;
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;

@@ -9,7 +9,6 @@
 #include <ancf/model/triad.hpp>
 
 #include <cmath>
-#include <complex>
 
 namespace ancf {
 
@@ -22,13 +21,6 @@ ANCF_INLINE SlopeMoment::SlopeMoment(NodeId node, Field slope, const VectorArgum
                     "SlopeMoment: the axis must have a length, got ", detail::components(axis));
     for (int k = 0; k < 3; ++k) axis_[k] /= length;
     detail::require_finite("SlopeMoment: moment", moment);
-}
-
-template <class Scalar>
-Vector<Scalar, 3> SlopeMoment::force(const Vector<Scalar, 3>& slope) const {
-    const auto n = detail::vec3<Scalar>(axis_), a = detail::vec3<Scalar>(slope);
-    const auto ap = a - dot(n, a) * n, f = moment_ / dot(ap, ap) * cross(n, ap);
-    return {f[0], f[1], f[2]};
 }
 
 ANCF_INLINE void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
@@ -71,13 +63,6 @@ ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult&
     out.period = 2.0 * pi * std::abs(moment_);
 }
 
-template <class Scalar>
-Vector<Scalar, 3> TangentMoment::force(const Vector<Scalar, 3>& slope) const {
-    const auto a = detail::vec3<Scalar>(slope),
-               f = cross(detail::vec3<Scalar>(moment_), a) / dot(a, a);
-    return {f[0], f[1], f[2]};
-}
-
 ANCF_INLINE void TangentMoment::evaluate(const LoadState& state, LoadResult& out) const {
     const auto slope = detail::vec3<double>(state.q), m = detail::vec3<double>(moment_);
     const double square = dot(slope, slope);
@@ -98,48 +83,20 @@ ANCF_INLINE void Moment::settle(const Layout& layout) {
     share_ = layout.torsion_share(node_);
 }
 
-template <class Scalar>
-struct Moment::At {
-    detail::Triad<Scalar> frame;
-    detail::Vec3<Scalar> moment;
-
-    template <class Slopes>
-    At(const Moment& load, const Slopes& slopes) {
-        const auto first = detail::vec3<Scalar>(slopes), second = detail::vec3<Scalar>(slopes, 3);
-        frame = load.on_section_ ? detail::Triad<Scalar>::of_section(first, second, load.share_)
-                                 : detail::Triad<Scalar>::of_slopes(first, second);
-        const auto given = detail::vec3<double>(load.moment_);
-        moment = load.attachment_ == Attachment::frame ? frame.in_space(given)
-                                                       : detail::vec3<Scalar>(given);
-    }
-};
-
-template <class Scalar>
-Vector<Scalar, 6> Moment::force(const Vector<Scalar, 6>& slopes) const {
-    const At<Scalar> at(*this, slopes);
-    Vector<Scalar, 6> out;
-    for (int k = 0; k < 6; ++k) out[k] = dot(at.frame.spin[k], at.moment);
-    return out;
-}
-
 ANCF_INLINE void Moment::evaluate(const LoadState& state, LoadResult& out) const {
-    const At<double> at(*this, state.q);
-    const auto& spin = at.frame.spin;
-    const detail::Block<double, 6> by_slopes = detail::spin_derivative(at.frame, at.moment);
+    const auto first = detail::vec3<double>(state.q), second = detail::vec3<double>(state.q, 3);
+    const auto frame = on_section_ ? detail::Triad<double>::of_section(first, second, share_)
+                                   : detail::Triad<double>::of_slopes(first, second);
+    const auto given = detail::vec3<double>(moment_);
+    const auto moment = attachment_ == Attachment::frame ? frame.in_space(given) : given;
+    const auto& spin = frame.spin;
+    const detail::Block<double, 6> by_slopes = detail::spin_derivative(frame, moment);
     for (int j = 0; j < 6; ++j) {
-        out.force[j] = dot(spin[j], at.moment);
+        out.force[j] = dot(spin[j], moment);
         detail::Vec3<double> turned = {};  // the moment turns too: dm = w x m
-        if (attachment_ == Attachment::frame) turned = cross(spin[j], at.moment);
+        if (attachment_ == Attachment::frame) turned = cross(spin[j], moment);
         for (int i = 0; i < 6; ++i) out.stiffness(i, j) = by_slopes(i, j) + dot(spin[i], turned);
     }
-}
-
-template <class Scalar>
-Vector<Scalar, 3> FollowerForce::force(const Vector<Scalar, 6>& slopes) const {
-    const auto frame = detail::Triad<Scalar>::of_slopes(detail::vec3<Scalar>(slopes),
-                                                        detail::vec3<Scalar>(slopes, 3));
-    const auto f = frame.in_space(detail::vec3<double>(force_));
-    return {f[0], f[1], f[2]};
 }
 
 ANCF_INLINE void FollowerForce::evaluate(const LoadState& state, LoadResult& out) const {
@@ -152,17 +109,5 @@ ANCF_INLINE void FollowerForce::evaluate(const LoadState& state, LoadResult& out
         for (int i = 0; i < 3; ++i) out.stiffness(i, 3 + j) = turned[i];
     }
 }
-
-#if defined(ANCF_SOURCE)
-#define ANCF_MOMENT_FORCES(Load, out, in)                                      \
-    template Vector<double, out> Load::force(const Vector<double, in>&) const; \
-    template Vector<std::complex<double>, out> Load::force(                    \
-        const Vector<std::complex<double>, in>&) const;
-ANCF_MOMENT_FORCES(SlopeMoment, 3, 3)
-ANCF_MOMENT_FORCES(PlanarSlopeMoment, 2, 2)
-ANCF_MOMENT_FORCES(TangentMoment, 3, 3)
-ANCF_MOMENT_FORCES(Moment, 6, 6)
-ANCF_MOMENT_FORCES(FollowerForce, 3, 6)
-#endif
 
 }  // namespace ancf

@@ -37,9 +37,7 @@ public:
 
     [[nodiscard]] Coupling coupling() const;
     /// Returns phi, rad, and writes its gradient.
-    template <class Scalar>
-    [[nodiscard]] Scalar value(const DynamicVector<Scalar>& q,
-                               DynamicVector<Scalar>& gradient) const;
+    [[nodiscard]] double value(const VectorX& q, VectorX& gradient) const;
     [[nodiscard]] MatrixX hessian(const VectorX& q) const;
 
 private:
@@ -57,9 +55,7 @@ public:
 
     [[nodiscard]] Coupling coupling() const { return slopes_; }
     /// Returns phi, rad, and writes its gradient.
-    template <class Scalar>
-    [[nodiscard]] Scalar value(const DynamicVector<Scalar>& q,
-                               DynamicVector<Scalar>& gradient) const;
+    [[nodiscard]] double value(const VectorX& q, VectorX& gradient) const;
     [[nodiscard]] MatrixX hessian(const VectorX& q) const;
 
 private:
@@ -77,10 +73,6 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return angle_.coupling(); }
-
-    /// Returns the force on the coordinates of the coupling, N m.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> force(const DynamicVector<Scalar>& q) const;
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
@@ -104,12 +96,6 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return angle_.coupling(); }
-
-    /// Returns the force on the coordinates of the coupling, N m.
-    /// @param q,v  the coordinates and their rates
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> force(const DynamicVector<Scalar>& q,
-                                              const DynamicVector<Scalar>& v) const;
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;

@@ -9,18 +9,9 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 
 namespace ancf {
 namespace detail {
-
-/// Returns the angle of a sine and a cosine, rad, of complex numbers continued by its derivative.
-[[nodiscard]] inline double angle_of(double s, double c) { return std::atan2(s, c); }
-[[nodiscard]] inline std::complex<double> angle_of(const std::complex<double>& s,
-                                                   const std::complex<double>& c) {
-    return {std::atan2(s.real(), c.real()),
-            (c.real() * s.imag() - s.real() * c.imag()) / (std::norm(c) + std::norm(s))};
-}
 
 ANCF_INLINE HingeAngle::HingeAngle(const char* user, const BasicModel<3>& model, const FrameAt& a,
                                    const FrameAt* b, const Vector<double, 3>& axis)
@@ -43,16 +34,14 @@ ANCF_INLINE Coupling HingeAngle::coupling() const {
     return all;
 }
 
-template <class Scalar>
-Scalar HingeAngle::value(const DynamicVector<Scalar>& q, DynamicVector<Scalar>& gradient) const {
-    const Triad<Scalar> a = triad_of(a_, q, 0), b = triad_of(b_, q, 6);
-    const FrameForm<Scalar> sine(scaled(Scalar(1.0), sine_), a, b),
-        cosine(scaled(Scalar(1.0), cosine_), a, b);
-    const Scalar s = sine.value, c = cosine.value, square = s * s + c * c;
-    const std::array<Scalar, 12> by_s = sine.gradient(a, b), by_c = cosine.gradient(a, b);
+ANCF_INLINE double HingeAngle::value(const VectorX& q, VectorX& gradient) const {
+    const Triad<double> a = triad_of(a_, q, 0), b = triad_of(b_, q, 6);
+    const FrameForm<double> sine(sine_, a, b), cosine(cosine_, a, b);
+    const double s = sine.value, c = cosine.value, square = s * s + c * c;
+    const std::array<double, 12> by_s = sine.gradient(a, b), by_c = cosine.gradient(a, b);
     gradient.resize(q.size());
     for (int k = 0; k < q.size(); ++k) gradient[k] = (c * by_s[k] - s * by_c[k]) / square;
-    return angle_of(s, c);
+    return std::atan2(s, c);
 }
 
 ANCF_INLINE MatrixX HingeAngle::hessian(const VectorX& q) const {
@@ -85,28 +74,18 @@ ANCF_INLINE PlanarHingeAngle::PlanarHingeAngle(const char* user, const BasicMode
     }
 }
 
-template <class Scalar>
-Scalar PlanarHingeAngle::value(const DynamicVector<Scalar>& q,
-                               DynamicVector<Scalar>& gradient) const {
+ANCF_INLINE double PlanarHingeAngle::value(const VectorX& q, VectorX& gradient) const {
     // of B, which is the x-axis where it is space
     const bool space = q.size() == 2;
-    const Scalar x = space ? Scalar(1.0) : q[2], y = space ? Scalar(0.0) : q[3];
-    const Scalar s = q[0] * y - q[1] * x, c = q[0] * x + q[1] * y;
+    const double x = space ? 1.0 : q[2], y = space ? 0.0 : q[3];
+    const double s = q[0] * y - q[1] * x, c = q[0] * x + q[1] * y;
     gradient = planar_turn_gradient(q, 0);
     const double sine = std::sin(start_), cosine = std::cos(start_);
-    return angle_of(s * cosine - c * sine, c * cosine + s * sine);
+    return std::atan2(s * cosine - c * sine, c * cosine + s * sine);
 }
 
 ANCF_INLINE MatrixX PlanarHingeAngle::hessian(const VectorX& q) const {
     return planar_turn_hessian(q, 0);
-}
-
-template <class Angle>
-template <class Scalar>
-DynamicVector<Scalar> HingeSpring<Angle>::force(const DynamicVector<Scalar>& q) const {
-    DynamicVector<Scalar> gradient;
-    const Scalar moment = -stiffness_ * angle_.value(q, gradient);
-    return moment * gradient;
 }
 
 template <class Angle>
@@ -118,17 +97,6 @@ void HingeSpring<Angle>::evaluate(const LoadState& state, LoadResult& out) const
     if (state.derivatives)
         out.stiffness =
             -stiffness_ * (gradient * gradient.transpose() + angle * angle_.hessian(state.q));
-}
-
-template <class Angle>
-template <class Scalar>
-DynamicVector<Scalar> HingeDamper<Angle>::force(const DynamicVector<Scalar>& q,
-                                                const DynamicVector<Scalar>& v) const {
-    DynamicVector<Scalar> gradient;
-    (void)angle_.value(q, gradient);
-    Scalar rate(0.0);
-    for (int k = 0; k < q.size(); ++k) rate += gradient[k] * v[k];
-    return Scalar(-damping_ * rate) * gradient;
 }
 
 template <class Angle>
@@ -145,17 +113,10 @@ void HingeDamper<Angle>::evaluate(const LoadState& state, LoadResult& out) const
 }
 
 #if defined(ANCF_SOURCE)
-#define ANCF_HINGE_FORCES(Angle, Scalar)                                                          \
-    template DynamicVector<Scalar> HingeSpring<Angle>::force(const DynamicVector<Scalar>&) const; \
-    template DynamicVector<Scalar> HingeDamper<Angle>::force(const DynamicVector<Scalar>&,        \
-                                                             const DynamicVector<Scalar>&) const;
-#define ANCF_HINGE_INSTANCES(Angle)    \
-    template class HingeSpring<Angle>; \
-    template class HingeDamper<Angle>; \
-    ANCF_HINGE_FORCES(Angle, double)   \
-    ANCF_HINGE_FORCES(Angle, std::complex<double>)
-ANCF_HINGE_INSTANCES(HingeAngle)
-ANCF_HINGE_INSTANCES(PlanarHingeAngle)
+template class HingeSpring<HingeAngle>;
+template class HingeSpring<PlanarHingeAngle>;
+template class HingeDamper<HingeAngle>;
+template class HingeDamper<PlanarHingeAngle>;
 #endif
 
 }  // namespace detail

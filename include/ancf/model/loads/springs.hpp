@@ -43,10 +43,6 @@ public:
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
 
-    /// Returns the force on the coordinates of the coupling, N and N m.
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> force(const DynamicVector<Scalar>& q) const;
-
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
 
@@ -86,12 +82,6 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return points_.coupling(); }
-
-    /// Returns the force on the coordinates of the coupling, N and N m.
-    /// @param q,v  the coordinates and their rates
-    template <class Scalar>
-    [[nodiscard]] DynamicVector<Scalar> force(const DynamicVector<Scalar>& q,
-                                              const DynamicVector<Scalar>& v) const;
 
     /// Evaluates it where it stands.
     void evaluate(const LoadState& state, LoadResult& out) const;
