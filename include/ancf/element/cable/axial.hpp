@@ -87,8 +87,6 @@ using AxialStrain = decltype(Measure::strain(1.0));
 
 /// Green's strain (r'.r' - 1)/2: a polynomial, no root.
 struct GreenAxial {
-    static constexpr const char* name = "green";  ///< the word that tables print
-
     /// Returns the strain of a squared stretch, 1.
     template <class S>
     [[nodiscard]] static S strain(const S& square) noexcept {
@@ -107,8 +105,6 @@ struct GreenAxial {
 /// The engineering strain |r'| - 1, linear in the stretch: the bar of the geometrically exact
 /// theories.
 struct EngineeringAxial {
-    static constexpr const char* name = "engineering";  ///< the word that tables print
-
     /// Returns the strain of a squared stretch, 1.
     template <class S>
     [[nodiscard]] static S strain(const S& square) noexcept {

@@ -136,9 +136,6 @@ public:
         return p / sqrt(detail::product(p, p));
     }
 
-    /// Returns the derivative of the unit tangent by e.
-    [[nodiscard]] Jacobian tangent_jacobian(const Coordinates& e, double xi) const noexcept;
-
     /// Returns the axial strain in the element's measure.
     [[nodiscard]] double axial_strain(const Coordinates& e, double xi) const noexcept;
 

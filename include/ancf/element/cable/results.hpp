@@ -123,15 +123,6 @@ typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::position
 }
 
 template <int Dimension, class Measure>
-typename Cable<Dimension, Measure>::Jacobian Cable<Dimension, Measure>::tangent_jacobian(
-    const Coordinates& e, double xi) const noexcept {
-    const auto weights = station(xi).p;
-    Jacobian jacobian = Jacobian::Zero();
-    detail::add_line_jacobian<Dimension>(tangent_by_slope(along(weights, e)), weights, jacobian);
-    return jacobian;
-}
-
-template <int Dimension, class Measure>
 Matrix<double, Dimension> Cable<Dimension, Measure>::tangent_by_slope(const Point& p) noexcept {
     const double inverse = 1.0 / std::sqrt(detail::product(p, p));
     Matrix<double, Dimension> result;

@@ -135,10 +135,6 @@ public:
         return vectors_at(e, xi).columns.template rightCols<slopes>();
     }
 
-    /// Returns the derivative of the directors, one below the other, by e.
-    [[nodiscard]] Matrix<double, Dimension * slopes, dofs> directors_jacobian(
-        const Coordinates& e, double xi) const noexcept;
-
     /// Returns the Green strain [e_xx, e_yy, e_zz, 2e_yz, 2e_xz, 2e_xy] at a point of the body; in
     /// the plane [e_xx, e_yy, 2e_xy].
     [[nodiscard]] Vector<double, strains> green_strain(const Coordinates& e, double xi,

@@ -86,16 +86,6 @@ typename ContinuumBeam<Dimension>::Jacobian ContinuumBeam<Dimension>::position_j
 }
 
 template <int Dimension>
-Matrix<double, Dimension * ContinuumBeam<Dimension>::slopes, ContinuumBeam<Dimension>::dofs>
-ContinuumBeam<Dimension>::directors_jacobian(const Coordinates& /*e*/, double xi) const noexcept {
-    constexpr int all = Dimension * slopes;
-    Matrix<double, all, dofs> jacobian = Matrix<double, all, dofs>::Zero();
-    jacobian.template middleCols<all>(2 * Dimension).diagonal().setConstant(1.0 - xi);
-    jacobian.template middleCols<all>(node_dofs + 2 * Dimension).diagonal().setConstant(xi);
-    return jacobian;
-}
-
-template <int Dimension>
 Vector<double, ContinuumBeam<Dimension>::strains> ContinuumBeam<Dimension>::green_strain(
     const Coordinates& e, double xi, double y, double z) const noexcept {
     return detail::continuum::strain_at<Dimension>(strain_at(e, xi), y, z);

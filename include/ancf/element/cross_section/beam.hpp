@@ -210,15 +210,6 @@ public:
         return directors;
     }
 
-    /// Returns the derivative of the directors, d_y above d_z, by e.
-    [[nodiscard]] Matrix<double, 6, dofs> directors_jacobian(const Coordinates& e,
-                                                             double xi) const noexcept {
-        const Place<double> at = place(e, xi);
-        Matrix<double, 6, dofs> jacobian;
-        jacobian << director_jacobian(at, 0), director_jacobian(at, 1);
-        return jacobian;
-    }
-
     /// Returns the position r0 + y d_y + z d_z of a point of the body, m.
     template <class S>
     [[nodiscard]] Vector<S, 3> position(const Vector<S, dofs>& e, double xi, double y = 0.0,

@@ -253,8 +253,8 @@ auto CrossSectionBeam<Dimension, Directors, Shear, Measure, Line>::position_jaco
     const Coordinates& e, double xi, double y, double z) const noexcept -> Matrix<double, 3, dofs> {
     Matrix<double, 3, dofs> jacobian = Matrix<double, 3, dofs>::Zero();
     if (y != 0.0 || z != 0.0) {
-        const Matrix<double, 6, dofs> d = directors_jacobian(e, xi);
-        jacobian = y * d.template topRows<3>() + z * d.template bottomRows<3>();
+        const Place<double> at = place(e, xi);
+        jacobian = y * director_jacobian(at, 0) + z * director_jacobian(at, 1);
     }
     line_.add_point_jacobian(xi, jacobian);
     return jacobian;

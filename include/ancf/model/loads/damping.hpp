@@ -44,8 +44,6 @@ public:
 
     /// Returns the nodal vectors it acts on.
     [[nodiscard]] Coupling coupling() const { return coupling_; }
-    /// Returns the damping matrix.
-    [[nodiscard]] const MatrixX& matrix() const noexcept { return matrix_; }
 
     /// Evaluates it where it stands.
     ANCF_LAZY void evaluate(const LoadState& state, LoadResult& out) const;
