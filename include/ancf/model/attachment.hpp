@@ -94,6 +94,7 @@ struct FollowedVectors {
     Records<Part> parts;          ///< of all vectors of the list, one after the other
     std::vector<int> first_part;  ///< of each vector of the list, and the end
 
+    FollowedVectors() = default;
     /// @param list  first coordinates
     [[gnu::cold]] FollowedVectors(const Dependence& dependence, const std::vector<int>& list);
 };
@@ -120,15 +121,9 @@ public:
     void carry(MatrixX& stiffness) const;
 
 private:
-    // d(read)/d(acted), by its entries
-    struct Entry {
-        int read;
-        int acted;
-        double factor;
-    };
-
+    int dimension_;
     std::vector<int> read_, acted_;
-    Records<Entry> transfer_;  // none: the identity
+    FollowedVectors followed_;  // without parts where nothing is attached
 };
 
 /// An element with attached vectors: where its tangent goes.

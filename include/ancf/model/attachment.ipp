@@ -140,64 +140,66 @@ ANCF_INLINE FollowedVectors::FollowedVectors(const Dependence& dependence,
 }
 
 ANCF_INLINE LocalCoordinates::LocalCoordinates(const Layout& layout, const Dependence& dependence,
-                                               const Coupling& coupling, const char* what) {
-    const int dimension = layout.dimension();
+                                               const Coupling& coupling, const char* what)
+    : dimension_(layout.dimension()) {
+    std::vector<int> firsts;
     bool attached = false;
     for (const NodeField& at : coupling) {
         const int first = layout.index(at);
         require(first >= 0, "a ", what, " acts on ", to_string(at.field), " of node ",
                 at.node.index, ", which carries no such vector: no element there has one",
                 at.field == Field::r ? ", and no mass" : "");
-        for (int k = 0; k < dimension; ++k) read_.push_back(first + k);
+        for (int k = 0; k < dimension_; ++k) read_.push_back(first + k);
+        firsts.push_back(first);
         attached = attached || dependence.attached(first);
     }
     if (!attached) {
         acted_ = read_;
         return;
     }
-    std::vector<int> firsts;
-    for (const NodeField& at : coupling) firsts.push_back(layout.index(at));
-    const FollowedVectors followed(dependence, firsts);
-    for (const int first : followed.firsts)
-        for (int k = 0; k < dimension; ++k) acted_.push_back(first + k);
-    for (std::size_t row = 0; row < firsts.size(); ++row)
-        for (int p = followed.first_part[row]; p < followed.first_part[row + 1]; ++p) {
-            const FollowedVectors::Part& part = followed.parts[p];
-            for (int k = 0; k < dimension; ++k)
-                transfer_.push_back({static_cast<int>(row) * dimension + k,
-                                     part.vector * dimension + k, part.factor});
+    followed_ = FollowedVectors(dependence, firsts);
+    for (const int first : followed_.firsts)
+        for (int k = 0; k < dimension_; ++k) acted_.push_back(first + k);
+}
+
+/// Adds what stands for each of its own vectors, `width` numbers, to what it follows.
+/// @param width  an int, or a constant of that type
+template <class Width>
+void multiply(const FollowedVectors& vectors, const double* from, Width width, double* out) {
+    for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
+        for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
+            const FollowedVectors::Part& part = vectors.parts[k];
+            double* const to = out + part.vector * width;
+            for (int i = 0; i < width; ++i) to[i] += part.factor * from[i];
         }
+        from += width;
+    }
 }
 
 ANCF_INLINE void LocalCoordinates::carry(VectorX& force) const {
-    if (transfer_.empty()) return;
+    if (followed_.parts.empty()) return;
     VectorX carried = VectorX::Zero(static_cast<Eigen::Index>(acted_.size()));
-    for (const Entry& entry : transfer_) carried[entry.acted] += entry.factor * force[entry.read];
+    multiply(followed_, force.data(), dimension_, carried.data());
     force.swap(carried);
 }
 
 ANCF_INLINE void LocalCoordinates::carry_columns(MatrixX& derivatives) const {
-    if (transfer_.empty() || derivatives.size() == 0) return;
-    const Eigen::Index rows = derivatives.rows();
+    if (followed_.parts.empty() || derivatives.size() == 0) return;
+    const auto rows = static_cast<int>(derivatives.rows());
     MatrixX carried;
     carried.setZero(rows, static_cast<Eigen::Index>(acted_.size()));
-    for (const Entry& entry : transfer_) {
-        const double* const from = derivatives.data() + rows * entry.read;
-        double* const to = carried.data() + rows * entry.acted;
-        for (Eigen::Index i = 0; i < rows; ++i) to[i] += entry.factor * from[i];
-    }
+    multiply(followed_, derivatives.data(), rows * dimension_, carried.data());
     derivatives.swap(carried);
 }
 
 ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
-    if (transfer_.empty() || stiffness.size() == 0) return;
+    if (followed_.parts.empty() || stiffness.size() == 0) return;
     carry_columns(stiffness);
     const auto size = static_cast<Eigen::Index>(acted_.size());
     MatrixX carried;
     carried.setZero(size, size);
     for (Eigen::Index j = 0; j < size; ++j)
-        for (const Entry& entry : transfer_)
-            carried(entry.acted, j) += entry.factor * stiffness(entry.read, j);
+        multiply(followed_, stiffness.col(j).data(), dimension_, carried.col(j).data());
     stiffness.swap(carried);
 }
 
@@ -222,20 +224,6 @@ ANCF_INLINE AttachedElement::AttachedElement(const Layout& layout, const Depende
     const std::size_t count = vectors.firsts.size();
     require(count <= static_cast<std::size_t>(most_vectors), "nodes ", nodes[0], " and ", nodes[1],
             " follow ", count, " vectors by attachments, expected at most ", most_vectors);
-}
-
-/// Adds what stands for each of its own vectors, `width` numbers, to what it follows.
-/// @param width  an int, or a constant of that type
-template <class Width>
-void multiply(const FollowedVectors& vectors, const double* from, Width width, double* out) {
-    for (std::size_t own = 0; own + 1 < vectors.first_part.size(); ++own) {
-        for (int k = vectors.first_part[own]; k < vectors.first_part[own + 1]; ++k) {
-            const FollowedVectors::Part& part = vectors.parts[k];
-            double* const to = out + part.vector * width;
-            for (int i = 0; i < width; ++i) to[i] += part.factor * from[i];
-        }
-        from += width;
-    }
 }
 
 /// Adds T^T K T to the values of a system.
