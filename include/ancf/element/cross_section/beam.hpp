@@ -43,7 +43,7 @@ namespace detail {
 
 template <class Directors, class Shear, class Measure, class Line>
 struct FormulationOf {
-    using type = LocalFormulation<Directors, Shear, Measure>;
+    using type = LocalFormulation<Shear, Measure>;
 };
 template <class Measure, class Line>
 struct FormulationOf<Geodesic, LinearShear, Measure, Line> {
@@ -83,6 +83,8 @@ class CrossSectionBeam
     using Base = typename CrossSectionBeam::LineElement;
     using Base::line_, Base::reference_, Base::options_, Base::kernel_, Base::mass_weights_;
     static_assert(Dimension == 3, "for two dimensions include <ancf/element/planar/beam.hpp>");
+    static_assert(detail::carries_directors<Directors> || std::is_same_v<Directors, Projected>,
+                  "directors are Projected, Transported or Geodesic");
     static_assert(!detail::carries_directors<Directors> || Shear::nodal,
                   "Geodesic and Transported directors go with LinearShear");
     static constexpr bool quintic = std::is_same_v<Line, QuinticLine>;

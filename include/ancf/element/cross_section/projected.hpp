@@ -131,58 +131,38 @@ inline void director_hessian(const DirectorFrame<S>& f, const S& U_k, const S& U
     h.B_al = al * U_o;
 }
 
-}  // namespace ancf::detail
-
-namespace ancf {
-
-/// Each director is the projection of its slope on the plane normal to the centre line.
-struct Projected {
-    /// The frames of both directors at a station.
-    template <class S>
-    struct Frames {
-        detail::DirectorFrame<S> y;  ///< of r_y
-        detail::DirectorFrame<S> z;  ///< of r_z
-    };
-
-    /// Evaluates both frames.
-    template <class S>
-    static void frames(const detail::LocalVectors<S>& local, Frames<S>& f) noexcept {
-        using namespace detail;
-        f.y = director_frame(local[l_p], local[l_p1], local[l_a], local[l_a1]);
-        f.z = director_frame(local[l_p], local[l_p1], local[l_b], local[l_b1]);
-    }
-
-    /// Writes all invariants but the shears.
-    template <class S>
-    static void invariants(const Frames<S>& f, detail::Invariants<S>& w) noexcept {
-        w.lam = f.y.lam;
-        w.kap = f.y.kap;
-        w.chi = f.y.chi;
-        w.om = f.y.om;
-        w.om2 = f.z.om;
-        w.C = dot(f.y.n, f.z.n);
-        w.S_ = dot(f.y.c, f.z.n);
-        w.kap2 = f.z.kap;
-        w.chi2 = f.z.chi;
-    }
-
-    /// Writes the gradient with respect to the local vectors, L^T U.
-    template <class S>
-    static void gradient(const Frames<S>& f, const S (&U)[detail::invariant_count],
-                         detail::Vec3<S> (&g)[detail::local_count]) noexcept;
-
-    /// Writes L^T D L + the second derivatives of the invariants weighted by U, and the couplings
-    /// with the shears.
-    template <class S>
-    static void hessian(const Frames<S>& f, const detail::Invariants<S>& w,
-                        const S (&U)[detail::invariant_count], const detail::InvariantHessian<S>& D,
-                        detail::LocalHessian<S>& h) noexcept;
+/// The frames of both directors at a station.
+template <class S>
+struct ProjectedFrames {
+    DirectorFrame<S> y;  ///< of r_y
+    DirectorFrame<S> z;  ///< of r_z
 };
 
+/// Evaluates both frames.
 template <class S>
-void Projected::gradient(const Frames<S>& f, const S (&U)[detail::invariant_count],
-                         detail::Vec3<S> (&g)[detail::local_count]) noexcept {
-    using namespace detail;
+inline void projected_frames(const LocalVectors<S>& local, ProjectedFrames<S>& f) noexcept {
+    f.y = director_frame(local[l_p], local[l_p1], local[l_a], local[l_a1]);
+    f.z = director_frame(local[l_p], local[l_p1], local[l_b], local[l_b1]);
+}
+
+/// Writes all invariants but the shears.
+template <class S>
+inline void projected_invariants(const ProjectedFrames<S>& f, Invariants<S>& w) noexcept {
+    w.lam = f.y.lam;
+    w.kap = f.y.kap;
+    w.chi = f.y.chi;
+    w.om = f.y.om;
+    w.om2 = f.z.om;
+    w.C = dot(f.y.n, f.z.n);
+    w.S_ = dot(f.y.c, f.z.n);
+    w.kap2 = f.z.kap;
+    w.chi2 = f.z.chi;
+}
+
+/// Writes the gradient with respect to the local vectors, L^T U.
+template <class S>
+void projected_gradient(const ProjectedFrames<S>& f, const S (&U)[invariant_count],
+                        Vec3<S> (&g)[local_count]) noexcept {
     const DirectorFrame<S>&y = f.y, &z = f.z;
     const S &U_k = U[w_kap], &U_c = U[w_chi], &U_o = U[w_om], &U_o2 = U[w_om2], &U_phi = U[w_phi];
     const S il = y.inv_lam;
@@ -209,6 +189,11 @@ void Projected::gradient(const Frames<S>& f, const S (&U)[detail::invariant_coun
     }
 }
 
-}  // namespace ancf
+}  // namespace ancf::detail
 
-#include <ancf/element/cross_section/projected_hessian.hpp>
+namespace ancf {
+
+/// Each director is the projection of its slope on the plane normal to the centre line.
+struct Projected {};
+
+}  // namespace ancf

@@ -5,10 +5,10 @@
 /// Second derivatives of a station's energy with respect to the local vectors, for projected
 /// directors.
 ///
-/// Included by projected.hpp. Components along the y director's frame (t, n, c) are used for p and
-/// a, those along the z director's (t, m, d) for b; blocks that are not sparse are filled there and
-/// turned to the global axes once, the others are sums of a few outer products. Every variation of
-/// a vector enters divided by lam (p, p1) or by its own nu (a, b).
+/// Components along the y director's frame (t, n, c) are used for p and a, those along the z
+/// director's (t, m, d) for b; blocks that are not sparse are filled there and turned to the global
+/// axes once, the others are sums of a few outer products. Every variation of a vector enters
+/// divided by lam (p, p1) or by its own nu (a, b).
 
 #pragma once
 
@@ -28,7 +28,7 @@ struct ProjectedRows {
 };
 
 template <class S>
-inline void projected_rows(const Projected::Frames<S>& f, const Invariants<S>& w,
+inline void projected_rows(const ProjectedFrames<S>& f, const Invariants<S>& w,
                            const InvariantHessian<S>& D, ProjectedRows<S>& r) noexcept {
     const DirectorFrame<S>&y = f.y, &z = f.z;
     const S om2_m = z.al * z.om - z.chi;
@@ -82,7 +82,7 @@ struct ProjectedVectors {
 };
 
 template <class S>
-inline void projected_vectors(const Projected::Frames<S>& f, const ProjectedRows<S>& r,
+inline void projected_vectors(const ProjectedFrames<S>& f, const ProjectedRows<S>& r,
                               ProjectedVectors<S>& g) noexcept {
     for (int k = 0; k < 3; ++k) {
         const S t = f.y.t[k], n = f.y.n[k], c = f.y.c[k];
@@ -272,15 +272,12 @@ inline void projected_sparse_blocks(const Invariants<S>& w, const InvariantHessi
     }
 }
 
-}  // namespace ancf::detail
-
-namespace ancf {
-
+/// Writes L^T D L + the second derivatives of the invariants weighted by U, and the couplings with
+/// the shears.
 template <class S>
-void Projected::hessian(const Frames<S>& f, const detail::Invariants<S>& w,
-                        const S (&U)[detail::invariant_count], const detail::InvariantHessian<S>& D,
-                        detail::LocalHessian<S>& h) noexcept {
-    using namespace detail;
+void projected_hessian(const ProjectedFrames<S>& f, const Invariants<S>& w,
+                       const S (&U)[invariant_count], const InvariantHessian<S>& D,
+                       LocalHessian<S>& h) noexcept {
     DirectorHessian<S> hy, hz;
     director_hessian(f.y, U[w_kap], U[w_chi], U[w_om], S(-U[w_phi]), hy);
     director_hessian(f.z, S(0.0), S(0.0), U[w_om2], U[w_phi], hz);
@@ -292,4 +289,4 @@ void Projected::hessian(const Frames<S>& f, const detail::Invariants<S>& w,
     projected_sparse_blocks(w, D, rows, vectors, f.y, hy, hz, h);
 }
 
-}  // namespace ancf
+}  // namespace ancf::detail

@@ -13,6 +13,8 @@
 
 #include <ancf/compiler.hpp>
 #include <ancf/element/cross_section/nodal.hpp>
+#include <ancf/element/cross_section/projected.hpp>
+#include <ancf/element/cross_section/projected_hessian.hpp>
 #include <ancf/element/cross_section/shear.hpp>
 #include <ancf/element/cross_section/sparse_jacobian.hpp>
 #include <ancf/element/invariants.hpp>
@@ -56,9 +58,9 @@ ANCF_NOINLINE void invariant_hessian(const Data& data, const Invariants<S>& w,
     mirror(0);
 }
 
-/// What a walk over the stations of an element does, for directors that are functions of six local
-/// vectors.
-template <class Directors, class Shear, class Measure>
+/// What a walk over the stations of an element does, for directors that are projected: functions of
+/// six local vectors.
+template <class Shear, class Measure>
 struct LocalFormulation {
     static constexpr int line = 3;  ///< nodal vectors in the centre line
 
@@ -69,7 +71,7 @@ struct LocalFormulation {
     /// Everything that a station's derivatives are made of.
     template <class S>
     struct State {
-        typename Directors::template Frames<S> frames;
+        ProjectedFrames<S> frames;
         typename Shear::template Station<S> shear;
         Invariants<S> w;
         S strain[strain_count];  ///< less the reference
@@ -104,8 +106,8 @@ struct LocalFormulation {
                                  const Lanes<P>& lanes, State<P>& at) noexcept {
         LocalVectors<P> local;
         interpolate(data.shape, vectors, local);
-        Directors::frames(local, at.frames);
-        Directors::invariants(at.frames, at.w);
+        projected_frames(local, at.frames);
+        projected_invariants(at.frames, at.w);
         Shear::shears(data.shape, lanes.shears, local, at.shear, at.w);
         return section_energy<Measure>(data, at.w, at.strain, at.stress);
     }
@@ -117,7 +119,7 @@ struct LocalFormulation {
         Measure::jacobian(at.w, typename Measure::template Rates<P>(at.w), at.J);
         energy_gradient<Measure>(at.J, at.stress, at.U);
         LocalGradient<P> local;
-        Directors::gradient(at.frames, at.U, local.vector);
+        projected_gradient(at.frames, at.U, local.vector);
         Shear::gradient(data.shape, at.shear, at.U, local);
         add_to_nodes(data.shape, local, sums);
     }
@@ -129,7 +131,7 @@ struct LocalFormulation {
         InvariantHessian<P> D;
         invariant_hessian<Measure, Shear::nodal>(data, at.w, at.J, at.stress, D);
         LocalHessian<P> local;
-        Directors::hessian(at.frames, at.w, at.U, D, local);
+        projected_hessian(at.frames, at.w, at.U, D, local);
         if constexpr (!Shear::nodal) Shear::hessian(at.shear, at.U, local);
         add_to_nodes<Shear::nodal>(data.shape, local, blocks);
     }
