@@ -51,7 +51,7 @@ class CrossSectionBeam<2, Directors, Shear, Measure, Line>
     : public LineElement<
           CrossSectionBeam<2, Directors, Shear, Measure, Line>,
           detail::PlanarKernel<
-              typename detail::PlanarMeasureOf<Measure>::type,
+              detail::PlanarMeasure<Measure>,
               detail::PlanarLayout<Line::vectors, std::is_same_v<Shear, CubicShear>>>,
           detail::CrossSectionOptionsOf<Shear, Line>, Line, std::is_same_v<Shear, CubicShear>> {
     using Base = typename CrossSectionBeam::LineElement;
@@ -152,7 +152,7 @@ public:
                                                             double z = 0.0) const noexcept;
 
 private:
-    using PlanarMeasure = typename detail::PlanarMeasureOf<Measure>::type;
+    using PlanarMeasure = detail::PlanarMeasure<Measure>;
 
     using Shape = detail::PlanarShape<Layout>;
     [[nodiscard]] Shape shape(double xi) const noexcept {

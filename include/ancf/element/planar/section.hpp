@@ -32,8 +32,13 @@ struct PlanarInvariants {
     S lam, kap, s, s1;
 };
 
+/// The measure in the plane that belongs to one in space.
+template <class Measure>
+struct PlanarMeasure;
+
 /// Green's strains of docs/theory.md with the z director and everything out of the plane left away.
-struct PlanarGreen {
+template <>
+struct PlanarMeasure<GreenMeasure> {
     static constexpr bool engineering = false;
 
     /// Writes the strains.
@@ -90,7 +95,8 @@ struct PlanarGreen {
 
 /// Engineering strains, see cross_section/engineering_measure.hpp: the director is a unit vector,
 /// s = sin of the shear angle.
-struct PlanarEngineering {
+template <>
+struct PlanarMeasure<EngineeringMeasure> {
     static constexpr bool engineering = true;
 
     /// Writes the strains.
@@ -143,18 +149,6 @@ struct PlanarEngineering {
             inverse * square * (f[1] * w.s1 * (1.0 + 2.0 * w.s * w.s) * square - f[0] * w.lam);
         D[pw_s][pw_s1] += f[1] * w.s * inverse * square;
     }
-};
-
-/// The measure in the plane that belongs to one in space.
-template <class Measure>
-struct PlanarMeasureOf;
-template <>
-struct PlanarMeasureOf<GreenMeasure> {
-    using type = PlanarGreen;
-};
-template <>
-struct PlanarMeasureOf<EngineeringMeasure> {
-    using type = PlanarEngineering;
 };
 
 /// The section matrix in the plane, times the station's weight and length.
