@@ -190,22 +190,17 @@ private:
         add_line_blocks(shape, local(v_p, v_p), local(v_p, v_p1), local(v_p1, v_p1), n);
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 3; ++i) {
+                ANCF_UNROLL
                 for (int m = 0; m < 2; ++m) {
+                    const int g = n_g1 + m;
                     const P pg = local(v_p, v_g1 + m)(i, j), vg = local(v_p1, v_g1 + m)(i, j);
-                    P with[Line];  // block of (D, g1, g2, k1, k2) with this tangent
-                    for (int a = 0; a < Line; ++a) with[a] = shape.p[a] * pg + shape.p1[a] * vg;
-                    for (int a = 3; a < Line; ++a) n(n_g1 + m, a)(j, i) += with[a];
-                    n(n_D, n_g1 + m)(i, j) += with[0];
-                    if (m == 0) {
-                        n(n_g1, n_g1)(i, j) += with[1];
-                        n(n_g1, n_g1)(j, i) += with[1];
-                        n(n_g1, n_g2)(j, i) += with[2];
-                    } else {
-                        n(n_g1, n_g2)(i, j) += with[1];
-                        n(n_g2, n_g2)(i, j) += with[2];
-                        n(n_g2, n_g2)(j, i) += with[2];
+                    ANCF_UNROLL
+                    for (int a = 0; a < Line; ++a) {  // (D, g1, g2, k1, k2) with this tangent
+                        const P with = shape.p[a] * pg + shape.p1[a] * vg;
+                        if (a <= g) n(a, g)(i, j) += with;
+                        if (a >= g) n(g, a)(j, i) += with;
                     }
-                    n(n_g1 + m, n_g1 + m)(i, j) += local(v_g1 + m, v_g1 + m)(i, j);
+                    n(g, g)(i, j) += local(v_g1 + m, v_g1 + m)(i, j);
                 }
                 n(n_g1, n_g2)(i, j) += local(v_g1, v_g2)(i, j);
             }
