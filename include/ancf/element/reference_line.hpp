@@ -176,10 +176,8 @@ public:
     /// Returns the mass weights of an element on this line, see mass_weights().
     template <int FieldsPerNode, bool Rates = false>
     [[nodiscard]] auto mass(double density, const Moments& moments) const {
-        if (!curved_)
-            return mass_weights<FieldsPerNode, Line, Rates>(density, moments, parameter_length_);
-        return mass_weights<FieldsPerNode, Line, Rates>(density, moments, parameter_length_,
-                                                        integration_points,
+        const int points = curved_ ? integration_points : Line::vectors + 1;
+        return mass_weights<FieldsPerNode, Line, Rates>(density, moments, parameter_length_, points,
                                                         [this](double xi) { return metric(xi); });
     }
 

@@ -62,7 +62,7 @@ inline const T* stiffness_row(const SectionMatrix<T>& C) noexcept {
 }
 
 /// The first strain of the block of strain k.
-constexpr int block_start(int k) noexcept { return k < 6 ? 0 : k < 9 ? 6 : 9; }
+constexpr int block_start(int k) noexcept { return lowest_bit(block_of(k)); }
 
 /// Writes f = C e for the strains of a pattern.
 template <unsigned Pattern, int Row = 0, class T, class S>
