@@ -228,10 +228,10 @@ private:
                 nodal_row(row);
                 for (int m = 0; m < scalars; ++m) {
                     if (x >= v_g1) {
-                        n.coupling[n_g1 + x - v_g1][m][k] += row[m];
+                        n.coupling[m][n_g1 + x - v_g1][k] += row[m];
                     } else {
                         for (int a = 0; a < Line; ++a)
-                            n.coupling[a][m][k] += (x == v_p ? shape.p[a] : shape.p1[a]) * row[m];
+                            n.coupling[m][a][k] += (x == v_p ? shape.p[a] : shape.p1[a]) * row[m];
                     }
                 }
             }

@@ -46,7 +46,7 @@ struct LocalGradient {
 template <class S>
 struct LocalHessian {
     Block<S> block[block_index(0, local_count)];
-    Vec3<S> coupling[local_count][shear_count];  ///< of a local vector and a shear variable
+    Vec3<S> coupling[shear_count][local_count];  ///< of a shear variable and a local vector
     S shear[shear_count][shear_count];           ///< symmetric, filled
 
     Block<S>& operator()(int i, int j) noexcept { return block[block_index(i, j)]; }
@@ -96,7 +96,7 @@ struct NodalHessian {
     static constexpr int line = Vectors == nodal_count ? 3 : Vectors;  ///< of the centre line
 
     Block<S> block[block_index(0, Vectors)];
-    Vec3<S> coupling[Vectors][Scalars];
+    Vec3<S> coupling[Scalars][Vectors];
     S scalar[Scalars][Scalars];
 
     Block<S>& operator()(int i, int j) noexcept { return block[block_index(i, j)]; }
@@ -131,22 +131,27 @@ inline Vec3<S> line_derivative(const T (&weights)[Line], const Vec3<S> (&n)[Vect
     return sum;
 }
 
+/// Adds derivatives by a station's vectors to those by the nodal ones.
+template <class T, class S>
+inline void vectors_to_nodes(const StationShape<T>& shape, const LocalVectors<S>& local,
+                             NodalVectors<S>& n) noexcept {
+    for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < 3; ++i)
+            n[n_D + i][k] += shape.p[i] * local[l_p][k] + shape.p1[i] * local[l_p1][k];
+        const S a2 = shape.n2 * local[l_a][k] + shape.n2_x * local[l_a1][k];
+        const S b2 = shape.n2 * local[l_b][k] + shape.n2_x * local[l_b1][k];
+        n[n_a1][k] += local[l_a][k] - a2;
+        n[n_a2][k] += a2;
+        n[n_b1][k] += local[l_b][k] - b2;
+        n[n_b2][k] += b2;
+    }
+}
+
 /// Adds a station's gradient to the nodes.
 template <class T, class S>
 inline void add_to_nodes(const StationShape<T>& shape, const LocalGradient<S>& local,
                          NodalGradient<S>& n) noexcept {
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < 3; ++i) {
-            n.vector[i][k] +=
-                shape.p[i] * local.vector[l_p][k] + shape.p1[i] * local.vector[l_p1][k];
-        }
-        const S a2 = shape.n2 * local.vector[l_a][k] + shape.n2_x * local.vector[l_a1][k];
-        const S b2 = shape.n2 * local.vector[l_b][k] + shape.n2_x * local.vector[l_b1][k];
-        n.vector[n_a1][k] += local.vector[l_a][k] - a2;
-        n.vector[n_a2][k] += a2;
-        n.vector[n_b1][k] += local.vector[l_b][k] - b2;
-        n.vector[n_b2][k] += b2;
-    }
+    vectors_to_nodes(shape, local.vector, n.vector);
     for (int m = 0; m < shear_count; ++m) n.scalar[m] += local.shear[m];
 }
 
@@ -221,20 +226,7 @@ template <class T, class S>
 inline void add_couplings(const StationShape<T>& shape, const LocalHessian<S>& local,
                           NodalHessian<S>& n) noexcept {
     for (int m = 0; m < shear_count; ++m) {
-        for (int k = 0; k < 3; ++k) {
-            for (int a = 0; a < 3; ++a) {
-                n.coupling[n_D + a][m][k] += shape.p[a] * local.coupling[l_p][m][k] +
-                                             shape.p1[a] * local.coupling[l_p1][m][k];
-            }
-            const S a2 =
-                shape.n2 * local.coupling[l_a][m][k] + shape.n2_x * local.coupling[l_a1][m][k];
-            const S b2 =
-                shape.n2 * local.coupling[l_b][m][k] + shape.n2_x * local.coupling[l_b1][m][k];
-            n.coupling[n_a1][m][k] += local.coupling[l_a][m][k] - a2;
-            n.coupling[n_a2][m][k] += a2;
-            n.coupling[n_b1][m][k] += local.coupling[l_b][m][k] - b2;
-            n.coupling[n_b2][m][k] += b2;
-        }
+        vectors_to_nodes(shape, local.coupling[m], n.coupling[m]);
         for (int j = 0; j < shear_count; ++j) n.scalar[m][j] += local.shear[m][j];
     }
 }

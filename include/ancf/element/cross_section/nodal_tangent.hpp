@@ -154,7 +154,7 @@ inline void form_columns(const NodalForm<S>* const (&forms)[Scalars],
         }
         for (int x = 0; x < Vectors; ++x) {
             const int place = coordinate_start<Dofs>(Vectors == nodal_count ? x : line_vector(x));
-            for (int i = 0; i < 3; ++i) z[place + i] = collapsed<S>(h.coupling[x][m][i]);
+            for (int i = 0; i < 3; ++i) z[place + i] = collapsed<S>(h.coupling[m][x][i]);
         }
         for (int k = 0; k < Scalars; ++k) {
             const S share = 0.5 * collapsed<S>(h.scalar[k][m]);

@@ -208,7 +208,7 @@ struct PointwiseShear {
         Vec3<S> Z[shear_count][local_count];
         for (int m = 0; m < shear_count; ++m) {
             for (int x = 0; x < local_count; ++x) {
-                Z[m][x] = h.coupling[x][m];
+                Z[m][x] = h.coupling[m][x];
                 for (int k = 0; k < shear_count; ++k) add(Z[m][x], S(0.5 * h.shear[k][m]), L[k][x]);
             }
         }

@@ -237,12 +237,12 @@ inline void projected_sparse_blocks(const Invariants<S>& w, const InvariantHessi
         b_b1[k] = D_22 * g.wb[k] + D_2p * Bc - hz.B_o * Bn;
         for (int m = 0; m < shear_count; ++m) {
             const int j = w_s + m;
-            h.coupling[l_p][m][k] = r.u[0][j] * Pt + r.u[1][j] * Pn + r.u[2][j] * Pc;
-            h.coupling[l_p1][m][k] = r.v[0][j] * Pn + r.v[1][j] * Pc;
-            h.coupling[l_a][m][k] = D[w_om][j] * g.wa[k] + r.A[j] * Ac;
-            h.coupling[l_a1][m][k] = D[w_om][j] * Ac;
-            h.coupling[l_b][m][k] = D[w_om2][j] * g.wb[k] + D[w_phi][j] * Bc;
-            h.coupling[l_b1][m][k] = D[w_om2][j] * Bc;
+            h.coupling[m][l_p][k] = r.u[0][j] * Pt + r.u[1][j] * Pn + r.u[2][j] * Pc;
+            h.coupling[m][l_p1][k] = r.v[0][j] * Pn + r.v[1][j] * Pc;
+            h.coupling[m][l_a][k] = D[w_om][j] * g.wa[k] + r.A[j] * Ac;
+            h.coupling[m][l_a1][k] = D[w_om][j] * Ac;
+            h.coupling[m][l_b][k] = D[w_om2][j] * g.wb[k] + D[w_phi][j] * Bc;
+            h.coupling[m][l_b1][k] = D[w_om2][j] * Bc;
         }
     }
     for (int j = 0; j < 3; ++j) {
