@@ -42,32 +42,42 @@ struct CableKernel {
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept;
+                                                    const Vector<S, dofs>& change) const noexcept {
+        const auto line = line_of<Dimension>(e);
+        const EarlierLine<S, Dimension> earlier{line_of<Dimension>(before),
+                                                line_of<Dimension>(change)};
+        LineHessian<S, Dimension> hessian;
+        const auto sum = gradient<true, S>(line, &hessian);
+        LineGradient<S, Dimension> gain;
+        for (const auto& at : axial)
+            foresee_axial<Measure, Dimension>(at, softening, line, earlier, gain, hessian);
+        for (const auto& at : bending) foresee_bending<Dimension>(at, line, earlier, gain, hessian);
+        MixedEvaluation<S, dofs> result;
+        result.energy = sum.energy + natural_energy;
+        result.force = nodal_force<Dimension>(sum.vector);
+        result.predicted = result.force + nodal_force<Dimension>(gain.vector);
+        write_tangent<Dimension>(hessian, result.tangent);
+        return result;
+    }
 
 private:
     template <bool Tangent, class S>
     [[nodiscard]] LineGradient<S, Dimension> gradient(
-        const LineVector<S, Dimension>& line, LineHessian<S, Dimension>* hessian) const noexcept;
-};
-
-template <int Dimension, class Measure>
-template <bool Tangent, class S>
-auto CableKernel<Dimension, Measure>::gradient(const LineVector<S, Dimension>& line,
-                                               LineHessian<S, Dimension>* hessian) const noexcept
-    -> LineGradient<S, Dimension> {
-    LineGradient<S, Dimension> sum;
-    for (const auto& at : axial)
-        add_axial<Tangent, Measure, Dimension>(at, softening, line, sum, hessian);
-    if constexpr (is_rate<S> && Dimension == 2) {
-        for (const auto& at : bending) add_curvature_rate(at, line, sum);
-    } else if constexpr (is_rate<S>) {
-        for (const auto& at : bending) add_curvature_rate(at, straight, line, sum);
-    } else {
-        for (const auto& at : bending) add_bending<Tangent, Dimension>(at, line, sum, hessian);
-        for (const auto& at : natural) add_natural<Tangent>(at, bending, line, sum, hessian);
+        const LineVector<S, Dimension>& line, LineHessian<S, Dimension>* hessian) const noexcept {
+        LineGradient<S, Dimension> sum;
+        for (const auto& at : axial)
+            add_axial<Tangent, Measure, Dimension>(at, softening, line, sum, hessian);
+        if constexpr (is_rate<S> && Dimension == 2) {
+            for (const auto& at : bending) add_curvature_rate(at, line, sum);
+        } else if constexpr (is_rate<S>) {
+            for (const auto& at : bending) add_curvature_rate(at, straight, line, sum);
+        } else {
+            for (const auto& at : bending) add_bending<Tangent, Dimension>(at, line, sum, hessian);
+            for (const auto& at : natural) add_natural<Tangent>(at, bending, line, sum, hessian);
+        }
+        return sum;
     }
-    return sum;
-}
+};
 
 template <int Dimension, class Measure>
 template <class S>
@@ -91,28 +101,6 @@ auto CableKernel<Dimension, Measure>::evaluate(const Vector<S, dofs>& e) const n
     Evaluation<S, dofs> result;
     result.energy = sum.energy + natural_energy;
     result.force = nodal_force<Dimension>(sum.vector);
-    write_tangent<Dimension>(hessian, result.tangent);
-    return result;
-}
-
-template <int Dimension, class Measure>
-template <class S>
-auto CableKernel<Dimension, Measure>::evaluate(const Vector<S, dofs>& e,
-                                               const Vector<S, dofs>& before,
-                                               const Vector<S, dofs>& change) const noexcept
-    -> MixedEvaluation<S, dofs> {
-    const auto line = line_of<Dimension>(e);
-    const EarlierLine<S, Dimension> earlier{line_of<Dimension>(before), line_of<Dimension>(change)};
-    LineHessian<S, Dimension> hessian;
-    const auto sum = gradient<true, S>(line, &hessian);
-    LineGradient<S, Dimension> gain;
-    for (const auto& at : axial)
-        foresee_axial<Measure, Dimension>(at, softening, line, earlier, gain, hessian);
-    for (const auto& at : bending) foresee_bending<Dimension>(at, line, earlier, gain, hessian);
-    MixedEvaluation<S, dofs> result;
-    result.energy = sum.energy + natural_energy;
-    result.force = nodal_force<Dimension>(sum.vector);
-    result.predicted = result.force + nodal_force<Dimension>(gain.vector);
     write_tangent<Dimension>(hessian, result.tangent);
     return result;
 }

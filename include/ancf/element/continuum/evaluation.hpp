@@ -166,7 +166,33 @@ struct Kernel {
     template <class S>
     [[nodiscard]] MixedEvaluation<S, dofs> evaluate(const Vector<S, dofs>& e,
                                                     const Vector<S, dofs>& before,
-                                                    const Vector<S, dofs>& change) const noexcept;
+                                                    const Vector<S, dofs>& change) const noexcept {
+        const Nodes<S, Dimension> nodes(e);
+        const Nodes<Dual<S>, Dimension> earlier(course(before, change));
+        Force<S, Dimension> sum, predicted;
+        Tangent<S, Dimension> tangent;
+        for (const AxialStation& station : axial) {
+            const Vector<S, Dimension> p = nodes.tangent_at(station.tangent);
+            const S normal = station.stiffness *
+                             arrived(axial_strain(station, earlier.tangent_at(station.tangent)));
+            add_axial_force(station, p, p, sum);
+            add_normal(station, p, normal, predicted);
+            add_axial_tangent(station, p, normal, tangent);
+        }
+        for (const Station<Dimension>& station : stations) {
+            const Vectors<S, Dimension> v = nodes.at(station.xi, station.tangent);
+            const auto stress = foreseen(station, earlier.at(station.xi, station.tangent));
+            add_force(station, v, v, sum);
+            add_stress(station, v, stress, predicted);
+            add_tangent(station, v, stress, tangent);
+        }
+        MixedEvaluation<S, dofs> result;
+        result.energy = sum.energy;
+        result.force = nodal_force(sum);
+        result.predicted = nodal_force(predicted);
+        write_tangent(tangent, result.tangent);
+        return result;
+    }
 };
 
 template <int Dimension>
@@ -221,38 +247,6 @@ auto Kernel<Dimension>::evaluate(const Vector<S, dofs>& e) const noexcept -> Eva
     Evaluation<S, dofs> result;
     result.energy = sum.energy;
     result.force = nodal_force(sum);
-    write_tangent(tangent, result.tangent);
-    return result;
-}
-
-template <int Dimension>
-template <class S>
-auto Kernel<Dimension>::evaluate(const Vector<S, dofs>& e, const Vector<S, dofs>& before,
-                                 const Vector<S, dofs>& change) const noexcept
-    -> MixedEvaluation<S, dofs> {
-    const Nodes<S, Dimension> nodes(e);
-    const Nodes<Dual<S>, Dimension> earlier(course(before, change));
-    Force<S, Dimension> sum, predicted;
-    Tangent<S, Dimension> tangent;
-    for (const AxialStation& station : axial) {
-        const Vector<S, Dimension> p = nodes.tangent_at(station.tangent);
-        const S normal =
-            station.stiffness * arrived(axial_strain(station, earlier.tangent_at(station.tangent)));
-        add_axial_force(station, p, p, sum);
-        add_normal(station, p, normal, predicted);
-        add_axial_tangent(station, p, normal, tangent);
-    }
-    for (const Station<Dimension>& station : stations) {
-        const Vectors<S, Dimension> v = nodes.at(station.xi, station.tangent);
-        const auto stress = foreseen(station, earlier.at(station.xi, station.tangent));
-        add_force(station, v, v, sum);
-        add_stress(station, v, stress, predicted);
-        add_tangent(station, v, stress, tangent);
-    }
-    MixedEvaluation<S, dofs> result;
-    result.energy = sum.energy;
-    result.force = nodal_force(sum);
-    result.predicted = nodal_force(predicted);
     write_tangent(tangent, result.tangent);
     return result;
 }
