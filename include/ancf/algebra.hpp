@@ -102,8 +102,8 @@ void symmetrise(SparseMatrix& A);
 /// Completes the roots of the diagonal of a symmetric matrix [A G^T; G 0], of either storage, where
 /// they are 0. There the largest scaled entry, |a_ij|/(r_i r_j), becomes `one`, as the diagonal is.
 ///
-/// Likewise where a diagonal is round-off, so that the entry of two unknowns, so scaled, is above
-/// 1024 times `one`: both get the larger of their root and that. Where nothing tells it is 1.
+/// Likewise where a diagonal is below a hundredth of the largest entry beside it and one of these,
+/// so scaled, is above 1024 times `one`: it is round-off. A root only grows. If nothing tells: 1.
 void complete_roots(const SparseMatrix& matrix, double one, VectorX& roots);
 
 /// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of

@@ -130,9 +130,11 @@ ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX&
         if (entry > 1024.0 * one * roots[i] * roots[j] && roots[i] > 0.0 && roots[j] > 0.0)
             known[i] = known[j] = 0.0;
     });
+    for (int i = 0; i < size; ++i)
+        if (one * roots[i] * roots[i] > 1e-2 * largest[i]) known[i] = roots[i];
     // From one to the next, first by entries that count in their rows. The limit spares long chains
     // of rows without a diagonal.
-    for (int pass = 0; pass < 8 && known.size() > 0 && known.minCoeff() == 0.0; ++pass) {
+    for (int pass = 0; pass < 20 && known.size() > 0 && known.minCoeff() == 0.0; ++pass) {
         VectorX next = roots, beside = VectorX::Zero(size);
         for_each([&](int i, int j, double entry) {
             if ((known[i] == 0.0) == (known[j] == 0.0)) return;
@@ -141,7 +143,7 @@ ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX&
             beside[lacking] = std::max(beside[lacking], entry);
         });
         for (int i = 0; i < size; ++i)
-            if (known[i] == 0.0 && beside[i] > (pass < 4 ? 1e-2 : 0.0) * largest[i])
+            if (known[i] == 0.0 && beside[i] > (pass < 10 ? 1e-2 : 0.0) * largest[i])
                 known[i] = next[i];
     }
     for (int i = 0; i < size; ++i) {

@@ -90,7 +90,7 @@ TEST_CASE("symmetric_roots: the root of the diagonal, or what scales a constrain
     Triplets triplets = {{0, 0, 4.0},  {1, 1, -9.0}, {3, 3, 1e-6}, {2, 0, 6.0},
                          {2, 1, 12.0}, {4, 2, 5.0},  {2, 2, 0.0}};
     VectorX expected(6);
-    expected << 2.0, 3.0, 4.0, 1e-3, 1.0, 1.0;  // row 2: 12 / 3; 4 couples to a constraint only
+    expected << 2.0, 3.0, 4.0, 1e-3, 1.25, 1.0;  // row 2: 12/3, row 4: 5/4; nothing tells of row 5
     VectorX roots;
     const SparseMatrix lower = sparse(6, triplets);
     detail::symmetric_roots(lower, roots);
