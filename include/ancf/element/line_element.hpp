@@ -120,13 +120,15 @@ namespace ancf {
 /// @tparam Rates    whether nodes have r_xy besides r_y
 template <class Element, class Kernel, class Choices, class Line = CubicLine, bool Rates = false>
 class LineElement {
-    template <class S, class V = Vector<S, Kernel::dofs>>
-    using Mixed = decltype(std::declval<const Kernel&>().evaluate(V(), V(), V()));
+    static constexpr int dimension = Kernel::dimension, dofs = Kernel::dofs;
+    /// Vectors of a node, r_xx and r_xy not counted.
+    static constexpr int fields =
+        dofs / (2 * dimension) - (Line::fields - CubicLine::fields) - (Rates ? 1 : 0);
+    template <class S>
+    using Mixed = decltype(std::declval<const Kernel&>().evaluate(
+        Vector<S, dofs>(), Vector<S, dofs>(), Vector<S, dofs>()));
 
 public:
-    static constexpr int dimension = Kernel::dimension;  ///< of space
-    static constexpr int dofs = Kernel::dofs;            ///< number of nodal coordinates
-
     /// Nodal coordinates e, those of the first node first.
     using Coordinates = Vector<double, dofs>;
     using Options = Choices;                  ///< choices that are values
@@ -184,10 +186,7 @@ public:
     /// Returns the nodal force of a dead force per length of the stress-free line.
     /// @param force  N/m
     [[nodiscard]] Coordinates line_load(const Point& force) const {
-        // vectors of a node, r_xx and r_xy not counted
-        constexpr int vectors =
-            dofs / (2 * dimension) - (Line::fields - CubicLine::fields) - (Rates ? 1 : 0);
-        return line_.template line_load<vectors, Rates>(force);
+        return line_.template line_load<fields, Rates>(force);
     }
 
     /// Returns the length of the stress-free element, m.

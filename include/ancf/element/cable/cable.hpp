@@ -74,8 +74,9 @@ class Cable : public LineElement<Cable<Dimension, Measure>, detail::CableKernel<
                   "EngineeringMeasure are of beams");
 
 public:
-    using Base::dimension, Base::dofs;
+    static constexpr int dimension = Dimension;      ///< of space
     static constexpr int node_dofs = 2 * Dimension;  ///< number of coordinates of a node
+    static constexpr int dofs = 2 * node_dofs;       ///< number of nodal coordinates of an element
     /// 1 in the plane, 3 in space.
     static constexpr int curvature_components = Dimension == 3 ? 3 : 1;
     static constexpr Fields fields = Field::r | Field::r_x;  ///< vectors that each node carries

@@ -56,9 +56,10 @@ class ContinuumBeam : public LineElement<ContinuumBeam<Dimension>,
     static_assert(Dimension == 2 || Dimension == 3, "a beam lives in the plane or in space");
 
 public:
-    using Base::dimension, Base::dofs;
+    static constexpr int dimension = Dimension;                 ///< of space
     static constexpr int slopes = Dimension - 1;                ///< slopes across
     static constexpr int node_dofs = Dimension * (2 + slopes);  ///< number of coordinates of a node
+    static constexpr int dofs = 2 * node_dofs;  ///< number of nodal coordinates of an element
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     static constexpr int strains = Dimension == 3 ? 6 : 3;  ///< components of strain and stress

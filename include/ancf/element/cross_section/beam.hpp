@@ -92,7 +92,9 @@ class CrossSectionBeam
                   "QuinticLine goes with Geodesic or Transported directors");
 
 public:
-    using Base::dimension, Base::dofs;  // 24, or 30 with a quintic centre line
+    static constexpr int dimension = Dimension;  ///< of space
+    /// Number of nodal coordinates of an element: 24, or 30 with a quintic centre line.
+    static constexpr int dofs = detail::dofs_with<Line::vectors>;
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.

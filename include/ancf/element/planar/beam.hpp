@@ -63,7 +63,10 @@ class CrossSectionBeam<2, Directors, Shear, Measure, Line>
     using Layout = detail::PlanarLayout<Line::vectors, cubic_shear>;
 
 public:
-    using Base::dimension, Base::dofs;  // 12, with a quintic centre line 16, with cubic shear 20
+    static constexpr int dimension = 2;  ///< of space
+    /// Number of nodal coordinates of an element: 12, with a quintic centre line 16, with cubic
+    /// shear 20.
+    static constexpr int dofs = Layout::dofs;
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.

@@ -45,6 +45,8 @@ struct TorsionBeamOptions {
 /// the z axis and nothing for int z^2 dA about the y axis.
 class TorsionBeam : public LineElement<TorsionBeam, detail::TorsionKernel, TorsionBeamOptions> {
 public:
+    static constexpr int dimension = 3;  ///< of space
+    static constexpr int dofs = 18;      ///< number of nodal coordinates of an element
     /// The assembler may hand it several sets of coordinates at once.
     static constexpr bool evaluates_packs = true;
     /// Vectors that each node carries.
