@@ -621,7 +621,7 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         CHECK(report.status == Status::not_finite);
         CHECK(report.message ==
               "the direction of constraint 1 (distance between node 2 and a point of space) is not "
-              "finite: do points coincide?");
+              "finite: do points or directions coincide?");
     }
     SECTION("a moment about the slope it acts on") {
         Scene scene;

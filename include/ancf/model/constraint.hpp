@@ -147,6 +147,9 @@ private:
         [[nodiscard]] virtual double driven_angle(double time) const = 0;
     };
 
+    // Returns one part of all vectors.
+    [[nodiscard]] static std::vector<Coupling> whole(const Coupling& all);
+
     // Throws where the constraint has another number of equations than it had.
     void check_equations() const;
 
@@ -162,7 +165,7 @@ private:
             if constexpr (detail::offers<detail::StiffnessParts, Constraint>)
                 return constraint.stiffness_parts();
             else
-                return {constraint.coupling()};
+                return whole(constraint.coupling());
         }
         [[nodiscard]] int equations() const override { return constraint.equations(); }
         [[nodiscard]] std::string name() const override { return constraint.name(); }

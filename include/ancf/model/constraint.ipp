@@ -25,6 +25,8 @@ ANCF_INLINE void AnyConstraint::terms(const ConstraintState& state, ConstraintRe
     check_sizes(state, out, true);
 }
 
+ANCF_INLINE std::vector<Coupling> AnyConstraint::whole(const Coupling& all) { return {all}; }
+
 ANCF_INLINE void AnyConstraint::check_equations() const {
     const int now = held_->equations();
     if (now == equations_) return;
