@@ -23,7 +23,6 @@
 #include <ancf/types.hpp>
 
 #include <array>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
