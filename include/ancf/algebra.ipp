@@ -156,7 +156,7 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
     const auto size = static_cast<int>(matrix.cols());
     const int *outer = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
     const double* value = matrix.valuePtr();
-    VectorX scales = VectorX::Zero(size);
+    VectorX roots = VectorX::Zero(size);  // of the diagonal over 2^first
     int first = 0, found = 0;
     for (int j = 0; j < size; ++j)
         for (int k = outer[j]; k < outer[j + 1] && row[k] <= j; ++k) {
@@ -164,11 +164,11 @@ ANCF_INLINE VectorX unit_scales(const SparseMatrix& matrix) {
             const int exponent = std::ilogb(value[k]);
             if (found++ == 0) first = exponent;
             const int apart = exponent - first;
-            scales[j] = power_of_two(apart >= 0 ? apart / 2 : -((1 - apart) / 2));
+            roots[j] = power_of_two(apart >= 0 ? apart / 2 : -((1 - apart) / 2));
         }
-    if (found < size) complete_roots(matrix, std::ldexp(1.0, first), scales);
-    for (double& scale : scales) scale = power_of_two(-std::ilogb(scale));
-    return scales;
+    if (found < size) complete_roots(matrix, std::ldexp(1.0, first), roots);
+    for (double& root : roots) root = power_of_two(-std::ilogb(root));
+    return roots;
 }
 
 ANCF_INLINE VectorX row_scales(const SparseMatrix& matrix, const VectorX& columns) {
