@@ -122,6 +122,8 @@ public:
 
     /// Returns the elastic force Q_e.
     [[nodiscard]] const VectorX& internal_force() const noexcept { return internal_; }
+    /// Returns the force of gravity at unit scale, as the elements give it.
+    [[nodiscard]] const VectorX& gravity_force() const noexcept { return gravity_; }
     /// Returns the loads Q, gravity included.
     [[nodiscard]] const VectorX& external_force() const noexcept { return external_; }
     /// Returns the force of the constraints, G^T lambda.

@@ -39,7 +39,6 @@ public:
                                                        : StepTangent::symmetric),
           matrix_(problem.mass()) {
         const Scene& model = problem.model();
-        weigh();
         for_each_element([&](const ElementGroup& group, const ElementPlace& place) {
             const double length = group.length(group.prototype_of(place.element));
             length_ = before_.empty() ? length : std::min(length_, length);
@@ -60,7 +59,6 @@ public:
         q0_ = q0;
         v0_ = v0;
         problem_.refresh();
-        if (!(problem_.model().revision() == revision_)) weigh();
         std::size_t index = 0;
         for_each_element([&](const ElementGroup& group, const ElementPlace& place) {
             double e[ElementGroup::max_dofs];
@@ -115,17 +113,6 @@ private:
         for (std::size_t k = 0; k < groups.size(); ++k)
             for (int element = 0; element < groups[k]->size(); ++element)
                 visit(*groups[k], ElementPlace{static_cast<int>(k), element});
-    }
-
-    void weigh() {
-        const Scene& model = problem_.model();
-        VectorX field = VectorX::Zero(numbering_.coordinates());
-        for (int node = 0; node < model.layout().nodes(); ++node)
-            if (model.layout().fields(node).contains(Field::r))
-                for (int k = 0; k < model.dimension(); ++k)
-                    field[model.layout().first(node) + k] = model.gravity_component(k);
-        gravity_ = problem_.assembly().mass_product(field);
-        revision_ = model.revision();
     }
 
     template <class Acting>
@@ -242,7 +229,7 @@ private:
     void add_loads(const VectorX& q1, bool matrix) {
         const Scene& model = problem_.model();
         const Instant middle{t0_ + 0.5 * h_, 1.0};
-        force_ -= model.gravity_scale(middle) * gravity_;
+        force_ -= model.gravity_scale(middle) * problem_.assembly().gravity_force();
         for (std::size_t k = 0; k < loads_.size(); ++k) {
             const ScaledLoad& load = model.loads()[k];
             const LocalLoad& place = loads_[k];
@@ -392,8 +379,6 @@ private:
     const BlockPattern& pattern_;
     StepTangent tangent_;
     std::vector<LocalLoad> loads_, constraints_;
-    Revision revision_;    // of the model that gravity_ is of
-    VectorX gravity_;      // at unit scale
     double length_ = 1.0;  // of an element: the weight of slopes in joints and loads
     bool driven_ = false;
 
