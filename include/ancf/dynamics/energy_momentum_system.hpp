@@ -247,14 +247,21 @@ private:
                     return result_of(load.load, {end, rate, middle.time, false}).potential;
                 };
                 const double later = potential(q1), earlier = potential(q0_);
-                const double work = result.force.dot(change);
+                // what the rates make of its force, as in a spring with a damper, does its own work
+                VectorX held =
+                    result_of(load.load, {middle_q, VectorX::Zero(rate.size()), middle.time, false})
+                        .force;
+                const VectorX by_rates = result.force - held;
+                const double work = held.dot(change);
                 double fall = earlier - later;
                 if (result.period > 0.0)  // an angle that passes pi
                     fall -= result.period * std::round((fall - work) / result.period);
                 if ((shows || earlier != 0.0 || later != 0.0) &&
-                    std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later)))
+                    std::abs(fall - work) > 1e-14 * (std::abs(earlier) + std::abs(later))) {
                     correct_gradient(model.dimension(), fall, middle_q, change, place.invariant,
-                                     place.power, length_, result.force);
+                                     place.power, length_, held);
+                    result.force = held + by_rates;
+                }
             }
             const double scale = load.scale(middle);
             const std::vector<int>& read = place.at.read();
