@@ -73,6 +73,69 @@ struct Shrinking {
     void evaluate(const LoadState&, LoadResult& out) const { out.force.setZero(*size); }
 };
 
+/// What of a part is no number, or a mass that is wrong.
+enum class Flaw { none, energy, force, tangent, value, direction, damping, skew, negative };
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// A bar with a flaw.
+struct FlawedBar : Bar<2> {
+    Flaw flaw;
+    FlawedBar(const Bar<2>& bar, Flaw flaw_) : Bar<2>(bar), flaw(flaw_) {}
+    [[nodiscard]] Evaluation<double, 4> evaluate(const Coordinates& e) const {
+        auto result = Bar<2>::evaluate(e);
+        if (flaw == Flaw::energy) result.energy = no_number;
+        if (flaw == Flaw::force) result.force[2] = no_number;
+        if (flaw == Flaw::tangent) result.tangent(2, 2) = no_number;
+        return result;
+    }
+    [[nodiscard]] Matrix<double, 4> mass() const {
+        Matrix<double, 4> m = Bar<2>::mass();
+        if (flaw == Flaw::skew) m(2, 3) += 1e-3;
+        if (flaw == Flaw::negative) m *= -1.0;
+        return m;
+    }
+};
+
+/// A spring to the origin with a flaw.
+struct FlawedSpring {
+    NodeId node;
+    Flaw flaw;
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    void evaluate(const LoadState& at, LoadResult& out) const {
+        out.force = -at.q;
+        out.stiffness = -Matrix<double, 2>::Identity();
+        if (flaw == Flaw::tangent) out.stiffness(0, 0) = no_number;
+        if (flaw == Flaw::damping) out.damping(0, 0) = no_number;
+        if (flaw == Flaw::skew) out.stiffness.setZero(1, 3);
+    }
+};
+
+/// Holds a node on a line, with a flaw.
+struct FlawedTrack {
+    NodeId node;
+    Flaw flaw;
+    [[nodiscard]] Coupling coupling() const { return {{node, Field::r}}; }
+    [[nodiscard]] static int equations() { return 1; }
+    [[nodiscard]] static std::string name() { return "track"; }
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const {
+        out.violation[0] = flaw == Flaw::value ? no_number : at.q[1];
+        out.jacobian(0, 1) = flaw == Flaw::direction ? no_number : 1.0;
+        if (flaw == Flaw::tangent) out.stiffness(0, 0) = no_number;
+        if (flaw == Flaw::skew) out.convection.setZero(4);
+    }
+};
+
+/// A flawed bar from a pin to a node that is pulled.
+PlanarModel flawed_pendulum(Flaw flaw) {
+    PlanarModel model;
+    const NodeId a = model.add_node({0.0, 0.0}), b = model.add_node({1.0, 0.0});
+    model.connect<FlawedBar>(model.add_prototype(FlawedBar(Bar<2>(100.0, 1.0, 1.0), flaw)), a, b);
+    model.pin(a);
+    model.add(Force<2>(b, {1.0, 0.0}));
+    return model;
+}
+
 /// Every analysis that takes a linear solver and has progress or an observer, which it calls.
 struct Analysis {
     const char* name;
@@ -172,6 +235,14 @@ TEST_CASE("own parts: an element without a length is refused", "[bad-input]") {
     PlanarModel model;
     CHECK_THROWS_WITH(model.add_prototype(test::Bar<2>(1.0, 1.0, length)),
                       ContainsSubstring("the length of an element must be positive and finite"));
+}
+
+TEST_CASE("own parts: a mass that is not symmetric, or negative, is refused", "[bad-input]") {
+    PlanarModel model = flawed_pendulum(GENERATE(Flaw::skew, Flaw::negative));
+    EigenLu solver;
+    const auto says = ContainsSubstring("FlawedBar is not symmetric or not positive definite");
+    CHECK_THROWS_WITH(natural_modes(model, solver), says);
+    CHECK_THROWS_WITH(DynamicProblem(model), says);
 }
 
 TEST_CASE("own parts: a scene that changes in a call of its run is refused", "[bad-input]") {

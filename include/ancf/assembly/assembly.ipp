@@ -26,11 +26,30 @@ template <class Call>
     return Fault{worst, -1, -1};
 }
 
+/// Throws where the mass of an element is not finite or symmetric, or has a negative diagonal.
+ANCF_INLINE void require_mass(const ElementGroup& group, const double* mass) {
+    constexpr double round_off = 1e-10;
+    const int dofs = group.dofs();
+    bool good = true;
+    for (int i = 0; i < dofs; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double lower = mass[i + j * dofs], upper = mass[j + i * dofs];
+            const double size = std::sqrt(mass[i + i * dofs]) * std::sqrt(mass[j + j * dofs]);
+            good = good && std::isfinite(lower) && std::abs(lower - upper) <= round_off * size;
+        }
+    require(good, "the mass of an element of the type ", group.name(),
+            " is not symmetric or not positive definite");
+}
+
 /// Returns the mass matrices of all prototypes of a group, by columns, one after the other.
 [[nodiscard]] ANCF_INLINE std::vector<double> prototype_masses(const ElementGroup& group) {
     const std::ptrdiff_t size = group.dofs() * group.dofs();
     std::vector<double> masses(static_cast<std::size_t>(size * group.prototype_count()));
-    for (int k = 0; k < group.prototype_count(); ++k) group.mass(k, masses.data() + size * k);
+    for (int k = 0; k < group.prototype_count(); ++k) {
+        double* const mass = masses.data() + size * k;
+        group.mass(k, mass);
+        require_mass(group, mass);
+    }
     return masses;
 }
 
