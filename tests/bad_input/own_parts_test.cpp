@@ -237,6 +237,15 @@ TEST_CASE("own parts: an element without a length is refused", "[bad-input]") {
                       ContainsSubstring("the length of an element must be positive and finite"));
 }
 
+TEST_CASE("own parts: a result of the wrong size is refused by its size", "[bad-input]") {
+    EigenLu solver;
+    PlanarModel model = flawed_pendulum(Flaw::none), other = model;
+    model.add(FlawedSpring{{1}, Flaw::skew});
+    CHECK_THROWS_WITH(solve_statics(model, solver), ContainsSubstring("its stiffness is 1 x 3"));
+    other.add(FlawedTrack{{1}, Flaw::skew});
+    CHECK_THROWS_WITH(solve_statics(other, solver), ContainsSubstring("its convection 4"));
+}
+
 TEST_CASE("own parts: a mass that is not symmetric, or negative, is refused", "[bad-input]") {
     PlanarModel model = flawed_pendulum(GENERATE(Flaw::skew, Flaw::negative));
     EigenLu solver;

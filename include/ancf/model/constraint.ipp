@@ -43,7 +43,11 @@ ANCF_INLINE void AnyConstraint::check_sizes(const ConstraintState& state,
                          out.convection.size() == equations)))
         return;
     detail::reject("constraint ", name(), " of ", equations, " equations on ", size,
-                   " coordinates changed the size of its results");
+                   " coordinates changed the size of its results; its violation has ",
+                   out.violation.size(), " entries, its rate ", out.rate.size(),
+                   ", its convection ", out.convection.size(), ", its jacobian is ",
+                   out.jacobian.rows(), " x ", out.jacobian.cols(), ", its stiffness ",
+                   out.stiffness.rows(), " x ", out.stiffness.cols());
 }
 
 namespace detail {

@@ -109,11 +109,12 @@ public:
         const auto sized = [](const MatrixX& m, Eigen::Index rows) {
             return m.rows() == rows && m.cols() == rows;
         };
-        detail::require(out.force.size() == size && sized(out.stiffness, stiffness) &&
-                            sized(out.damping, damping),
-                        "a load on ", size,
-                        " coordinates changed the size of its results; its force has ",
-                        out.force.size(), " entries");
+        detail::require(
+            out.force.size() == size && sized(out.stiffness, stiffness) &&
+                sized(out.damping, damping),
+            "a load on ", size, " coordinates changed the size of its results; its force has ",
+            out.force.size(), " entries, its stiffness is ", out.stiffness.rows(), " x ",
+            out.stiffness.cols(), ", its damping ", out.damping.rows(), " x ", out.damping.cols());
     }
 
 private:
