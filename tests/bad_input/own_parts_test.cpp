@@ -237,6 +237,54 @@ TEST_CASE("own parts: an element without a length is refused", "[bad-input]") {
                       ContainsSubstring("the length of an element must be positive and finite"));
 }
 
+TEST_CASE("own parts: an element whose values are no numbers is named", "[bad-input]") {
+    const Flaw flaw = GENERATE(Flaw::energy, Flaw::force, Flaw::tangent);
+    const auto says = ContainsSubstring("element 0 of the type own_parts_test::FlawedBar");
+    const PlanarModel scene = flawed_pendulum(flaw);
+    CAPTURE(static_cast<int>(flaw));
+    EigenLu solver;
+    PlanarModel model = scene;
+    const StaticsReport statics = solve_statics(model, solver);
+    CHECK(statics.status == Status::not_finite);
+    CHECK_THAT(statics.message, says);
+    PathOptions to_one;
+    to_one.last_factor = 1.0;
+    CHECK_THAT(follow_path(model, solver, to_one).message, says);
+    const ModalReport modes = natural_modes(scene, solver);
+    CHECK(modes.status == Status::not_finite);
+    CHECK_THAT(modes.message, says);
+    DynamicProblem problem(model);
+    const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
+    CHECK_THAT(GeneralizedAlpha().integrate(problem, solver, schedule).message, says);
+    CHECK_THAT(RadauIIA().integrate(problem, solver, schedule).message, says);
+}
+
+TEST_CASE("own parts: a load whose derivative is no number is named", "[bad-input]") {
+    const Flaw flaw = GENERATE(Flaw::tangent, Flaw::damping);
+    const auto says = ContainsSubstring("a derivative of the force of load 1 is not finite");
+    PlanarModel model = flawed_pendulum(Flaw::none);
+    model.add(FlawedSpring{{1}, flaw});
+    DynamicProblem problem(model);
+    EigenLu solver;
+    const Schedule schedule = equal_intervals(0.0, 1.0, 1.0);
+    CHECK_THAT(GeneralizedAlpha().integrate(problem, solver, schedule).message, says);
+    CHECK_THAT(RadauIIA().integrate(problem, solver, schedule).message, says);
+    CHECK_THAT(solve_statics(model, solver).message, says);
+}
+
+TEST_CASE("own parts: a constraint that is no number is named, and what of it", "[bad-input]") {
+    const auto [flaw, what] =
+        GENERATE(table<Flaw, std::string>({{Flaw::value, "the value"},
+                                           {Flaw::direction, "the direction"},
+                                           {Flaw::tangent, "the stiffness"}}));
+    PlanarModel model = flawed_pendulum(Flaw::none);
+    model.add(FlawedTrack{{1}, flaw});
+    EigenLu solver;
+    const StaticsReport report = solve_statics(model, solver);
+    CHECK(report.status == Status::not_finite);
+    CHECK_THAT(report.message, ContainsSubstring(what + " of constraint 0 (track) is not finite"));
+}
+
 TEST_CASE("own parts: a result of the wrong size is refused by its size", "[bad-input]") {
     EigenLu solver;
     PlanarModel model = flawed_pendulum(Flaw::none), other = model;

@@ -159,7 +159,12 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
-    /// Returns the same of all parts of a scene, collectively: an element of another part is -1.
+    /// Returns the first element whose energy, force or tangent is not finite, though its
+    /// coordinates are.
+    /// @throws InvalidArgument for a q of another size.
+    [[nodiscard]] std::optional<Fault> inspect_values(const VectorX& q) const;
+
+    /// Returns the same as inspect() of all parts, collectively: an element of another part is -1.
     [[nodiscard]] std::optional<Fault> inspect_parts(const VectorX& q) const;
 
     /// Returns what failed in the last evaluation, in words: the element, or the driven support,

@@ -389,10 +389,13 @@ ANCF_INLINE std::optional<Fault> Assembly::evaluate_own(const Configuration& at,
     load_potential_ = -external_.dot(at.q);
     add_loads(at, request);
     add_constraints(at, request);
-    if (std::isfinite(strain_energy_) && detail::all_finite(internal_) &&
-        detail::all_finite(external_) && detail::all_finite(constraint_))
+    const bool elements = std::isfinite(strain_energy_) && detail::all_finite(internal_);
+    if (elements && faulty_load_ < 0 && faulty_constraint_ < 0 && detail::all_finite(external_) &&
+        detail::all_finite(constraint_))
         return std::nullopt;
-    Fault fault = inspect(at.q).value_or(Fault{Status::not_finite, -1, -1});
+    std::optional<Fault> found = inspect(at.q);
+    if (!found && !elements) found = inspect_values(at.q);
+    Fault fault = found.value_or(Fault{Status::not_finite, -1, -1});
     if (increment != nullptr && fault.support < 0) fault.support = faulty_support(*increment);
     return fault;
 }
@@ -526,8 +529,11 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             const int size = static_cast<int>(coordinates.size());
             ++place;
             load_potential_ += scale * result.potential;
-            if (faulty_load_ < 0 && !(std::isfinite(scale) && detail::all_finite(result.force)))
-                faulty_load_ = place;
+            const bool finite =
+                std::isfinite(scale) && detail::all_finite(result.force) &&
+                (request == Request::force ||
+                 (detail::all_finite(result.stiffness) && detail::all_finite(result.damping)));
+            if (faulty_load_ < 0 && !finite) faulty_load_ = place;
             if (result.period > 0.0) angles_.push_back({scale, result.potential, result.period});
             for (int i = 0; i < size; ++i) external_[coordinates[i]] += scale * result.force[i];
             if (request == Request::force || result.stiffness.size() == 0) return;
@@ -637,7 +643,8 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         std::copy_n(result.violation.data(), equations, violation_.data() + first);
         std::copy_n(result.rate.data(), equations, violation_rate_.data() + first);
         if (faulty_constraint_ < 0 &&
-            !(detail::all_finite(result.violation) && detail::all_finite(result.jacobian)))
+            !(detail::all_finite(result.violation) && detail::all_finite(result.jacobian) &&
+              (terms_alone || detail::all_finite(result.stiffness))))
             faulty_constraint_ = static_cast<int>(k);
         for (Eigen::Index i = 0; i < size; ++i)
             for (int e = 0; e < equations; ++e)
@@ -688,6 +695,24 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect(const VectorX& q) const {
                  status == Status::not_finite ? faulty_support(q) : -1};
 }
 
+ANCF_INLINE std::optional<Fault> Assembly::inspect_values(const VectorX& q) const {
+    check_size("inspect_values", "coordinates", q);
+    const auto found =
+        find_element(q, [](const ElementGroup& group, int prototype, const double* e) {
+            const auto dofs = static_cast<std::size_t>(group.dofs());
+            std::vector<double> values(dofs * (dofs + 2) + 2);  // forces, energies, tangent
+            values[2 * dofs] = group.energy(prototype, e);
+            double* const force = values.data() + dofs;
+            values[2 * dofs + 1] = group.evaluate(prototype, e, force, force + dofs + 2);
+            group.force(prototype, e, values.data());
+            const auto finite = [](double value) { return std::isfinite(value); };
+            return std::all_of(e, e + dofs, finite) &&
+                   !std::all_of(values.begin(), values.end(), finite);
+        });
+    if (!found) return std::nullopt;
+    return Fault{Status::not_finite, found->group, found->element};
+}
+
 ANCF_INLINE int Assembly::faulty_support(const VectorX& entries) const {
     const auto& supports = model_.supports();
     for (int k = 0; k < static_cast<int>(supports.size()); ++k) {
@@ -718,14 +743,18 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                " of the type ", model_.groups()[fault.group]->name(), " is ",
                                to_string(fault.status)});
     if (faulty_load_ >= 0)
-        return detail::joined({"the force of load ", faulty_load_, " is not finite"});
+        return detail::joined({detail::all_finite(external_) ? "a derivative of the force of load "
+                                                             : "the force of load ",
+                               faulty_load_, " is not finite"});
     if (faulty_constraint_ >= 0) {
         const auto at = static_cast<std::size_t>(faulty_constraint_);
-        return detail::joined({"the direction of constraint ", faulty_constraint_, " (",
-                               model_.constraints()[at].name(),
+        return detail::joined({!detail::all_finite(violation_)   ? "the value of constraint "
+                               : detail::all_finite(constraint_) ? "the stiffness of constraint "
+                                                                 : "the direction of constraint ",
+                               faulty_constraint_, " (", model_.constraints()[at].name(),
                                ") is not finite: do points or directions coincide?"});
     }
-    return detail::joined({"gravity, a constraint or a coordinate is ", to_string(fault.status)});
+    return detail::joined({"gravity or a coordinate is ", to_string(fault.status)});
 }
 
 ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) const {

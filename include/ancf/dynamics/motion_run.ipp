@@ -586,6 +586,9 @@ ANCF_INLINE bool MotionRun::shortens(const MotionPoint& now, const Step& step, S
         grid_ = {step.begin, step.width * factor};
     }
     if (control_.is_adaptive() ? grid_.width >= control_.least : grid_.halve(step)) return true;
+    if (status == Status::not_finite && !report_.fault && problem_.model().exchange() == nullptr)
+        report_.fault =
+            problem_.assembly().inspect_values(problem_.raw_state(now.time, now.q, now.v).q);
     const std::string turn = step.turn.fits() ? ""
                                               : driven_turn_text(problem_.model().constraints(),
                                                                  step.turn, step.begin, step.end);

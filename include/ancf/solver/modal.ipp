@@ -167,6 +167,8 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
         message = joined({"modes are left to converge after ", report.iterations, " iterations"});
     } else if (report.status != Status::converged) {
         message = joined({"the matrix cannot be factorised: ", to_string(report.status)});
+        report.fault = assembly.inspect_values(model.state().q);
+        if (report.fault) message += "; " + assembly.describe(*report.fault);
     }
     return report;
 }

@@ -566,6 +566,8 @@ private:
     // Says why a point has no successor, from the last factorisation or fault.
     [[nodiscard]] std::string cause(Status status, const char* what, const Point& here) {
         std::string text = joined({what, " at load factor ", here.factor, ": "});
+        if (status == Status::not_finite && !report_.fault)
+            report_.fault = assembly_.inspect_values(here.state.q);
         if (report_.fault) return text + assembly_.describe(*report_.fault);
         std::string found;
         if (status == Status::singular && report_.points.empty())

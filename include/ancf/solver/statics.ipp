@@ -260,7 +260,9 @@ private:
     }
 
     /// Says why a step failed, from its last evaluation.
-    [[nodiscard]] std::string cause(const LoadStep& step) const {
+    [[nodiscard]] std::string cause(const LoadStep& step) {
+        if (step.status == Status::not_finite && !report_.fault && exchange_ == nullptr)
+            report_.fault = assembly_.inspect_values(model_.state().q);
         if (report_.fault) return assembly_.describe(*report_.fault);
         std::string text = joined({"the step to load factor ", step.factor, " failed after ",
                                    step.iterations, " iterations"});
