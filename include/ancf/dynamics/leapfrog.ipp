@@ -117,10 +117,18 @@ private:
         const double before = report_.highest_frequency;
         const double now = problem_.highest_frequency(now_.time, now_.q, at_.lambda, fastest_);
         if (now > 0.0) report_.highest_frequency = now;
+        std::string failed;
+        if (std::isnan(now) || report_.highest_frequency == 0.0)  // it may be that nothing vibrates
+            if (const auto fault =
+                    problem_.evaluate(now_.time, now_.q, now_.v, at_.lambda, Request::tangent)) {
+                report_.fault = fault;
+                failed = problem_.assembly().describe(*fault);
+                fail(fault->status, failed);
+            }
         if (std::isnan(now))
             fail(Status::not_finite,
                  joined({"the highest frequency of stiffness and mass is no number at ", now_.time,
-                         " s"}));
+                         failed.empty() ? " s" : " s; ", failed}));
         report_.stable_step = report_.highest_frequency > 0.0
                                   ? reach / report_.highest_frequency
                                   : std::numeric_limits<double>::infinity();

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -330,11 +331,13 @@ public:
     [[nodiscard]] double largest_eigenvalue(const SparseMatrix& matrix, VectorX& mode) const;
 
     /// Returns the highest angular frequency of M^-1 (K + (G^T lambda)_q) at (t, q), rad/s,
-    /// likewise; constraints do not hold it, so an upper bound with them. 0 where an element fails.
+    /// likewise; constraints do not hold it, so an upper bound with them. 0 where an element fails,
+    /// NaN where a load or constraint does.
     [[nodiscard]] double highest_frequency(double t, const VectorX& q, const VectorX& lambda,
                                            VectorX& mode) {
         const VectorX rest = VectorX::Zero(size());
-        if (evaluate(t, q, rest, lambda, Request::tangent)) return 0.0;
+        if (const auto fault = evaluate(t, q, rest, lambda, Request::tangent))
+            return fault->element < 0 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
         return std::sqrt(largest_eigenvalue(assembly_.tangent(), mode));
     }
     /// Returns the same without multipliers, begun with all modes.

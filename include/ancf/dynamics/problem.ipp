@@ -175,7 +175,7 @@ ANCF_INLINE std::string DynamicProblem::check_constraints() {
         if (!std::isfinite(lengths[i]) || !std::isfinite(constraints_.violation()[i]) ||
             !std::isfinite(constraints_.rate()[i]))
             return "no direction belongs to " + constraints_.describe(i) +
-                   ": its derivatives are not finite, do points or directions coincide?";
+                   ": it or its derivatives are not finite, do points or directions coincide?";
     const double fastest = detail::largest_ratio(full_v_, full_scales_);
     // worst equation, at position and then at velocity level
     const auto worst = [&](const VectorX& values, const auto& allowed, const char* what) {
@@ -716,7 +716,7 @@ ANCF_INLINE double DynamicProblem::largest_eigenvalue(const SparseMatrix& matrix
 
 ANCF_INLINE double DynamicProblem::lowest_frequency(double t, const VectorX& q) {
     const double highest = highest_frequency(t, q);
-    if (highest == 0.0) return 0.0;
+    if (!(highest > 0.0)) return 0.0;
     const double square = highest * highest;
     // far above the round-off of K, far below any elastic frequency
     const double shift = 1e-12 * square;
