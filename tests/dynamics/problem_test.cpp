@@ -592,6 +592,20 @@ TEST_CASE("problem: options that cannot be meant are refused", "[dynamics]") {
     CHECK_THROWS_AS(ancf::DynamicProblem(scene.model, options), ancf::InvalidArgument);
 }
 
+TEST_CASE("problem: vectors of another size are refused", "[dynamics]") {
+    Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1.0, 1.0);
+    scene.model.add(ancf::FixedCoordinate<3>(scene.last(), Field::r, 1, 0.0));
+    ancf::DynamicProblem problem(scene.model);
+    const ancf::VectorX x = ancf::VectorX::Zero(problem.size());
+    const ancf::VectorX lambda = ancf::VectorX::Zero(problem.multipliers() + 1);
+    ancf::VectorX solved;
+    ancf::SparseMatrix matrix;
+    CHECK_THROWS_WITH(problem.solve_mass(x.head(1), solved), ContainsSubstring("solve_mass"));
+    const auto says = ContainsSubstring("expected 1 multipliers, got 2");
+    CHECK_THROWS_WITH(problem.store(0.0, x, x, lambda), says);
+    CHECK_THROWS_WITH(problem.velocity_level(lambda, matrix), says);
+}
+
 TEST_CASE("problem: a scene with a node of no mass is refused", "[dynamics]") {
     Chain scene = chain(1, {0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 1.0, 0.0);
     CHECK_THROWS_WITH(ancf::DynamicProblem(scene.model),

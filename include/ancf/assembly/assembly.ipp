@@ -754,7 +754,7 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                faulty_constraint_, " (", model_.constraints()[at].name(),
                                ") is not finite: do points or directions coincide?"});
     }
-    return detail::joined({"gravity or a coordinate is ", to_string(fault.status)});
+    return detail::joined({"gravity, a coordinate or a multiplier is ", to_string(fault.status)});
 }
 
 ANCF_INLINE std::optional<ElementPlace> Assembly::softened(const VectorX& q) const {

@@ -219,6 +219,7 @@ public:
     /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms
     /// that hold the constraint at velocity level (g_t as independent of q).
     void velocity_level(const VectorX& mu, SparseMatrix& out) const {
+        check_multipliers(mu);
         if (detail::entries(out) != detail::entries(mass_)) out = mass_;
         std::fill_n(out.valuePtr(), detail::entries(out), 0.0);
         constraints_.add_velocity_level(mu, out);
@@ -239,6 +240,7 @@ public:
 
     /// Returns the state of all coordinates, supports included, with the multipliers as reported.
     [[nodiscard]] State state(double t, const VectorX& q, const VectorX& v, const VectorX& lambda) {
+        check_multipliers(lambda);
         State result = raw_state(t, q, v);
         result.multipliers = lambda;
         if (!left_out_.empty()) minimize_multipliers(result.multipliers);
@@ -363,6 +365,7 @@ private:
     }
     // Replaces forces of free coordinates by their sums over all parts.
     void add_parts(VectorX& forces) const;
+    void check_multipliers(const VectorX& lambda) const;
     void check_sizes() const;
     void list_driven();
     void measure();

@@ -59,9 +59,16 @@ ANCF_INLINE double DynamicProblem::own_dot(const VectorX& x, const VectorX& y) c
 }
 
 ANCF_INLINE void DynamicProblem::solve_mass(const VectorX& b, VectorX& x) const {
+    detail::require(b.size() == size(), "DynamicProblem::solve_mass: expected ", size(),
+                    " entries, got ", b.size());
     if (exchange_ != nullptr) return detail::solve_with(*options_.mass_solver, b, x);
     x = b;
     mass_factor_.solve(x);
+}
+
+ANCF_INLINE void DynamicProblem::check_multipliers(const VectorX& lambda) const {
+    detail::require(lambda.size() == multipliers(), "DynamicProblem: expected ", multipliers(),
+                    " multipliers, got ", lambda.size());
 }
 
 ANCF_INLINE void DynamicProblem::set_mass() {
@@ -397,8 +404,7 @@ ANCF_INLINE std::optional<Fault> DynamicProblem::evaluate(double t, const Vector
                                                           Request request) {
     refresh();
     detail::together(drives_ ? exchange_ : nullptr, [&] { expand(t, q, v); });
-    detail::require(lambda.size() == multipliers(), "DynamicProblem: expected ", multipliers(),
-                    " multipliers, got ", lambda.size());
+    check_multipliers(lambda);
     lambda_ = lambda;
     for (const int equation : left_out_) lambda_[equation] = 0.0;
     const auto fault = assembly_.evaluate({full_q_, full_v_, lambda_, {t, 1.0}}, request);
