@@ -55,6 +55,11 @@ struct NoForce : Bar {
 };
 static_assert(ancf::require_element<NoForce>());
 
+// expected: add_line_load needs of an element without slopes
+void load(ancf::Model& model, const ancf::Beam<Bar>& beam) {
+    ancf::add_line_load(model, beam, {0.0, 0.0, 1.0});
+}
+
 #endif
 
 // expected: an element needs: static constexpr int dimension, dofs
@@ -68,6 +73,11 @@ static_assert(sizeof(ancf::Cable<3, Measure>) > 0);
 
 // expected: Model::add takes a load, which offers
 void use_added(ancf::Model& model) { model.add(Added()); }
+
+// expected: Model::add takes an amplitude with a load alone, which offers
+void use_amplitude(ancf::Model& model, const ancf::Amplitude& amplitude) {
+    model.add(Added(), amplitude);
+}
 
 // expected: the constraint is of another dimension than the model: Model takes Pin<3>
 void use_pin(ancf::Model& model) { model.add(ancf::Pin<of_pin>(ancf::NodeId{0}, ancf::NodeId{1})); }

@@ -94,7 +94,9 @@ public:
     /// Stops the compilation: what is added with an amplitude is no load.
     template <class Other, std::enable_if_t<!is_load_v<Other>, int> = 0>
     void add(const Other& other, const Amplitude& amplitude) {
-        static_assert(is_load_v<Other>, "Model::add takes an amplitude with a load alone");
+        static_assert(is_load_v<Other>,
+                      "Model::add takes an amplitude with a load alone, which offers `Coupling "
+                      "coupling() const` and `void evaluate(const LoadState&, LoadResult&) const`");
         Scene::add(other, amplitude);
     }
 

@@ -144,6 +144,9 @@ template <class Element>
     if constexpr (offers<LineLoad, Element>) {
         return element.line_load(force_per_length);
     } else {
+        static_assert(Element::fields.count() >= 2,
+                      "add_line_load needs of an element without slopes: "
+                      "Coordinates line_load(const Vector<double, dimension>&) const;");
         Moments line;  // a section of unit area on the axis alone
         line.area = 1.0;
         return gravity_force<Element::dimension>(
