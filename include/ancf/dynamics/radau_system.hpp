@@ -9,7 +9,6 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
-#include <ancf/constants.hpp>
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/complex_solver_for.hpp>
@@ -42,71 +41,6 @@ struct RadauTableau {
 
 /// A vector of each stage.
 using Stages = std::vector<VectorX>;
-
-/// Returns P_s(x) - P_(s-1)(x) and its derivative, Legendre polynomials.
-[[nodiscard]] inline std::pair<double, double> radau_polynomial(int stages, double x) {
-    double before = 1.0, value = x;  // P_0, P_1
-    double slope_before = 0.0, slope = 1.0;
-    for (int k = 1; k < stages; ++k) {
-        const double next = ((2 * k + 1) * x * value - k * before) / (k + 1);
-        const double slope_next = slope_before + (2 * k + 1) * value;
-        before = std::exchange(value, next);
-        slope_before = std::exchange(slope, slope_next);
-    }
-    return {value - before, slope - slope_before};
-}
-
-/// Returns the points of the right Radau rule on [0, 1], ascending.
-[[nodiscard]] inline std::vector<double> radau_nodes(int stages) {
-    std::vector<double> nodes;
-    for (int k = 0; k + 1 < stages; ++k) {
-        double x = -std::cos(pi * (2 * k + 1) / (2 * stages - 1));
-        for (int iteration = 0; iteration < 50; ++iteration) {
-            const auto [value, slope] = radau_polynomial(stages, x);
-            double deflated = slope;  // the zeros that are known, and 1, are taken out
-            deflated -= value / (x - 1.0);
-            for (const double node : nodes) deflated -= value / (x - (2.0 * node - 1.0));
-            const double step = value / deflated;
-            x -= step;
-            if (std::abs(step) < 1e-15) break;
-        }
-        nodes.push_back(0.5 * (1.0 + x));
-    }
-    nodes.push_back(1.0);
-    return nodes;
-}
-
-/// Returns the zeros of (4) with an imaginary part of at least 0, the real one first.
-[[nodiscard]] inline std::vector<std::complex<double>> radau_eigenvalues(int stages) {
-    using Complex = std::complex<double>;
-    // of (4), each coefficient over that of the highest power
-    std::vector<double> coefficients(static_cast<std::size_t>(stages) + 1, 1.0);
-    for (int j = stages - 1; j >= 0; --j)  // ratio of the coefficients of j and j + 1
-        coefficients[j] = -coefficients[j + 1] * (j + 1) * (2 * stages - 1 - j) / (stages - j);
-    std::vector<Complex> zeros;
-    for (int k = 0; k < stages; ++k) zeros.push_back(2.0 * stages * std::pow(Complex(0.4, 0.9), k));
-    for (int iteration = 0; iteration < 500; ++iteration) {  // of Durand and Kerner
-        double moved = 0.0;
-        for (Complex& zero : zeros) {
-            Complex value = 0.0, distances = 1.0;
-            for (std::size_t j = coefficients.size(); j-- > 0;)
-                value = value * zero + coefficients[j];
-            for (const Complex& other : zeros)
-                if (&other != &zero) distances *= zero - other;
-            const Complex step = value / distances;
-            zero -= step;
-            moved = std::fmax(moved, std::abs(step) / std::abs(zero));
-        }
-        if (moved < 1e-15) break;
-    }
-    std::vector<Complex> kept(1);
-    for (const Complex& zero : zeros)
-        if (std::abs(zero.imag()) < 1e-6 * std::abs(zero))
-            kept[0] = zero.real();
-        else if (zero.imag() > 0.0)
-            kept.push_back(zero);
-    return kept;
-}
 
 /// Returns the inverse of a small square matrix by elimination with column pivots.
 template <class Scalar>
@@ -180,11 +114,20 @@ template <class Scalar>
     return column;
 }
 
-/// Returns the method of an odd number of stages from 1 to 9.
+/// Returns the method of three or five stages.
 [[nodiscard]] inline RadauTableau radau_tableau(int stages) {
     using Complex = std::complex<double>;
     RadauTableau tableau;
-    tableau.nodes = radau_nodes(stages);
+    if (stages == 3) {
+        tableau.nodes = {0.155051025721682190, 0.644948974278317810, 1.0};
+        tableau.eigenvalues = {3.63783425274449573, {2.68108287362775213, 3.05043019924741057}};
+    } else {
+        tableau.nodes = {0.0571041961145176822, 0.276843013638123828, 0.583590432368916820,
+                         0.860240135656219448, 1.0};
+        tableau.eigenvalues = {6.28670475172927665,
+                               {3.65569432546357226, 6.54373689936007729},
+                               {5.70095329867178942, 3.21026560030854988}};
+    }
     const auto W = differentiation(tableau.nodes);
     const auto A = small_inverse(W);
     const auto squared = [&](const std::vector<std::vector<double>>& a) {
@@ -200,7 +143,6 @@ template <class Scalar>
     for (int i = 0; i < stages; ++i)
         for (int j = 0; j < stages; ++j) tableau.inverse(i, j) = W[i][j];
 
-    tableau.eigenvalues = radau_eigenvalues(stages);
     tableau.to_modes.resize(stages, stages);
     tableau.from_modes.resize(stages, stages);
     std::vector<std::vector<Complex>> T(stages);  // the kept columns, each before its conjugate
