@@ -8,10 +8,13 @@
 
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/element/cross_section/beam.hpp>
+#include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/builders/rigid_body.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
+#include <ancf/model/loads/springs.hpp>
 #include <ancf/model/model.hpp>
 #include <ancf/section/profiles.hpp>
 
@@ -78,6 +81,31 @@ inline ancf::Model short_beam() {
                                          {{0, 1, 0, 1}});
     model.clamp(frame.joints.front());
     model.add(ancf::Force<3>(frame.joints.back(), Point(0, 0, -100)));
+    return model;
+}
+
+/// A rigid body between two welded beams, on which a third one slides, held by a spring.
+inline ancf::Model body_with_slider() {
+    ancf::Model model;
+    const auto bar_along_x = [&](double x, double z) {
+        return ancf::straight_beam<Beam>(model, steel, bar(), {x, 0, z}, {x + 0.5, 0, z}, 4);
+    };
+    const auto before = bar_along_x(0, 0), after = bar_along_x(0.7, 0),
+               above = bar_along_x(0.7, 0.1);
+    const auto body = model.add_node({0.6, 0, 0});
+    ancf::add_body(model, body, 0.5, ancf::Matrix<double, 3>::Identity() * 1e-3);
+    const auto point = [&](double x, double z) {
+        return ancf::point_of_body(model, body, {x, 0, z});
+    };
+    model.clamp(before.first());
+    model.add(ancf::Weld(model, before.last(), point(0.5, 0)));
+    model.add(ancf::Weld(model, after.first(), point(0.7, 0)));
+    const auto guide = point(0.6, 0.1);
+    model.add(ancf::Slider<3>(above.first(), ancf::straight_guide<3>(model, guide, {1, 0, 0})));
+    model.add(ancf::FixedOrientation(model, above.first(), guide));
+    model.add(ancf::Spring<3>(above.last(), after.last(), 1e3, 0.05));
+    model.set_gravity({0, 0, -9.81});
+    model.add(ancf::Force<3>(after.last(), Point(0, 5, 5)));
     return model;
 }
 

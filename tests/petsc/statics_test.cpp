@@ -115,6 +115,7 @@ TEST_CASE(
         return model;
     };
     same_as_in_series(pinned, petsc::SolverOptions::direct(), 1e-10);
+    same_as_in_series(body_with_slider, petsc::SolverOptions::direct(), 1e-10);
     Model model = pinned();
     petsc::DistributedScene statics(model, PETSC_COMM_WORLD, petsc::SolverOptions::iterative());
     const StaticsReport report = statics.solve();
