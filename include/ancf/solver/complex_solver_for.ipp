@@ -13,12 +13,11 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseLU>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numeric>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace ancf {
@@ -74,58 +73,27 @@ public:
 
     void analyze(const SparseMatrix& pattern) override {
         require_storage(name(), pattern, storage_);
-        magnitudes_ = pattern;
-        // column by column the places of both halves: rows ascend, as mirror images come first
-        const auto size = static_cast<std::size_t>(pattern.cols());
-        std::vector<std::vector<std::pair<int, int>>> columns(size);  // row, place
-        for (int j = 0; j < pattern.cols(); ++j)
-            for (int k = pattern.outerIndexPtr()[j]; k < pattern.outerIndexPtr()[j + 1]; ++k) {
-                const int i = pattern.innerIndexPtr()[k];
-                columns[j].emplace_back(i, k);
-                if (storage_ == Storage::lower && i != j) columns[i].emplace_back(j, k);
-            }
-        matrix_.resize(pattern.rows(), pattern.cols());
-        int count = 0;
-        for (const auto& column : columns) count += static_cast<int>(column.size());
-        matrix_.resizeNonZeros(count);
-        count = 0;
-        from_.clear();
-        for (std::size_t j = 0; j < size; ++j) {
-            matrix_.outerIndexPtr()[j] = count;
-            for (const auto& [row, place] : columns[j]) {
-                matrix_.innerIndexPtr()[count] = row;
-                matrix_.valuePtr()[count++] = 1.0;
-                from_.push_back(place);
-            }
-        }
-        matrix_.outerIndexPtr()[size] = count;
-        inverse_.resize(size);
+        given_ = static_cast<std::size_t>(entries(pattern));
+        SparseMatrix places = pattern;  // from 1 on: none vanishes
+        std::iota(places.valuePtr(), places.valuePtr() + given_, 1.0);
+        magnitudes_ = leading_block(places, static_cast<int>(pattern.cols()), storage_);
+        from_.assign(magnitudes_.valuePtr(), magnitudes_.valuePtr() + entries(magnitudes_));
+        matrix_ = magnitudes_.cast<std::complex<double>>();
         lu_ = std::make_unique<Eigen::SparseLU<Matrix, Ordering>>();
-        if (size > 0) lu_->analyzePattern(matrix_);
+        if (matrix_.cols() > 0) lu_->analyzePattern(matrix_);
     }
 
     [[nodiscard]] Status factorize(const std::vector<std::complex<double>>& values) override {
-        const auto given = static_cast<std::size_t>(magnitudes_.nonZeros());
-        require(lu_ != nullptr && values.size() == given, name(), ": expected ", given,
+        require(lu_ != nullptr && values.size() == given_, name(), ": expected ", given_,
                 " values, got ", values.size());
-        for (std::size_t k = 0; k < given; ++k) magnitudes_.valuePtr()[k] = std::abs(values[k]);
+        for (std::size_t k = 0; k < from_.size(); ++k) {
+            matrix_.valuePtr()[k] = values[from_[k] - 1];
+            magnitudes_.valuePtr()[k] = std::abs(matrix_.valuePtr()[k]);
+        }
         if (!all_finite(magnitudes_)) return Status::not_finite;
-        // entries of a row compare where each unknown is measured by its own scale, as in EigenLu
-        const VectorX scales = unit_scales(magnitudes_);
-        std::fill(inverse_.begin(), inverse_.end(), 0.0);
-        std::complex<double>* entries = matrix_.valuePtr();
-        const auto row = [&](Eigen::Index k) -> double& {
-            return inverse_[matrix_.innerIndexPtr()[k]];
-        };
-        for (Eigen::Index j = 0; j < matrix_.cols(); ++j)
-            for (Eigen::Index k = matrix_.outerIndexPtr()[j]; k < matrix_.outerIndexPtr()[j + 1];
-                 ++k) {
-                const int place = from_[k];
-                entries[k] = values[place];
-                row(k) = std::max(row(k), magnitudes_.valuePtr()[place] * scales[j]);
-            }
-        for (double& inverse : inverse_) inverse = inverse > 0.0 ? 1.0 / inverse : 1.0;
-        for (Eigen::Index k = 0; k < matrix_.nonZeros(); ++k) entries[k] *= row(k);
+        rows_ = row_scales(magnitudes_, unit_scales(magnitudes_));
+        for (std::size_t k = 0; k < from_.size(); ++k)
+            matrix_.valuePtr()[k] *= rows_[matrix_.innerIndexPtr()[k]];
         if (matrix_.cols() == 0) return Status::converged;
         lu_->factorize(matrix_);
         return lu_->info() == Eigen::Success ? Status::converged : Status::singular;
@@ -134,7 +102,7 @@ public:
     void solve(ComplexVectorX& b) const override {
         require(lu_ != nullptr, name(), ": solve without a factorisation");
         if (b.size() == 0) return;
-        for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= inverse_[i];
+        for (Eigen::Index i = 0; i < b.size(); ++i) b[i] *= rows_[i];
         const ComplexVectorX x = lu_->solve(b);
         b = x;
     }
@@ -145,10 +113,11 @@ private:
     using Matrix = Eigen::SparseMatrix<std::complex<double>, Eigen::ColMajor, int>;
 
     Storage storage_;
-    Matrix matrix_;                // both halves
-    std::vector<int> from_;        // of each value of the matrix its place in those given
-    SparseMatrix magnitudes_;      // of the values given
-    std::vector<double> inverse_;  // of each row's largest entry
+    std::size_t given_ = 0;
+    Matrix matrix_;                  // both halves
+    std::vector<std::size_t> from_;  // of each of its values the place, from 1 on, in those given
+    SparseMatrix magnitudes_;        // of its values
+    VectorX rows_;                   // scales
     std::unique_ptr<Eigen::SparseLU<Matrix, Ordering>> lu_;
 };
 
