@@ -24,6 +24,7 @@
 #include <support/catch.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace slider_test {
@@ -292,11 +293,64 @@ TEST_CASE("Slider: the matrix stays sparse on a long guide", "[slider]") {
     CHECK(entries(200) < 2.1 * entries(100));
 }
 
+TEST_CASE("Slider: its stiffness is that of one element", "[slider]") {
+    PlanarModel model;
+    const auto beam =
+        straight_beam<Bar<2>>(model, steel(), rectangle(0.1, 0.1), {0, 0}, {1, 0}, 100);
+    const NodeId point = model.add_node({0.503, 0});
+    model.add_mass(point, 1.0);
+    const Slider<2> slider(point, guide_along(model, beam));
+    VectorX q(2 * static_cast<Eigen::Index>(slider.coupling().size()));
+    Eigen::Index at = 0;
+    for (const NodeField& vector : slider.coupling())
+        for (int i = 0; i < 2; ++i) q[at++] = model.value(vector.node, vector.field)[i];
+    ConstraintResult out;
+    AnyConstraint(slider).evaluate({q, VectorX::Zero(q.size()), VectorX::Ones(1), 0.0}, out);
+    // the point, r and r_x of two nodes
+    CHECK(out.active.size() == 10);
+    CHECK(out.stiffness.rows() == 10);
+}
+
+TEST_CASE("Slider: an end of the guide may be attached instead of welded", "[slider][statics]") {
+    const auto solved = [](bool attached) {
+        PlanarModel model;
+        const auto bar_from = [&](double x) {
+            return straight_beam<Bar<2>>(model, steel(), rectangle(0.01, 0.01), {x, 0}, {x + 1, 0},
+                                         4, CrossSectionOptions::best());
+        };
+        const auto before = bar_from(0), guide = bar_from(1);
+        model.clamp(before.first());
+        if (attached)
+            model.attach(guide.first(), before.last());
+        else
+            model.add(PlanarWeld(model, guide.first(), before.last()));
+        const NodeId roller = model.add_node({1.1, 0});
+        model.add_mass(roller, 1.0);
+        model.pin(roller);
+        model.add(Slider<2>(roller, guide_along(model, guide)));
+        model.add(Force<2>(guide.last(), {0, -20}));
+        EigenLu solver;
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        return std::pair(model.position(guide.last()), report.iterations());
+    };
+    const auto [welded, iterations] = solved(false);
+    const auto [moved, iterations_of_attached] = solved(true);
+    CHECK(welded[1] < -0.05);
+    CHECK((moved - welded).norm() < 1e-9);
+    CHECK(iterations_of_attached <= iterations + 1);
+}
+
 /// A link of two nodes that hides how its stiffness couples them.
 struct Hidden : Distance<2> {
     using Distance::Distance;
     [[nodiscard]] std::vector<Coupling> stiffness_parts() const {
         return {{coupling()[0]}, {coupling()[1]}};
+    }
+    void evaluate(const ConstraintState& at, ConstraintResult& out) const {
+        out.stiffness.setZero(4, 4);
+        Distance::evaluate(at, out);
     }
 };
 

@@ -324,7 +324,7 @@ private:
                       const Correction* last);
     void add_loads(const Configuration& at, Request request);
     void add_constraints(const Configuration& at, Request request);
-    void add_constraint_blocks(int constraint, const ConstraintResult& result);
+    void add_constraint_blocks(int constraint, ConstraintResult& result);
     void add_value(int row, int column, double value, SparseMatrix& matrix) const;
 
     const Scene& model_;

@@ -624,7 +624,6 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         const AnyConstraint& constraint = model_.constraints()[k];
         const detail::LocalCoordinates& map = constraint_coordinates_[k];
         const std::vector<int>& coordinates = map.acted();
-        auto size = static_cast<Eigen::Index>(map.read().size());
         const int equations = constraint.equations();
         detail::gather(at.q, map.read(), local.q);
         detail::gather(at.v, map.read(), local.v);
@@ -634,12 +633,10 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
         if (terms_alone) {
             constraint.terms(local, result);
         } else {
-            result.reset(equations, size);
             constraint.evaluate(local, result);
         }
         map.carry_columns(result.jacobian);
-        if (!terms_alone) map.carry(result.stiffness);
-        size = result.jacobian.cols();
+        const Eigen::Index size = result.jacobian.cols();
         std::copy_n(result.violation.data(), equations, violation_.data() + first);
         std::copy_n(result.rate.data(), equations, violation_rate_.data() + first);
         if (faulty_constraint_ < 0 &&
@@ -655,7 +652,7 @@ ANCF_INLINE void Assembly::add_constraints(const Configuration& at, Request requ
                 double& most = steepest_[first + e][power + 1];
                 most = std::max(most, std::abs(result.jacobian(e, i)));
             }
-        if (request != Request::force) add_constraint_blocks(static_cast<int>(k), result);
+        if (!terms_alone) add_constraint_blocks(static_cast<int>(k), result);
         first += equations;
     }
 }
@@ -668,11 +665,12 @@ ANCF_INLINE VectorX Assembly::violation_scale(double length) const {
     return scale;
 }
 
-ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, const ConstraintResult& result) {
-    const std::vector<int>& coordinates = constraint_coordinates_[constraint].acted();
-    add_matrix(coordinates, 1.0, result.stiffness, tangent_);
+ANCF_INLINE void Assembly::add_constraint_blocks(int constraint, ConstraintResult& result) {
+    const detail::LocalCoordinates& map = constraint_coordinates_[constraint];
+    const std::vector<int>& stiff = map.carry(result.stiffness, result.active);
+    add_matrix(stiff, 1.0, result.stiffness, tangent_);
     double* const values = tangent_.valuePtr();
-    visit_border(constraint, coordinates, [&](int i, int j, int place, int mirrored) {
+    visit_border(constraint, map.acted(), [&](int i, int j, int place, int mirrored) {
         values[place] += result.jacobian(i, j);
         values[mirrored] += result.jacobian(i, j);
     });

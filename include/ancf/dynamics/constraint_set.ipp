@@ -62,7 +62,6 @@ ANCF_INLINE void ConstraintSet::evaluate(double time, const VectorX& q, const Ve
         gather(v, coordinates.read(), local_.v);
         local_.multipliers.setZero(equations);
         if (convection) {
-            result.reset(equations, local_.q.size());
             constraint.evaluate(local_, result);
         } else {
             constraint.terms(local_, result);
@@ -154,16 +153,21 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
             // with one multiplier 1 the stiffness is the Hessian of that equation
             local.multipliers.setZero(equations);
             local.multipliers[e] = 1.0;
-            result.reset(equations, read.size());
             constraint.evaluate(local, result);
-            VectorX row = multiply(result.stiffness, local.v);
+            const auto place = [&](Eigen::Index i) {
+                return result.active.empty() ? static_cast<int>(i) : result.active[i];
+            };
+            VectorX row = VectorX::Zero(local.v.size());
+            for (Eigen::Index j = 0; j < result.stiffness.cols(); ++j)
+                for (Eigen::Index i = 0; i < result.stiffness.rows(); ++i)
+                    row[place(i)] += result.stiffness(i, j) * local.v[place(j)];
             coordinates.carry(row);
-            coordinates.carry(result.stiffness);
+            const std::vector<int>& stiff = coordinates.carry(result.stiffness, result.active);
             assembly_.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
                 if (i == e) values[place] += row[j];
             });
             const double weight = mu[first_[k] + e];
-            if (weight != 0.0) assembly_.add_matrix(at, weight, result.stiffness, matrix);
+            if (weight != 0.0) assembly_.add_matrix(stiff, weight, result.stiffness, matrix);
         }
     }
 }

@@ -199,7 +199,6 @@ private:
         const int equations = constraint.equations();
         ConstraintResult out;
         return is_invariant(local, 0.0, [&](const VectorX& q, VectorX& values, MatrixX& gradients) {
-            out.reset(equations, q.size());
             constraint.evaluate({q, VectorX::Zero(q.size()), VectorX::Zero(equations), time}, out);
             values = out.violation;
             gradients = out.jacobian;
@@ -293,10 +292,10 @@ private:
                                             ? lambda[first + i]
                                             : end.violation[i];
             if (matrix) {
-                map.carry(middle.stiffness);
                 map.carry_columns(end.jacobian);
                 map.carry_columns(middle.jacobian);
-                problem_.assembly().add_matrix(at, 0.25 * h_ * h_, middle.stiffness, matrix_);
+                const std::vector<int>& stiff = map.carry(middle.stiffness, middle.active);
+                problem_.assembly().add_matrix(stiff, 0.25 * h_ * h_, middle.stiffness, matrix_);
                 write_rows(static_cast<int>(k), at, end.jacobian, middle.jacobian, first);
             }
             first += equations;
@@ -327,10 +326,7 @@ private:
         evaluate(middle_time, q1, end);
         const VectorX difference = end.violation - before;
         evaluate(middle_time, middle_, middle);
-        if (stiffness) {
-            middle.reset(equations, size);
-            constraint.evaluate(state, middle);
-        }
+        if (stiffness) constraint.evaluate(state, middle);
         evaluate(t0_ + h_, q1, end);
         VectorX change, middle_q, gradient(size);
         gather(change_, place.at.read(), change);

@@ -119,6 +119,10 @@ public:
     void carry_columns(MatrixX& derivatives) const;
     /// Replaces derivatives of a force by what is read likewise.
     void carry(MatrixX& stiffness) const;
+    /// Replaces the stiffness of some of what is read likewise.
+    /// @param active  places in read() of its rows and columns; empty: all.
+    /// @return the coordinates of its rows and columns then; they may stand in `active`.
+    [[nodiscard]] const std::vector<int>& carry(MatrixX& stiffness, std::vector<int>& active) const;
 
 private:
     int dimension_;

@@ -203,6 +203,24 @@ ANCF_INLINE void LocalCoordinates::carry(MatrixX& stiffness) const {
     stiffness.swap(carried);
 }
 
+ANCF_INLINE const std::vector<int>& LocalCoordinates::carry(MatrixX& stiffness,
+                                                            std::vector<int>& active) const {
+    if (!active.empty() && followed_.parts.empty()) {
+        for (int& coordinate : active) coordinate = read_[coordinate];
+        return active;
+    }
+    if (!active.empty()) {
+        const auto size = static_cast<Eigen::Index>(read_.size());
+        MatrixX whole = MatrixX::Zero(size, size);
+        for (Eigen::Index j = 0; j < stiffness.cols(); ++j)
+            for (Eigen::Index i = 0; i < stiffness.rows(); ++i)
+                whole(active[i], active[j]) = stiffness(i, j);
+        stiffness.swap(whole);
+    }
+    carry(stiffness);
+    return acted_;
+}
+
 /// Returns the first coordinates of the vectors of an element.
 [[nodiscard]] ANCF_INLINE std::vector<int> vectors_of(const Layout& layout, Fields fields,
                                                       const std::array<int, 2>& nodes) {

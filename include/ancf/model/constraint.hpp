@@ -49,13 +49,16 @@ struct ConstraintTerms {
 
 /// What a constraint gives; every array arrives sized and zero.
 struct ConstraintResult : ConstraintTerms<double> {
-    MatrixX stiffness;   ///< d(G^T lambda)/dq
-    VectorX convection;  ///< c, the part of d2g/dt2 that is free of accelerations
+    MatrixX stiffness;        ///< d(G^T lambda)/dq; without a size where there are stiffness_parts
+    std::vector<int> active;  ///< local coordinates of its rows and columns; empty: all
+    VectorX convection;       ///< c, the part of d2g/dt2 that is free of accelerations
 
-    /// Makes everything zero, for so many equations in so many local coordinates.
-    void reset(Eigen::Index equations, Eigen::Index coordinates) {
+    /// Makes everything zero, for so many equations in so many local coordinates, of which as many
+    /// as told have a stiffness.
+    void reset(Eigen::Index equations, Eigen::Index coordinates, Eigen::Index stiff) {
         ConstraintTerms::reset(equations, coordinates);
-        stiffness.setZero(coordinates, coordinates);
+        stiffness.setZero(stiff, stiff);
+        active.clear();
         convection.setZero(equations);
     }
 };
@@ -103,7 +106,8 @@ inline constexpr bool is_constraint_v = detail::offers<detail::ConstraintMembers
 /// `double driven_angle(double time) const`, rad: the angle that it drives, whole turns included;
 /// no step then changes the angle by more than a sixth of a turn.
 /// `std::vector<Coupling> stiffness_parts() const`: lists of its vectors; its stiffness is zero but
-/// between vectors of one list. Without it there is one list of all.
+/// between vectors of one list. evaluate() then gives `stiffness` its size and lists in `active`
+/// the local coordinates of its rows. Without it there is one list of all.
 /// `terms(q, time, ConstraintTerms<double>&)`: g, G and g_t alone, cheaper where no more is needed.
 class AnyConstraint {
 public:
@@ -111,7 +115,8 @@ public:
     template <class Constraint>
     explicit AnyConstraint(Constraint constraint)
         : held_(std::make_shared<Holder<Constraint>>(std::move(constraint))),
-          equations_(held_->equations()) {
+          equations_(held_->equations()),
+          parted_(detail::offers<detail::StiffnessParts, Constraint>) {
         static_assert(is_constraint_v<Constraint>,
                       "a constraint offers `Coupling coupling() const`, `int equations() const`, "
                       "`std::string name() const` and "
@@ -126,7 +131,7 @@ public:
     [[nodiscard]] int equations() const noexcept { return equations_; }
     /// Returns the word that messages use.
     [[nodiscard]] std::string name() const { return held_->name(); }
-    /// Evaluates it.
+    /// Evaluates it into `out` of any size.
     /// @throws InvalidArgument where it changes the size of a result or its number of equations.
     void evaluate(const ConstraintState& state, ConstraintResult& out) const;
     /// Evaluates g, G and g_t into `out` of any size; what else stands in it has no meaning then.
@@ -189,6 +194,7 @@ private:
 
     std::shared_ptr<const Interface> held_;
     int equations_;
+    bool parted_;  // it has stiffness_parts
 };
 
 namespace detail {

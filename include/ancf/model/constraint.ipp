@@ -14,6 +14,8 @@ namespace ancf {
 ANCF_INLINE void AnyConstraint::evaluate(const ConstraintState& state,
                                          ConstraintResult& out) const {
     check_equations();
+    const Eigen::Index size = state.q.size();
+    out.reset(state.multipliers.size(), size, parted_ ? 0 : size);
     held_->evaluate(state, out);
     check_sizes(state, out, false);
 }
@@ -21,6 +23,7 @@ ANCF_INLINE void AnyConstraint::evaluate(const ConstraintState& state,
 ANCF_INLINE void AnyConstraint::terms(const ConstraintState& state, ConstraintResult& out) const {
     check_equations();
     out.ConstraintTerms::reset(state.multipliers.size(), state.q.size());
+    out.active.clear();
     held_->terms(state, out);
     check_sizes(state, out, true);
 }
@@ -37,9 +40,12 @@ ANCF_INLINE void AnyConstraint::check_equations() const {
 ANCF_INLINE void AnyConstraint::check_sizes(const ConstraintState& state,
                                             const ConstraintResult& out, bool terms_alone) const {
     const Eigen::Index size = state.q.size(), equations = state.multipliers.size();
-    if (out.violation.size() == equations && out.rate.size() == equations &&
+    const auto stiff = out.active.empty() ? size : static_cast<Eigen::Index>(out.active.size());
+    bool inside = true;
+    for (const int coordinate : out.active) inside = inside && coordinate >= 0 && coordinate < size;
+    if (inside && out.violation.size() == equations && out.rate.size() == equations &&
         out.jacobian.rows() == equations && out.jacobian.cols() == size &&
-        (terms_alone || (out.stiffness.rows() == size && out.stiffness.cols() == size &&
+        (terms_alone || (out.stiffness.rows() == stiff && out.stiffness.cols() == stiff &&
                          out.convection.size() == equations)))
         return;
     detail::reject("constraint ", name(), " of ", equations, " equations on ", size,

@@ -72,7 +72,6 @@ ANCF_LAZY VectorX TimeSeries::constraint_force(int constraint, const State& stat
     at.time = state.time;
     at.multipliers = state.multipliers.segment(first, held.equations());
     ConstraintResult out;
-    out.reset(held.equations(), size);
     held.evaluate(at, out);
     const VectorX exerted = -(out.jacobian.transpose() * at.multipliers);
     VectorX force = VectorX::Zero(state.q.size());

@@ -357,18 +357,21 @@ void Slider<Dimension>::evaluate(const ConstraintState& at, ConstraintResult& ou
     const Place here = place(at.q);
     write(here, at.q, out);
     // Second derivatives by complex steps, exact to round-off.
-    const std::vector<int> local = coordinates(here);
+    out.active = coordinates(here);
+    const std::vector<int>& local = out.active;
+    out.stiffness.setZero(static_cast<Eigen::Index>(local.size()),
+                          static_cast<Eigen::Index>(local.size()));
     DynamicVector<std::complex<double>> q = at.q.template cast<std::complex<double>>();
     constexpr double step = 1e-40;
-    for (const int j : local) {
-        q[j].imag(step);
+    for (Eigen::Index j = 0; j < out.stiffness.cols(); ++j) {
+        q[local[j]].imag(step);
         const auto moved = terms_at(here, q);
-        q[j].imag(0.0);
-        for (std::size_t i = 0; i < local.size(); ++i)
+        q[local[j]].imag(0.0);
+        for (Eigen::Index i = 0; i < out.stiffness.rows(); ++i)
             for (int k = 0; k < Dimension - 1; ++k) {
-                const double slope = moved.jacobian(k, static_cast<int>(i)).imag() / step;
-                out.stiffness(local[i], j) += at.multipliers[k] * slope;
-                out.convection[k] += at.v[local[i]] * slope * at.v[j];
+                const double slope = moved.jacobian(k, i).imag() / step;
+                out.stiffness(i, j) += at.multipliers[k] * slope;
+                out.convection[k] += at.v[local[i]] * slope * at.v[local[j]];
             }
     }
 }
