@@ -107,6 +107,11 @@ TEST_CASE("add_body: in the plane likewise", "[model][body]") {
     // v = (1, 0) + 2 (0.4, 0.3) at the centre
     CHECK(seen.kinetic == Approx(1.5 * (1.8 * 1.8 + 0.36) + 0.5 * 0.7 * 4.0));
     CHECK(seen.potential == Approx(3.0 * g * 1.6));
+
+    const NodeId point = point_of_body(model, body, {2.0, 2.0});
+    CHECK_THROWS_WITH(model.set_rigid_rates({point}, {1.0, 0.0}, 0.0),
+                      Catch::Matchers::Contains("attached"));
+    CHECK_NOTHROW(model.set_rigid_rates({point, body}, {1.0, 0.0}, 0.0));
 }
 
 TEST_CASE("add_body: a free disc, flat or thick, precesses as a symmetric top", "[model][body]") {

@@ -166,8 +166,8 @@ public:
     /// @param velocity  of the body at `about`, m/s.
     /// @param spin      rad/s.
     /// @param about     a point, m.
-    /// @throws InvalidArgument unless every value is finite, for a node that does not exist, and
-    ///         for a state of another model.
+    /// @throws InvalidArgument unless every value is finite, for a node that does not exist, for
+    ///         nodes that are all attached or carry nothing, and for a state of another model.
     void set_rigid_rates(const std::vector<NodeId>& nodes, const Argument& velocity,
                          const Spin& spin, const Argument& about = Point(Point::Zero())) {
         const auto turned = [&](const Point& vector) -> Point {
@@ -182,17 +182,22 @@ public:
         VectorX& rates = state().v;
         check_state(rates, layout());
         for (const NodeId node : nodes) check(node);
+        bool own = nodes.empty();
         for (const NodeId node : nodes) {
             const Fields fields = layout().fields(node.index);
             for (int k = 0; k < fields.count(); ++k) {
                 const int first = layout().first(node.index) + k * Dimension;
                 if (dependence().attached(first)) continue;
                 const Point now = value(node, fields.at(k));
+                own = true;
                 Eigen::Map<Point> rate(rates.data() + first);
                 rate = turned(now);
                 if (fields.at(k) == Field::r) rate += at_origin;
             }
         }
+        detail::require(own,
+                        "Model::set_rigid_rates: these nodes have no vectors of their own; name "
+                        "those that they are attached to");
         dependence().complete(rates);
     }
 
