@@ -414,4 +414,56 @@ TEST_CASE("add_body: a beam on a body that joints hold to the ground bends as a 
     }
 }
 
+TEST_CASE("add_body: a column on a body is judged like a clamped one, whatever the body bears",
+          "[model][body][statics][stability]") {
+    const double side = 0.02, bending = 2e11 * std::pow(side, 4) / 12.0;
+    int judged = 0;
+    for (const double load : {0.5, 0.9, 1.1})                  // of Euler's
+        for (const double pull : {0.0, 1e-10, 1e-4, -1e-6}) {  // of E I/L^2
+            CAPTURE(load, pull);
+            Model model;
+            const NodeId body = model.add_node({0, 0, 0});
+            add_body(model, body, 5.0, diagonal(0.1, 0.1, 0.1));
+            model.add(Weld(model, body));
+            const auto column = straight_beam<Bar>(model, Material::isotropic(2e11, 0.3, 7800.0),
+                                                   rectangle(side, 1.1 * side), {0, 0, 0},
+                                                   {1, 0, 0}, 6, CrossSectionOptions::best());
+            model.add(Weld(model, body, column.first()));
+            model.add(Force<3>(column.last(), {-load * 1.1 * pi * pi / 4.0 * bending, 0, 0}));
+            // the body's stiffness is that of the forces that hold it together
+            if (pull != 0.0)
+                model.add(Force<3>(point_of_body(model, body, {0, 1, 0}), {0, pull * bending, 0}));
+            EigenLu solver;
+            const auto report = solve_statics(model, solver);
+            REQUIRE(report.status == Status::converged);
+            CHECK(report.stability == (load < 1.0 ? Stability::stable : Stability::unstable));
+            ++judged;
+        }
+    CHECK(judged == 12);
+}
+
+TEST_CASE("add_body: a beam that bodies and welds join is as stable as it is",
+          "[model][body][statics][stability]") {
+    for (const double length : {1e-3, 1.0, 1e3}) {
+        CAPTURE(length);
+        Model model;
+        const auto material = Material::isotropic(2e11, 0.3, 7800.0);
+        const auto section = rectangle(0.03 * length, 0.02 * length);
+        const auto first = straight_beam<Bar>(model, material, section, {0, 0, 0}, {length, 0, 0},
+                                              3, CrossSectionOptions::best());
+        const auto second = straight_beam<Bar>(model, material, section, {length, 0, 0},
+                                               {length, length, 0}, 3, CrossSectionOptions::best());
+        const NodeId body = model.add_node({length, 0, 0});
+        add_body(model, body, 5.0, diagonal(0.1, 0.1, 0.1) * length * length);
+        model.clamp(first.first());
+        model.add(Weld(model, first.last(), body));
+        model.add(Weld(model, body, second.first()));
+        model.add(Force<3>(second.last(), {0, 0, 1e3 * length * length}));
+        EigenLu solver;
+        const auto report = solve_statics(model, solver);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == Stability::stable);
+    }
+}
+
 }  // namespace rigid_body_test

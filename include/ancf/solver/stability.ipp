@@ -22,35 +22,54 @@ namespace ancf {
 
 namespace detail {
 
+/// Returns for each free coordinate the largest stiffness that one of its unit has in the scene, or
+/// any one has where that is zero.
+[[nodiscard]] ANCF_INLINE VectorX stiffest_of_unit(const Assembly& assembly,
+                                                   const VectorX& diagonal) {
+    const Numbering& numbering = assembly.numbering();
+    const double most = largest_magnitude(diagonal);
+    double largest[3] = {};  // of r_xx, slopes, positions
+    VectorX stiffest(diagonal.size());
+    for (const bool known : {false, true})
+        for (int k = 0; k < numbering.coordinates(); ++k) {
+            const int equation = numbering.equation(k);
+            if (equation < 0) continue;
+            double& own = largest[1 + length_power(assembly.model().layout().field_of(k))];
+            if (known)
+                stiffest[equation] = own > 0.0 ? own : most;
+            else
+                own = std::max(own, std::abs(diagonal[equation]));
+        }
+    return stiffest;
+}
+
 /// Appends the lower half of the stiffness of constraints as springs, each far stiffer than what
-/// it holds. Where that has negative stiffness alone, its magnitude counts.
-/// @param tangent   of full storage: its last columns hold the constraints' gradients
-/// @param diagonal  of the tangent; grows with the springs
+/// it holds.
+/// @param tangent    of full storage: its last columns hold the constraints' gradients
+/// @param held       stiffness of each free coordinate
+/// @param otherwise  what counts instead where a constraint holds none that is positive
+/// @param diagonal   of the tangent; grows with the springs
 /// @return false where nothing has a stiffness.
-ANCF_INLINE bool add_springs(const SparseMatrix& tangent, VectorX& diagonal,
+ANCF_INLINE bool add_springs(const SparseMatrix& tangent, const VectorX& held,
+                             const VectorX& otherwise, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
     constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
-    constexpr double least = 1e-10;    // of what it holds, to the stiffest part of it
-    const VectorX held = diagonal;
-    const double largest = largest_magnitude(held);
     const int* const row = tangent.innerIndexPtr();
     const double* const g = tangent.valuePtr();
     const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };
     for (auto column = static_cast<int>(held.size()); column < tangent.cols(); ++column) {
         const int first = tangent.outerIndexPtr()[column];
         const int last = tangent.outerIndexPtr()[column + 1];
-        double flexibility = 0.0, of_negative = 0.0, square = 0.0, stiffest = 0.0;
-        for (int k = first; k < last; ++k) {
-            if (!counts(k)) continue;
-            square += g[k] * g[k];
-            stiffest = std::max(stiffest, held[row[k]]);
-            if (held[row[k]] != 0.0)
-                (held[row[k]] > 0.0 ? flexibility : of_negative) += g[k] * g[k] / held[row[k]];
-        }
-        if (!(flexibility > 0.0)) flexibility = -of_negative;
-        if (!(flexibility > 0.0) && largest > 0.0) flexibility = square / largest;
-        if (!(flexibility > 0.0)) return false;
-        const double spring = stiffness * std::max(1.0 / flexibility, least * stiffest / square);
+        const auto flexibility = [&](const VectorX& measure) {
+            double sum = 0.0;
+            for (int k = first; k < last; ++k)
+                if (counts(k) && measure[row[k]] > 0.0) sum += g[k] * g[k] / measure[row[k]];
+            return sum;
+        };
+        double flexible = flexibility(held);
+        if (!(flexible > 0.0)) flexible = flexibility(otherwise);
+        if (!(flexible > 0.0)) return false;
+        const double spring = stiffness / flexible;
         for (int a = first; a < last; ++a)
             for (int b = first; counts(a) && b <= a; ++b) {
                 if (!counts(b)) continue;
@@ -97,28 +116,20 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
            16.0 * std::numeric_limits<double>::epsilon() * terms + angle * angle * moment;
 }
 
-/// Factorises the symmetric part of an assembly's tangent as L D L^T, constraints as springs.
-[[nodiscard]] ANCF_INLINE Stability stability_of_tangent(const Assembly& assembly, bool symmetric) {
+/// Factorises a stiffness as L D L^T, constraints as springs.
+/// @param held, otherwise  as in add_springs()
+/// @param diagonal         of the stiffness
+/// @param entries          of its lower half; none where the tangent stores that
+[[nodiscard]] ANCF_INLINE Stability stability_with_springs(const Assembly& assembly, bool symmetric,
+                                                           const VectorX& held,
+                                                           const VectorX& otherwise,
+                                                           VectorX diagonal,
+                                                           Records<MatrixEntry> entries) {
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
     const SparseMatrix& tangent = assembly.tangent();
-    const int free = assembly.numbering().free_coordinates();
+    const auto free = static_cast<int>(diagonal.size());
     const bool stored = assembly.pattern().storage() == Storage::lower;  // and no constraints
-    VectorX diagonal = VectorX::Zero(free);
-    Records<MatrixEntry> entries;
-    if (!stored) entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
-    for (int column = 0; column < free; ++column)
-        for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];
-             ++k) {
-            const int row = tangent.innerIndexPtr()[k];
-            const double own = tangent.valuePtr()[k];
-            if (!std::isfinite(own)) return Stability::unknown;
-            if (row < column || row >= free) continue;
-            const double value = symmetric ? own : 0.5 * (own + tangent.coeff(column, row));
-            if (!stored) entries.push_back({row, column, value});
-            if (row == column) diagonal[column] = value;
-        }
-    if (free == 0) return Stability::stable;
-    if (!add_springs(tangent, diagonal, entries)) return Stability::unknown;
+    if (!add_springs(tangent, held, otherwise, diagonal, entries)) return Stability::unknown;
     const SparseMatrix made = stored ? SparseMatrix() : compressed(free, entries);
     const SparseMatrix& lower = stored ? tangent : made;
     SparseLdlt factor;
@@ -137,6 +148,37 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     if (!resists(lower, diagonal, factor, residual, lever)) return Stability::unknown;
     if (positive) return Stability::stable;
     return symmetric ? Stability::unstable : Stability::unknown;
+}
+
+/// Judges the symmetric part of an assembly's tangent by its pivots, constraints as springs.
+[[nodiscard]] ANCF_INLINE Stability stability_of_tangent(const Assembly& assembly, bool symmetric) {
+    const SparseMatrix& tangent = assembly.tangent();
+    const int free = assembly.numbering().free_coordinates();
+    const bool stored = assembly.pattern().storage() == Storage::lower;
+    VectorX diagonal = VectorX::Zero(free);
+    Records<MatrixEntry> entries;
+    if (!stored) entries.reserve(static_cast<std::size_t>(detail::entries(tangent)));
+    for (int column = 0; column < free; ++column)
+        for (int k = tangent.outerIndexPtr()[column]; k < tangent.outerIndexPtr()[column + 1];
+             ++k) {
+            const int row = tangent.innerIndexPtr()[k];
+            const double own = tangent.valuePtr()[k];
+            if (!std::isfinite(own)) return Stability::unknown;
+            if (row < column || row >= free) continue;
+            const double value = symmetric ? own : 0.5 * (own + tangent.coeff(column, row));
+            if (!stored) entries.push_back({row, column, value});
+            if (row == column) diagonal[column] = value;
+        }
+    if (free == 0) return Stability::stable;
+    const VectorX stiffest = stiffest_of_unit(assembly, diagonal);
+    const Stability found =
+        stability_with_springs(assembly, symmetric, diagonal, stiffest, diagonal, entries);
+    if (found == Stability::stable || assembly.numbering().multipliers() == 0) return found;
+    // What has next to no stiffness itself, such as a body between two welds, has springs that are
+    // too soft for what else it holds. Where stiffer ones decide, they are right.
+    const Stability stiffer =
+        stability_with_springs(assembly, symmetric, stiffest, stiffest, diagonal, entries);
+    return stiffer == Stability::unknown ? found : stiffer;
 }
 
 /// Whether all eigenvalues of a 4 x 4 matrix have positive real parts: Hurwitz's conditions on its
