@@ -175,9 +175,10 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
         stability_with_springs(assembly, symmetric, diagonal, stiffest, diagonal, entries);
     if (found == Stability::stable || assembly.numbering().multipliers() == 0) return found;
     // What has next to no stiffness itself, such as a body between two welds, has springs that are
-    // too soft for what else it holds. Where stiffer ones decide, they are right.
+    // too soft for what else it holds. Where stiffer ones decide, they are right: a hundred times
+    // as stiff as what is stiffest, which leaves more digits to soft parts.
     const Stability stiffer =
-        stability_with_springs(assembly, symmetric, stiffest, stiffest, diagonal, entries);
+        stability_with_springs(assembly, symmetric, 1e-2 * stiffest, stiffest, diagonal, entries);
     return stiffer == Stability::unknown ? found : stiffer;
 }
 
