@@ -722,4 +722,26 @@ TEST_CASE("statics: a link more than a point needs is seen through round-off", "
     }
 }
 
+TEST_CASE("statics: a joint to the ground holds far from the origin as beside it", "[statics]") {
+    for (const bool link : {false, true})
+        for (const double far : {0.0, 1e3, 1e4}) {
+            CAPTURE(link, far);
+            Scene scene;
+            const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+                scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(0.02, 0.01),
+                {far, 0, -far}, {far + 0.6, 0.5, -far - 0.4}, 3);
+            scene.clamp(beam.first());
+            const ancf::Vector<double, 3> end = scene.position(beam.last());
+            if (link)
+                scene.add(ancf::Distance<3>(beam.last(), {end[0], end[1] + 1.0, end[2]}, 1.0));
+            else
+                scene.add(
+                    ancf::PointOnLine<3>(beam.last(), {end[0], end[1], end[2]}, {0.3, 0.4, 0.8}));
+            scene.add(ancf::Force<3>(beam.node(2), {100, -50, 30}));
+            const auto report = solve(scene);
+            CHECK(report.status == Status::converged);
+            CHECK(report.iterations() < 10);  // measured: at most 4
+        }
+}
+
 }  // namespace statics_test

@@ -172,7 +172,9 @@ public:
         });
         const double violated = violation(assembly);
         return std::isfinite(rest.force + rest.moment) && rest.force <= limit.force &&
-               rest.moment <= limit.moment && violated <= 16.0 * epsilon;
+               rest.moment <= limit.moment &&
+               violated * size() <=
+                   16.0 * epsilon * std::max(size(), detail::largest_magnitude(reach));
     }
 
     /// Returns the largest change of a position relative to the scene's size, of a slope, or of
