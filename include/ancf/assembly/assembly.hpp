@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -159,8 +160,7 @@ public:
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect(const VectorX& q) const;
 
-    /// Returns the first element whose energy, force or tangent is not finite, though its
-    /// coordinates are.
+    /// Returns the first element whose energy, force or tangent is not finite.
     /// @throws InvalidArgument for a q of another size.
     [[nodiscard]] std::optional<Fault> inspect_values(const VectorX& q) const;
 
@@ -308,8 +308,9 @@ private:
     }
     void build_gravity();
 
-    // Returns the first element that judge(group, prototype, coordinates) is true of.
-    template <class Judge>
+    // Of the group, the prototype and the coordinates of an element.
+    using Judge = std::function<bool(const ElementGroup&, int, const double*)>;
+    // Returns the first element that it is true of.
     [[nodiscard]] std::optional<ElementPlace> find_element(const VectorX& q,
                                                            const Judge& judge) const;
     // Calls visit(place of the element, its coordinates) for the elements of a group.

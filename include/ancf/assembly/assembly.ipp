@@ -697,15 +697,13 @@ ANCF_INLINE std::optional<Fault> Assembly::inspect_values(const VectorX& q) cons
     check_size("inspect_values", "coordinates", q);
     const auto found =
         find_element(q, [](const ElementGroup& group, int prototype, const double* e) {
-            const auto dofs = static_cast<std::size_t>(group.dofs());
-            std::vector<double> values(dofs * (dofs + 2) + 2);  // forces, energies, tangent
-            values[2 * dofs] = group.energy(prototype, e);
-            double* const force = values.data() + dofs;
-            values[2 * dofs + 1] = group.evaluate(prototype, e, force, force + dofs + 2);
-            group.force(prototype, e, values.data());
-            const auto finite = [](double value) { return std::isfinite(value); };
-            return std::all_of(e, e + dofs, finite) &&
-                   !std::all_of(values.begin(), values.end(), finite);
+            const int dofs = group.dofs();
+            VectorX values(dofs * (dofs + 2) + 2);  // energies, forces, tangent
+            double* const force = values.data() + 2;
+            values[0] = group.energy(prototype, e);
+            group.force(prototype, e, force);
+            values[1] = group.evaluate(prototype, e, force + dofs, force + 2 * dofs);
+            return !detail::all_finite(values);
         });
     if (!found) return std::nullopt;
     return Fault{Status::not_finite, found->group, found->element};
@@ -785,8 +783,8 @@ ANCF_INLINE double Assembly::largest_turn(const VectorX& q) const {
     return std::acos(std::max(least, -1.0));
 }
 
-template <class Judge>
-std::optional<ElementPlace> Assembly::find_element(const VectorX& q, const Judge& judge) const {
+ANCF_INLINE std::optional<ElementPlace> Assembly::find_element(const VectorX& q,
+                                                               const Judge& judge) const {
     double e[ElementGroup::max_dofs];
     for (std::size_t g = 0; g < plans_.size(); ++g) {
         const ElementGroup& group = *model_.groups()[g];
