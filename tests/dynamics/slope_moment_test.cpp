@@ -4,6 +4,7 @@
 #include <ancf/constants.hpp>
 #include <ancf/dynamics/energy_momentum.hpp>
 #include <ancf/dynamics/generalized_alpha.hpp>
+#include <ancf/dynamics/radau.hpp>
 #include <ancf/element/cable/cable.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/loads.hpp>
@@ -13,6 +14,7 @@
 #include <support/catch.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace slope_moment_test {
 
@@ -96,6 +98,35 @@ TEST_CASE("PlanarSlopeMoment: its potential counts the turns of a free strip", "
     check(ancf::EnergyMomentum(), 1e-12);  // 1e-14 measured
     // it damps the vibrations that the sudden load starts; 6e-3 measured
     check(ancf::GeneralizedAlpha(), 1e-2);
+}
+
+TEST_CASE("PlanarSlopeMoment: a run that goes on by a memory keeps the turns of its potential",
+          "[dynamics][load]") {
+    constexpr double moment = 20.0, cut = 0.3, end = 0.32;  // s; two turns and more by then
+    const auto check = [](const auto& integrator) {
+        const auto run = [&](Scene& model, double until_time, const ancf::Memory& memory = {}) {
+            Problem problem(model);
+            ancf::EigenLu solver;
+            double potential = 0.0;
+            ancf::Schedule schedule = until(until_time);
+            schedule.times = {until_time};
+            schedule.observe = [&](const ancf::Snapshot& at) { potential = at.energies.potential; };
+            const auto report = integrator.integrate(problem, solver, schedule, memory);
+            CAPTURE(report.message);
+            REQUIRE(report.status == ancf::Status::converged);
+            return std::pair(potential, report.memory);
+        };
+        Scene whole = strip(moment, false), parts = strip(moment, false);
+        const double expected = run(whole, end).first;
+        CHECK(expected < -2.0 * 2.0 * ancf::pi * moment);
+        // its steps are the same to the bit
+        CHECK(run(parts, end, run(parts, cut).second).first == expected);
+    };
+    check(ancf::EnergyMomentum());
+    check(ancf::GeneralizedAlpha());
+    ancf::RadauOptions fixed;
+    fixed.tolerance = 0.0;
+    check(ancf::RadauIIA(fixed));
 }
 
 }  // namespace slope_moment_test

@@ -395,6 +395,8 @@ protected:
         std::copy(own.begin(), own.end(), std::copy_n(first, 4, numbers.data()));
         numbers.tail<2>() << problem_.length_scale(), failed_width_;
         report_.memory.put("scalars", numbers);
+        if (const VectorX& angles = problem_.angle_potentials(); angles.size() > 0)
+            report_.memory.put("angles", angles);
         report_.memory.put("signature", signature(problem_, end));
     }
     void remember(const std::string& prefix, const MotionPoint& point) {

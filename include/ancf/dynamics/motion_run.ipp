@@ -638,6 +638,8 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
     failed_width_ = numbers[own + 5];
+    for (const auto& [name, values] : memory.values)
+        if (name == "angles") problem_.set_angle_potentials(values);
     return numbers;
 }
 

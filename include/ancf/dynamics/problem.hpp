@@ -190,6 +190,13 @@ public:
     [[nodiscard]] Energies energies(double t, const VectorX& q, const VectorX& v,
                                     const VectorX& lambda);
 
+    /// Returns the potentials of such loads at unit amplitude that the last call gave, J; empty
+    /// before the first one since start().
+    [[nodiscard]] const VectorX& angle_potentials() const noexcept { return angles_; }
+
+    /// Lets them go on from the last call of another run; of another size they begin anew.
+    void set_angle_potentials(VectorX potentials) { angles_ = std::move(potentials); }
+
     /// Returns energies and powers of the last evaluation, angles between -pi and pi.
     /// @throws InvalidArgument before the first evaluation
     [[nodiscard]] Energies energies() const;
@@ -404,7 +411,7 @@ private:
     std::vector<Driven> driven_;
     bool drives_ = false;  // whether anything is driven, in any part
     std::vector<int> left_out_;
-    std::vector<double> angles_;  // potentials of angles that energies() last gave
+    VectorX angles_;  // potentials of angles that energies() last gave
 
     // of the last evaluation, all coordinates
     double time_ = 0.0;

@@ -266,7 +266,7 @@ ANCF_INLINE Start DynamicProblem::start() {
     numbering().gather_free(state.v, start.v);
     start.acceleration.setZero(size());
     start.multipliers.setZero(multipliers());
-    angles_.clear();
+    angles_.resize(0);
     full_q_ = state.q;
     full_v_.setZero(state.v.size());
     full_a_.setZero(state.v.size());
@@ -432,10 +432,11 @@ ANCF_INLINE Energies DynamicProblem::energies(double t, const VectorX& q, const 
     (void)evaluate(t, q, v, lambda, Request::force);  // NaN energies tell of a fault
     Energies result = energies();
     const auto& found = assembly_.angle_potentials();
-    const bool first = angles_.size() != found.size();
-    if (first) angles_.assign(found.size(), 0.0);
+    const auto count = static_cast<Eigen::Index>(found.size());
+    const bool first = angles_.size() != count;
+    if (first) angles_.setZero(count);
     double further = 0.0;
-    for (std::size_t k = 0; k < found.size(); ++k) {
+    for (Eigen::Index k = 0; k < count; ++k) {
         const auto& [scale, value, period] = found[k];
         const double turns = first ? 0.0 : std::round((angles_[k] - value) / period);
         if (std::isfinite(turns)) angles_[k] = value + turns * period;
