@@ -130,7 +130,8 @@ public:
 
 private:
     // Takes what a step left into the report, before any projection: constraints and, where it is
-    // followed, energy by an evaluation of its own. It inspects at about every 24 evaluations of
+    // followed, energy by an evaluation of its own. So it does where potentials of angles are
+    // observed, which count turns from step to step. It inspects at about every 24 evaluations of
     // the forces, or every 12 steps where those are not counted yet.
     // @param width  of the step, s
     void note(const MotionPoint& point, double width = 0.0);

@@ -191,9 +191,12 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
         check_rates(point.time);
         check_left_out(point.time);
     }
-    if (!energies_) return;
+    const auto angles = static_cast<double>(problem_.assembly().angle_potentials().size());
+    const bool turns = schedule_.observe && problem_.sum_of_parts(angles) > 0.0;
+    if (!energies_ && !turns) return;
     const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);
     ++report_.evaluations;
+    if (!energies_) return;
     strain_ = energies.strain;
     if (report_.steps == 0) report_.energy_start = energies.total();
     report_.energy_drift =
