@@ -104,6 +104,8 @@ public:
     /// exert on it, in global axes; N and N m, not a number where they cannot be solved for.
     ///
     /// One factorisation a row, however many nodes: DynamicProblem::reactions.
+    /// For motions: loads without an amplitude act in full. At another load factor of statics than
+    /// 1 the row is wrong: take StaticsReport::reactions.
     /// @param problem  that of the run, which outlives the series.
     /// @throws InvalidArgument for a problem of another model or a node that no support holds.
     ANCF_LAZY void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
