@@ -191,9 +191,10 @@ ANCF_INLINE void Recorder::note(const MotionPoint& point, double width) {
         check_rates(point.time);
         check_left_out(point.time);
     }
-    const auto angles = static_cast<double>(problem_.assembly().angle_potentials().size());
-    const bool turns = schedule_.observe && problem_.sum_of_parts(angles) > 0.0;
-    if (!energies_ && !turns) return;
+    const std::size_t angles =
+        schedule_.observe ? problem_.assembly().angle_potentials().size() : 0;
+    // of all parts, as they evaluate together
+    if (!energies_ && problem_.sum_of_parts(static_cast<double>(angles)) == 0.0) return;
     const Energies energies = problem_.energies(point.time, point.q, point.v, point.lambda);
     ++report_.evaluations;
     if (!energies_) return;
