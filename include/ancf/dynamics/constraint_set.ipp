@@ -154,13 +154,13 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
             local.multipliers.setZero(equations);
             local.multipliers[e] = 1.0;
             constraint.evaluate(local, result);
-            const auto place = [&](Eigen::Index i) {
+            const auto own = [&](Eigen::Index i) {
                 return result.active.empty() ? static_cast<int>(i) : result.active[i];
             };
             VectorX row = VectorX::Zero(local.v.size());
             for (Eigen::Index j = 0; j < result.stiffness.cols(); ++j)
                 for (Eigen::Index i = 0; i < result.stiffness.rows(); ++i)
-                    row[place(i)] += result.stiffness(i, j) * local.v[place(j)];
+                    row[own(i)] += result.stiffness(i, j) * local.v[own(j)];
             coordinates.carry(row);
             const std::vector<int>& stiff = coordinates.carry(result.stiffness, result.active);
             assembly_.visit_border(static_cast<int>(k), at, [&](int i, int j, int place, int) {
