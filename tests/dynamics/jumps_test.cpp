@@ -189,7 +189,7 @@ TEST_CASE("jumps: round-off makes no corners", "[dynamics]") {
         EigenLu solver;
         const DynamicsReport report = RadauIIA(options).integrate(problem, solver, schedule);
         REQUIRE(report.status == Status::converged);
-        return report.steps;
+        return static_cast<double>(report.steps);
     };
     CHECK(steps(coarse) <= 1.2 * steps(scene));
 }
