@@ -442,28 +442,36 @@ TEST_CASE("add_body: a column on a body is judged like a clamped one, whatever t
     CHECK(judged == 12);
 }
 
-TEST_CASE("add_body: a beam that bodies and welds join is as stable as it is",
-          "[model][body][statics][stability]") {
-    for (const double length : {1e-3, 1.0, 1e3}) {
-        CAPTURE(length);
-        Model model;
-        const auto material = Material::isotropic(2e11, 0.3, 7800.0);
-        const auto section = rectangle(0.03 * length, 0.02 * length);
-        const auto first = straight_beam<Bar>(model, material, section, {0, 0, 0}, {length, 0, 0},
-                                              3, CrossSectionOptions::best());
-        const auto second = straight_beam<Bar>(model, material, section, {length, 0, 0},
-                                               {length, length, 0}, 3, CrossSectionOptions::best());
-        const NodeId body = model.add_node({length, 0, 0});
-        add_body(model, body, 5.0, diagonal(0.1, 0.1, 0.1) * length * length);
-        model.clamp(first.first());
-        model.add(Weld(model, first.last(), body));
-        model.add(Weld(model, body, second.first()));
-        model.add(Force<3>(second.last(), {0, 0, 1e3 * length * length}));
-        EigenLu solver;
-        const auto report = solve_statics(model, solver);
-        REQUIRE(report.status == Status::converged);
-        CHECK(report.stability == Stability::stable);
-    }
+TEST_CASE("add_body: two beams welded to a body are stable", "[model][body][statics][stability]") {
+    // the body's own stiffness is that of the forces in it: the smaller the load, the more of it is
+    // round-off
+    for (const double length : {1e-3, 1.0, 1e3})
+        for (const double load : {1e-6, 3e-5, 1e-3, 3e-2, 1.0}) {
+            CAPTURE(length, load);
+            Model model;
+            const auto material = Material::isotropic(2e11, 0.3, 7800.0);
+            const auto section = rectangle(0.03 * length, 0.02 * length);
+            const Point middle = length * Point(1.0, 0.3, -0.2);
+            const Point end = length * Point(0.4, 1.3, 0.5);
+            const auto first = straight_beam<Bar>(model, material, section, {0, 0, 0},
+                                                  {middle[0], middle[1], middle[2]}, 2,
+                                                  CrossSectionOptions::best());
+            const auto second =
+                straight_beam<Bar>(model, material, section, {middle[0], middle[1], middle[2]},
+                                   {end[0], end[1], end[2]}, 2, CrossSectionOptions::best());
+            const NodeId body = model.add_node({middle[0], middle[1], middle[2]});
+            const double mass = 5.0 * std::pow(length, 3);
+            add_body(model, body, mass, 0.1 * mass * length * length * diagonal(1, 1, 1));
+            model.clamp(first.first());
+            const double force = load * length * length;
+            model.add(Force<3>(second.last(), {0.3 * force, force, -0.5 * force}));
+            for (const NodeId joined : {first.last(), second.first()})
+                model.add(Weld(model, joined, body));
+            EigenLu solver;
+            const auto report = solve_statics(model, solver);
+            REQUIRE(report.status == Status::converged);
+            CHECK(report.stability == Stability::stable);
+        }
 }
 
 }  // namespace rigid_body_test
