@@ -181,7 +181,9 @@ private:
             if constexpr (detail::offers<detail::TermsMember, Constraint>) {
                 constraint.terms(state.q, state.time, out);
             } else {
-                out.stiffness.setZero(state.q.size(), state.q.size());
+                const bool parted = detail::offers<detail::StiffnessParts, Constraint>;
+                const Eigen::Index stiff = parted ? 0 : state.q.size();
+                out.stiffness.setZero(stiff, stiff);
                 out.convection.setZero(state.multipliers.size());
                 constraint.evaluate(state, out);
             }
