@@ -271,13 +271,48 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
         REQUIRE(problem.start().status == Status::converged);
         TimeSeries series(out, clamped);
         series.add_reaction("foot", problem, beam.first());
-        series.write({clamped.state(), {}, 0.0, 0.0});
+        series.write(clamped.state());
         const Table table(out.str());
         const Point tip = clamped.position(beam.last());
         CHECK(table.value(0, "foot_F_x") == Approx(-pull).epsilon(1e-8));
         CHECK(table.value(0, "foot_F_y") == Approx(-lift).epsilon(1e-8));
         CHECK(table.value(0, "foot_M_z") == Approx(-(tip[0] * lift - tip[1] * pull)).epsilon(1e-8));
     }
+}
+
+TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][time-series]") {
+    constexpr double lift = 40.0, held = 15.0;
+    PlanarModel model;
+    const auto beam = straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                             rectangle(0.02, 0.02), Point(0, 0), Point(1, 0), 4);
+    model.clamp(beam.first(), Clamp::free_slope);
+    model.add(Force<2>(beam.last(), Point(0, lift)));
+    model.add(Force<2>(beam.last(), Point(held, 0)), [](double) { return 1.0; });
+    std::ostringstream out;
+    TimeSeries series(out, model);
+    series.add_reaction("foot", beam.first());
+    StaticsOptions options;
+    options.steps = 4;
+    std::vector<double> arms;
+    options.progress = [&](double, const State& state) {
+        series.write(state);
+        const Point tip = state.q.segment<2>(model.coordinate(beam.last(), Field::r));
+        arms.push_back(tip[0] * state.time * lift - tip[1] * held);
+        return true;
+    };
+    EigenLu solver;
+    const StaticsReport report = solve_statics(model, solver, options);
+    REQUIRE(report.status == Status::converged);
+    const Table table(out.str());
+    REQUIRE(table.rows.size() >= 4);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const double factor = table.value(row, "t");
+        CHECK(table.value(row, "foot_F_x") == Approx(-held).epsilon(1e-8));
+        CHECK(table.value(row, "foot_F_y") == Approx(-factor * lift).epsilon(1e-8));
+        CHECK(table.value(row, "foot_M_z") == Approx(-arms[row]).epsilon(1e-8));
+    }
+    CHECK_THROWS_WITH(TimeSeries(out, model).add_reaction("tip", beam.last()),
+                      "TimeSeries: no support holds node 4: pin or fix it");
 }
 
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {
@@ -288,8 +323,7 @@ TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time
     TimeSeries series(out, model);
     series.add_section_forces<Cable<3>>("middle", 0, 0.5);
     series.add_stress<Cable<3>>("middle", 0, 0.5);
-    const State& state = model.state();
-    series.write({state, {}, 0.0, 0.0});
+    series.write(model.state());
     const std::string header = out.str().substr(0, out.str().find('\n'));
     CHECK(cells(header).back() == "middle_S_xx");
     CHECK(cells(header).size() == 6 + 6 + 1);

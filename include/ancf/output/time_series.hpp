@@ -40,8 +40,9 @@ class DynamicProblem;
 /// In statics write the state yourself, as in StaticsOptions::progress, or in PathOptions::progress
 /// with a PathPoint for the number; t is then the load factor, energies are zero:
 ///
+///     series.add_reaction("clamp", beam.first());  // of its supports, in statics
 ///     options.progress = [&](double, const ancf::State& state) {
-///         series.write({state, {}, 0.0, 0.0});
+///         series.write(state);
 ///         return true;
 ///     };
 ///
@@ -103,16 +104,22 @@ public:
     /// Adds the force F and the moment M about the node that supports (pin, clamp, fix, prescribe)
     /// exert on it, in global axes; N and N m, not a number where they cannot be solved for.
     ///
-    /// One factorisation a row, however many nodes: DynamicProblem::reactions.
-    /// For motions: loads without an amplitude act in full. At another load factor of statics than
-    /// 1 the row is wrong: take StaticsReport::reactions.
+    /// For motions, one factorisation a row however many nodes: DynamicProblem::reactions.
     /// @param problem  that of the run, which outlives the series.
     /// @throws InvalidArgument for a problem of another model or a node that no support holds.
     ANCF_LAZY void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
 
+    /// Adds likewise what supports exert in statics, one evaluation a row.
+    /// @throws InvalidArgument for a node that no support holds.
+    ANCF_LAZY void add_reaction(const std::string& name, NodeId node);
+
     /// Writes a row; before the first one, the header.
     /// @throws InvalidArgument for a name that would need quotes.
     void write(const Snapshot& seen);
+
+    /// Writes a row of statics.
+    /// @param state  whose time is the load factor, as solve_statics and follow_path leave it.
+    void write(const State& state) { write({state, {}, 0.0, 0.0}); }
 
 private:
     using Values = std::vector<double>;
@@ -126,6 +133,7 @@ private:
     static void check_place(double xi) {
         detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
     }
+    ANCF_LAZY void add_support_force(const std::string& name, NodeId node);
     ANCF_LAZY [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 

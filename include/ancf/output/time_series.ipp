@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
@@ -11,6 +12,7 @@
 #include <ancf/output/time_series.hpp>
 
 #include <limits>
+#include <memory>
 
 namespace ancf {
 
@@ -41,13 +43,30 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem&
                                         NodeId node) {
     detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
                     " is that of another model");
-    bool found = false;
-    for (const Support& support : model_.supports()) found = found || support.node == node;
-    detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
+    add_support_force(name, node);
     solve_supports_ = [this, &problem](const State& state) {
         if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
     };
+}
+
+ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, NodeId node) {
+    add_support_force(name, node);
+    const auto assembly = std::make_shared<Assembly>(model_, Storage::full);
+    solve_supports_ = [this, assembly](const State& state) {
+        const Instant instant{state.time, state.time};
+        const VectorX rest = VectorX::Zero(state.q.size());
+        (void)assembly->evaluate({state.q, rest, state.multipliers, instant}, Request::force);
+        support_force_ = rest;
+        for (const int k : assembly->numbering().held())
+            support_force_[k] = assembly->unbalanced(k);
+    };
+}
+
+ANCF_LAZY void TimeSeries::add_support_force(const std::string& name, NodeId node) {
+    bool found = false;
+    for (const Support& support : model_.supports()) found = found || support.node == node;
+    detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
     add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"},
         [this, node](const State& state, Values& row) {
             append_force(node, state, support_force_, row);
