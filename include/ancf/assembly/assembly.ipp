@@ -530,7 +530,7 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             ++place;
             load_potential_ += scale * result.potential;
             const bool finite =
-                std::isfinite(scale) && detail::all_finite(result.force) &&
+                std::isfinite(scale * result.potential) && detail::all_finite(result.force) &&
                 (request == Request::force ||
                  (detail::all_finite(result.stiffness) && detail::all_finite(result.damping)));
             if (faulty_load_ < 0 && !finite) faulty_load_ = place;
@@ -739,8 +739,10 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                " of the type ", model_.groups()[fault.group]->name(), " is ",
                                to_string(fault.status)});
     if (faulty_load_ >= 0)
-        return detail::joined({detail::all_finite(external_) ? "a derivative of the force of load "
-                                                             : "the force of load ",
+        return detail::joined({!detail::all_finite(external_) ? "the force of load "
+                               : std::isfinite(load_potential_)
+                                   ? "a derivative of the force of load "
+                                   : "the potential of load ",
                                faulty_load_, " is not finite"});
     if (faulty_constraint_ >= 0) {
         const auto at = static_cast<std::size_t>(faulty_constraint_);
