@@ -315,6 +315,29 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
                       "TimeSeries: no support holds node 4: pin or fix it");
 }
 
+TEST_CASE("TimeSeries: columns of one's own stand among the others", "[output][time-series]") {
+    Cantilever scene;
+    REQUIRE(scene.settle());
+    std::ostringstream out;
+    TimeSeries series(out, scene.model);
+    series.add_section_forces<Element>("tip", 3, 1.0);
+    series.add("end", {"x", "y"}, [&](const State& state, std::vector<double>& row) {
+        const auto place = scene.model.value(scene.beam.last(), Field::r, state.q);
+        row.insert(row.end(), {place[0], place[1]});
+    });
+    series.add_section_forces<Element>("root", 0, 0.0);
+    series.write(scene.model.state());
+    const Table table(out.str());
+    const auto place = scene.model.position(scene.beam.last());
+    CHECK(table.value(0, "end_x") == Approx(place[0]));
+    CHECK(table.value(0, "end_y") == Approx(place[1]));
+    CHECK(table.names.size() == 6 + 6 + 2 + 6);
+
+    TimeSeries wrong(out, scene.model);
+    wrong.add("none", {"x"}, [](const State&, std::vector<double>&) {});
+    CHECK_THROWS_AS(wrong.write(scene.model.state()), InvalidArgument);
+}
+
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {
     Model model;
     const auto cable = straight_beam<Cable<3>>(model, Material::isotropic(2e9, 0.3, 7800.0),

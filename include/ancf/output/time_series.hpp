@@ -56,6 +56,20 @@ public:
     TimeSeries(const TimeSeries&) = delete;
     TimeSeries& operator=(const TimeSeries&) = delete;
 
+    using Values = std::vector<double>;                             ///< of a row
+    using Append = std::function<void(const State&, Values& row)>;  ///< puts some at its end
+
+    /// Adds columns of your own, NAME_PART for each part:
+    ///
+    ///     series.add("tip", {"z"}, [&](const ancf::State& state, std::vector<double>& row) {
+    ///         row.push_back(model.value(tip, ancf::Field::r, state.q)[2]);
+    ///     });
+    ///
+    /// @param append  puts a number for each part at the end of the row; for another count write()
+    ///                throws InvalidArgument.
+    /// @throws InvalidArgument after the first row.
+    void add(const std::string& name, const std::vector<std::string>& parts, Append append);
+
     /// Adds N, Q_y, Q_z, T, M_y, M_z of a section as transmitted_forces has them; N and N m.
     /// Like the stress below they are elastic: without the viscous part of add_kelvin_voigt.
     /// @param element  index in the group of its type.  @param xi  place along it, 0 to 1
@@ -122,14 +136,11 @@ public:
     void write(const State& state) { write({state, {}, 0.0, 0.0}); }
 
 private:
-    using Values = std::vector<double>;
-    using Append = std::function<void(const State&, Values&)>;
     struct Quantity {
         std::vector<std::string> columns;
         Append append;
     };
 
-    void add(const std::string& name, const std::vector<std::string>& parts, Append append);
     static void check_place(double xi) {
         detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
     }
