@@ -294,9 +294,12 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     VectorX forces, load;
     assembly.residual(forces);
     assembly.numbering().gather_free(assembly.load_rate(model.state().q, 0.0), load);
-    const double largest = detail::largest_magnitude(load);
+    const double size = ConvergenceMonitor(model, assembly.numbering()).size();
+    const VectorX lever = detail::length_powers(size, model.layout(), assembly.numbering());
+    const double largest = detail::largest_magnitude(lever.cwiseProduct(load));  // J
     const double borne =
-        largest > 0.0 ? detail::largest_magnitude(forces.head(free)) / largest : 0.0;
+        largest > 0.0 ? detail::largest_magnitude(lever.cwiseProduct(forces.head(free))) / largest
+                      : 0.0;
     SparseMatrix unloaded = assembly.tangent();
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
     const SparseMatrix firm = detail::braced(assembly, unloaded);
