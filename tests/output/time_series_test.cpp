@@ -372,6 +372,11 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     const State& state = scene.model.state();
     series.write({state, {}, 0.0, 0.0});
     CHECK_THROWS_AS(series.add_section_forces<Element>("late", 0, 0.5), InvalidArgument);
+    TimeSeries reactions(out, scene.model);
+    reactions.add_reaction("a", 0, scene.beam.first());
+    State bare = state;
+    bare.multipliers.resize(0);
+    CHECK_THROWS_WITH(reactions.write({bare, {}, 0.0, 0.0}), ContainsSubstring("state has 0"));
 }
 
 }  // namespace time_series_test

@@ -80,6 +80,9 @@ ANCF_LAZY VectorX TimeSeries::constraint_force(int constraint, const State& stat
     int first = 0;
     for (int k = 0; k < constraint; ++k) first += constraints[k].equations();
     const AnyConstraint& held = constraints[constraint];
+    detail::require(first + held.equations() <= state.multipliers.size(),
+                    "TimeSeries: ", held.name(), " has the multipliers ", first, " to ",
+                    first + held.equations() - 1, ", the state has ", state.multipliers.size());
     std::vector<int> coordinates;  // of all its vectors
     for (const NodeField& at : held.coupling())
         for (int i = 0; i < dimension; ++i)
