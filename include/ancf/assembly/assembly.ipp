@@ -456,18 +456,6 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
     }
 }
 
-ANCF_INLINE void Assembly::add_value(int row, int column, double value,
-                                     SparseMatrix& matrix) const {
-    const int i = numbering_.equation(row);
-    const int j = numbering_.equation(column);
-    if (i < 0 || j < 0 || (pattern_.storage() == Storage::lower && i < j)) return;
-    const int a = numbering_.block(row);
-    const int b = numbering_.block(column);
-    const int slot = pattern_.base(a, b) + pattern_.column_offset(b, j - pattern_.first(b)) + i -
-                     pattern_.first(a);
-    matrix.valuePtr()[slot] += value;
-}
-
 ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, double scale,
                                       const MatrixX& local, SparseMatrix& matrix) const {
     const auto size = static_cast<Eigen::Index>(coordinates.size());
@@ -826,12 +814,11 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
                       result);
     }
     for (const PointMass& point : model_.masses()) {
-        const auto parts = numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
-        for (const Dependence::Part& row : parts)
-            for (const Dependence::Part& column : parts)
-                for (int i = 0; i < model_.dimension(); ++i)
-                    add_value(row.first + i, column.first + i,
-                              point.mass * row.factor * column.factor, result);
+        const detail::LocalCoordinates at(model_.layout(), model_.dependence(),
+                                          {{point.node, Field::r}}, "mass");
+        MatrixX block = MatrixX::Identity(model_.dimension(), model_.dimension());
+        at.carry(block);
+        add_matrix(at.acted(), point.mass, block, result);
     }
     return result;
 }
