@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -313,6 +314,17 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
     }
     CHECK_THROWS_WITH(TimeSeries(out, model).add_reaction("tip", beam.last()),
                       "TimeSeries: no support holds node 4: pin or fix it");
+    DynamicProblem problem(model);
+    TimeSeries other(out, model);
+    other.add_reaction("foot", beam.first());
+    CHECK_THROWS_AS(other.add_reaction("moving", problem, beam.first()), InvalidArgument);
+    State nowhere = model.state();
+    nowhere.q.setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::ostringstream row;
+    TimeSeries failing(row, model);
+    failing.add_reaction("foot", beam.first());
+    failing.write(nowhere);
+    CHECK(row.str().find("nan", row.str().find('\n')) != std::string::npos);
 }
 
 TEST_CASE("TimeSeries: columns of one's own stand among the others", "[output][time-series]") {
@@ -336,6 +348,7 @@ TEST_CASE("TimeSeries: columns of one's own stand among the others", "[output][t
     TimeSeries wrong(out, scene.model);
     wrong.add("none", {"x"}, [](const State&, std::vector<double>&) {});
     CHECK_THROWS_AS(wrong.write(scene.model.state()), InvalidArgument);
+    CHECK_THROWS_AS(TimeSeries(out, scene.model).add("none", {"x"}, nullptr), InvalidArgument);
 }
 
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {

@@ -65,8 +65,8 @@ public:
     ///         storage is not the problem's, or a scene without a free coordinate.
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                            const Schedule& schedule, const Memory& memory) const;
-    [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
-                                           const Schedule& schedule) const;
+    /// Integrates likewise from a consistent start.
+    [[nodiscard]] DynamicsReport integrate(DynamicProblem&, LinearSolver&, const Schedule&) const;
 };
 
 }  // namespace ancf

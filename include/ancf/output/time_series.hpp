@@ -56,8 +56,8 @@ public:
     TimeSeries(const TimeSeries&) = delete;
     TimeSeries& operator=(const TimeSeries&) = delete;
 
-    using Values = std::vector<double>;                             ///< of a row
-    using Append = std::function<void(const State&, Values& row)>;  ///< puts some at its end
+    using Values = std::vector<double>;                             ///< the numbers of a row
+    using Append = std::function<void(const State&, Values& row)>;  ///< appends numbers to it
 
     /// Adds columns of your own, NAME_PART for each part:
     ///
@@ -67,7 +67,7 @@ public:
     ///
     /// @param append  puts a number for each part at the end of the row; for another count write()
     ///                throws InvalidArgument.
-    /// @throws InvalidArgument after the first row.
+    /// @throws InvalidArgument after the first row, or without a function.
     void add(const std::string& name, const std::vector<std::string>& parts, Append append);
 
     /// Adds N, Q_y, Q_z, T, M_y, M_z of a section as transmitted_forces has them; N and N m.
@@ -118,13 +118,17 @@ public:
     /// Adds the force F and the moment M about the node that supports (pin, clamp, fix, prescribe)
     /// exert on it, in global axes; N and N m, not a number where they cannot be solved for.
     ///
-    /// For motions, one factorisation a row however many nodes: DynamicProblem::reactions.
+    /// For motions, one factorisation a row however many nodes: DynamicProblem::reactions. Loads
+    /// without an amplitude act in full, so for statics leave the problem out.
     /// @param problem  that of the run, which outlives the series.
-    /// @throws InvalidArgument for a problem of another model or a node that no support holds.
+    /// @throws InvalidArgument for a problem of another model, a node that no support holds, or a
+    ///         series that has such columns of statics.
     ANCF_LAZY void add_reaction(const std::string& name, DynamicProblem& problem, NodeId node);
 
-    /// Adds likewise what supports exert in statics, one evaluation a row.
-    /// @throws InvalidArgument for a node that no support holds.
+    /// Adds the same F and M in statics, where loads act at the load factor of the row: one
+    /// evaluation a row, not a number where that fails.
+    /// @throws InvalidArgument for a node that no support holds, or a series that has such columns
+    ///         of a motion.
     ANCF_LAZY void add_reaction(const std::string& name, NodeId node);
 
     /// Writes a row; before the first one, the header.
@@ -144,7 +148,7 @@ private:
     static void check_place(double xi) {
         detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
     }
-    ANCF_LAZY void add_support_force(const std::string& name, NodeId node);
+    ANCF_LAZY void add_support_force(const std::string& name, NodeId node, bool rests);
     ANCF_LAZY [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 
@@ -153,6 +157,7 @@ private:
     std::vector<Quantity> quantities_;
     std::function<void(const State&)> solve_supports_;  // fills the next; empty: nobody asked
     VectorX support_force_;
+    bool rests_ = false;  // it is of statics
     std::optional<CsvWriter> csv_;
 };
 

@@ -173,7 +173,6 @@ ANCF_LAZY [[nodiscard]] SparseMatrix braced(const Assembly& assembly, const Spar
                                                  const char* remedy = "") {
     std::string& message = report.message;
     if (report.status == Status::singular) {
-        solver.analyze(A);
         message = singular_cause(model, assembly.numbering(), A, solver);
         if (message.empty())
             message = otherwise;
@@ -252,7 +251,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     const SparseMatrix firm = detail::braced(assembly, A);
     if (const Status status = detail::factorise(assembly, firm, solver);
         status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, A, solver, high,
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm, solver, high,
                                   remedy);
     const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
@@ -263,7 +262,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (left != 0)  // 0: the matrix is regular, so constraints hold everything
         report = detail::with_cause(detail::modes_of(assembly, A, mass, detail::unit_scales(firm),
                                                      solver, options, 0.0, value),
-                                    model, assembly, A, solver, high, remedy);
+                                    model, assembly, firm, solver, high, remedy);
     const int wanted = std::min(options.count, std::max(left, 0));
     const auto found = static_cast<int>(report.modes.size());
     if (report.status == Status::converged && found < wanted)
@@ -305,7 +304,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     const SparseMatrix firm = detail::braced(assembly, unloaded);
     if (const Status status = detail::factorise(assembly, firm, solver);
         status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver,
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm, solver,
                                   "the matrix is not positive definite");
     deflected.respond(solver);
     SparseMatrix change;
@@ -320,7 +319,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
                          largest > 0.0 ? 0.0 : 10.0, [](double th, double&) { return 1.0 / th; });
     if (report.status == Status::converged && report.modes.empty())
         report.status = Status::singular;
-    report = detail::with_cause(std::move(report), model, assembly, unloaded, solver,
+    report = detail::with_cause(std::move(report), model, assembly, firm, solver,
                                 "the load makes no stress, or the scene without it is not stable");
     constexpr double small = 0.01;
     detail::require(report.modes.empty() || borne <= small * std::abs(report.modes[0].value),

@@ -115,10 +115,11 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
                                                            VectorX diagonal,
                                                            Records<MatrixEntry> entries) {
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
+    constexpr double stiff = 1e4;        // of a spring, to what it holds
     const SparseMatrix& tangent = assembly.tangent();
     const auto free = static_cast<int>(diagonal.size());
     const bool stored = assembly.pattern().storage() == Storage::lower;  // and no constraints
-    if (!add_springs(tangent, 1e4, held, otherwise, diagonal, entries)) return Stability::unknown;
+    if (!add_springs(tangent, stiff, held, otherwise, diagonal, entries)) return Stability::unknown;
     const SparseMatrix made = stored ? SparseMatrix() : compressed(free, entries);
     const SparseMatrix& lower = stored ? tangent : made;
     SparseLdlt factor;

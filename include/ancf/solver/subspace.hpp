@@ -30,8 +30,8 @@ namespace ancf::detail {
 template <class Dense>
 class Subspace {
 public:
-    /// @param scales  of the unknowns
-    /// @param solver  has A factorised.
+    /// @param scales  of the unknowns, as many as A has rows: displacements of one size
+    /// @param solver  has A factorised, or a matrix with the same solutions of A x = B y
     Subspace(const SparseMatrix& A, const SparseMatrix& B, VectorX scales,
              const LinearSolver& solver)
         : A_(A), B_(B), magnitude_(A.cwiseAbs()), scales_(std::move(scales)), solver_(solver) {}

@@ -40,7 +40,7 @@ struct Curve {
     std::vector<double> lengths;  ///< parameter range of each element, or of all
 };
 
-/// The curves of the builders below.
+/// The curves of the builders below, which throw what their builders say.
 /// @param start  slopes of the first node; the arc turns from the first to the second of them
 template <int Dimension>
 [[nodiscard]] Curve<Dimension> arc_curve(const Vector<double, Dimension>& from,
