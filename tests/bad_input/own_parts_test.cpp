@@ -108,6 +108,7 @@ struct FlawedSpring {
         out.stiffness = -Matrix<double, 2>::Identity();
         if (flaw == Flaw::tangent) out.stiffness(0, 0) = no_number;
         if (flaw == Flaw::damping) out.damping(0, 0) = no_number;
+        if (flaw == Flaw::energy) out.potential = no_number;
         if (flaw == Flaw::skew) out.stiffness.setZero(1, 3);
     }
 };
@@ -263,9 +264,12 @@ TEST_CASE("own parts: an element whose values are no numbers is named", "[bad-in
     CHECK(Leapfrog().integrate(problem, schedule).status == Status::not_finite);
 }
 
-TEST_CASE("own parts: a load whose derivative is no number is named", "[bad-input]") {
-    const Flaw flaw = GENERATE(Flaw::tangent, Flaw::damping);
-    const auto says = ContainsSubstring("a derivative of the force of load 1 is not finite");
+TEST_CASE("own parts: a load that is no number is named, and what of it", "[bad-input]") {
+    const auto [flaw, what] =
+        GENERATE(table<Flaw, std::string>({{Flaw::tangent, "a derivative of the force"},
+                                           {Flaw::damping, "a derivative of the force"},
+                                           {Flaw::energy, "the potential"}}));
+    const auto says = ContainsSubstring(what + " of load 1 is not finite");
     PlanarModel model = flawed_pendulum(Flaw::none);
     model.add(FlawedSpring{{1}, flaw});
     DynamicProblem problem(model);

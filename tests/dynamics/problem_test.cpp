@@ -604,6 +604,8 @@ TEST_CASE("problem: vectors of another size are refused", "[dynamics]") {
     const auto says = ContainsSubstring("expected 1 multipliers, got 2");
     CHECK_THROWS_WITH(problem.store(0.0, x, x, lambda), says);
     CHECK_THROWS_WITH(problem.velocity_level(lambda, matrix), says);
+    CHECK_THROWS_WITH(problem.project_accelerations(0.0, x, x, solved),
+                      ContainsSubstring("accelerations, got 0"));
 }
 
 TEST_CASE("problem: a scene with a node of no mass is refused", "[dynamics]") {

@@ -203,6 +203,18 @@ TEST_CASE("damping: values that cannot be meant are refused", "[model][damping][
     CHECK_THROWS_AS(add_rayleigh_damping(model, beam, -1.0, 0.0), InvalidArgument);
     CHECK_THROWS_AS(add_rayleigh_damping(model, beam, 0.0, nan), InvalidArgument);
     CHECK_THROWS_AS(LinearDamping({{{0}, Field::r}}, MatrixX::Zero(2, 3)), InvalidArgument);
+    model.state().q.resize(1);  // was read beyond its end
+    CHECK_THROWS_AS(add_rayleigh_damping(model, beam, 0.0, 1.0), InvalidArgument);
+}
+
+TEST_CASE("damping: a damper of other coordinates than its element's is refused",
+          "[model][damping][bad-input]") {
+    const auto element = std::make_shared<const Element>(material(), section(), 1.0);
+    const KelvinVoigt<Element> damper(element, {{{0}, Field::r}}, 1.0);
+    LoadState at;
+    at.q = at.v = VectorX::Zero(2);
+    LoadResult out;
+    CHECK_THROWS_WITH(damper.evaluate(at, out), ContainsSubstring("KelvinVoigt: 2 coordinates"));
 }
 
 }  // namespace damping_test

@@ -442,6 +442,44 @@ TEST_CASE("add_body: a column on a body is judged like a clamped one, whatever t
     CHECK(judged == 12);
 }
 
+TEST_CASE("add_body: a body between welds has its modes, however little it bears",
+          "[model][body][modal]") {
+    // far below Euler's load the frequencies are those of the unloaded scene
+    const auto modes = [](double slant, double load) {
+        const Material steel = Material::isotropic(2.1e11, 0.3, 7800.0);
+        const Section square = rectangle(0.02 + 0.01 * slant, 0.02);
+        Model model;
+        const Point middle(1.0, 0.2 * slant, -0.1 * slant);
+        const auto left = straight_beam<Bar>(model, steel, square, Point(0, 0, 0), middle, 3);
+        const NodeId body = model.add_node(middle);
+        add_body(model, body, 2.0, diagonal(0.03, 0.04, 0.05));
+        const auto right =
+            straight_beam<Bar>(model, steel, square, middle, Point(2.0, 0.3, 0.4 * slant), 3);
+        model.clamp(left.first());
+        model.clamp(right.last());
+        model.add(Weld(model, left.last(), body));
+        model.add(Weld(model, body, right.first()));
+        model.add(Force<3>(body, load * Point(0.3, 1.0, -0.6)));
+        EigenLu solver;
+        REQUIRE(solve_statics(model, solver).status == Status::converged);
+        ModalOptions options;
+        options.count = 4;
+        const ModalReport report = natural_modes(model, solver, options);
+        CAPTURE(slant, load, report.message);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(report.modes.size() == 4);
+        return report.modes;
+    };
+    for (const double slant : {0.1, 0.4, 0.7, 1.0}) {
+        const auto unloaded = modes(slant, 0.0);
+        for (const double load : {1e-9, 1e-6, 1e-4, 1e-3}) {
+            const auto loaded = modes(slant, load);
+            for (std::size_t k = 0; k < 4; ++k)
+                CHECK(loaded[k].value == Approx(unloaded[k].value).epsilon(1e-6));
+        }
+    }
+}
+
 TEST_CASE("add_body: two beams welded to a body are stable", "[model][body][statics][stability]") {
     // the body's own stiffness is that of the forces in it: the smaller the load, the more of it is
     // round-off

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -271,13 +272,83 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
         REQUIRE(problem.start().status == Status::converged);
         TimeSeries series(out, clamped);
         series.add_reaction("foot", problem, beam.first());
-        series.write({clamped.state(), {}, 0.0, 0.0});
+        series.write(clamped.state());
         const Table table(out.str());
         const Point tip = clamped.position(beam.last());
         CHECK(table.value(0, "foot_F_x") == Approx(-pull).epsilon(1e-8));
         CHECK(table.value(0, "foot_F_y") == Approx(-lift).epsilon(1e-8));
         CHECK(table.value(0, "foot_M_z") == Approx(-(tip[0] * lift - tip[1] * pull)).epsilon(1e-8));
     }
+}
+
+TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][time-series]") {
+    constexpr double lift = 40.0, held = 15.0;
+    PlanarModel model;
+    const auto beam = straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
+                                             rectangle(0.02, 0.02), Point(0, 0), Point(1, 0), 4);
+    model.clamp(beam.first(), Clamp::free_slope);
+    model.add(Force<2>(beam.last(), Point(0, lift)));
+    model.add(Force<2>(beam.last(), Point(held, 0)), [](double) { return 1.0; });
+    std::ostringstream out;
+    TimeSeries series(out, model);
+    series.add_reaction("foot", beam.first());
+    StaticsOptions options;
+    options.steps = 4;
+    std::vector<double> arms;
+    options.progress = [&](double, const State& state) {
+        series.write(state);
+        const Point tip = state.q.segment<2>(model.coordinate(beam.last(), Field::r));
+        arms.push_back(tip[0] * state.time * lift - tip[1] * held);
+        return true;
+    };
+    EigenLu solver;
+    const StaticsReport report = solve_statics(model, solver, options);
+    REQUIRE(report.status == Status::converged);
+    const Table table(out.str());
+    REQUIRE(table.rows.size() >= 4);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const double factor = table.value(row, "t");
+        CHECK(table.value(row, "foot_F_x") == Approx(-held).epsilon(1e-8));
+        CHECK(table.value(row, "foot_F_y") == Approx(-factor * lift).epsilon(1e-8));
+        CHECK(table.value(row, "foot_M_z") == Approx(-arms[row]).epsilon(1e-8));
+    }
+    CHECK_THROWS_WITH(TimeSeries(out, model).add_reaction("tip", beam.last()),
+                      "TimeSeries: no support holds node 4: pin or fix it");
+    DynamicProblem problem(model);
+    TimeSeries other(out, model);
+    other.add_reaction("foot", beam.first());
+    CHECK_THROWS_AS(other.add_reaction("moving", problem, beam.first()), InvalidArgument);
+    State nowhere = model.state();
+    nowhere.q.setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::ostringstream row;
+    TimeSeries failing(row, model);
+    failing.add_reaction("foot", beam.first());
+    failing.write(nowhere);
+    CHECK(row.str().find("nan", row.str().find('\n')) != std::string::npos);
+}
+
+TEST_CASE("TimeSeries: columns of one's own stand among the others", "[output][time-series]") {
+    Cantilever scene;
+    REQUIRE(scene.settle());
+    std::ostringstream out;
+    TimeSeries series(out, scene.model);
+    series.add_section_forces<Element>("tip", 3, 1.0);
+    series.add("end", {"x", "y"}, [&](const State& state, std::vector<double>& row) {
+        const auto place = scene.model.value(scene.beam.last(), Field::r, state.q);
+        row.insert(row.end(), {place[0], place[1]});
+    });
+    series.add_section_forces<Element>("root", 0, 0.0);
+    series.write(scene.model.state());
+    const Table table(out.str());
+    const auto place = scene.model.position(scene.beam.last());
+    CHECK(table.value(0, "end_x") == Approx(place[0]));
+    CHECK(table.value(0, "end_y") == Approx(place[1]));
+    CHECK(table.names.size() == 6 + 6 + 2 + 6);
+
+    TimeSeries wrong(out, scene.model);
+    wrong.add("none", {"x"}, [](const State&, std::vector<double>&) {});
+    CHECK_THROWS_AS(wrong.write(scene.model.state()), InvalidArgument);
+    CHECK_THROWS_AS(TimeSeries(out, scene.model).add("none", {"x"}, nullptr), InvalidArgument);
 }
 
 TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time-series]") {
@@ -288,8 +359,7 @@ TEST_CASE("TimeSeries: a cable shows its axial force and stress", "[output][time
     TimeSeries series(out, model);
     series.add_section_forces<Cable<3>>("middle", 0, 0.5);
     series.add_stress<Cable<3>>("middle", 0, 0.5);
-    const State& state = model.state();
-    series.write({state, {}, 0.0, 0.0});
+    series.write(model.state());
     const std::string header = out.str().substr(0, out.str().find('\n'));
     CHECK(cells(header).back() == "middle_S_xx");
     CHECK(cells(header).size() == 6 + 6 + 1);
@@ -315,6 +385,11 @@ TEST_CASE("TimeSeries: what does not exist is refused", "[output][time-series][b
     const State& state = scene.model.state();
     series.write({state, {}, 0.0, 0.0});
     CHECK_THROWS_AS(series.add_section_forces<Element>("late", 0, 0.5), InvalidArgument);
+    TimeSeries reactions(out, scene.model);
+    reactions.add_reaction("a", 0, scene.beam.first());
+    State bare = state;
+    bare.multipliers.resize(0);
+    CHECK_THROWS_WITH(reactions.write({bare, {}, 0.0, 0.0}), ContainsSubstring("state has 0"));
 }
 
 }  // namespace time_series_test

@@ -735,6 +735,26 @@ TEST_CASE("buckling: refuses a state that bears the load already", "[modal][bad-
     CHECK(report.modes[0].value == Approx(0.5).epsilon(1e-3));
 }
 
+TEST_CASE("buckling: a column of quintic elements buckles alike in m and in um", "[modal]") {
+    const auto load = [](double unit) {  // of a length, in m; times the length squared over E I
+        ancf::PlanarModel column;
+        const double length = 1.0 / unit, height = length / 300.0;
+        const auto steel = ancf::Material::isotropic(young * unit, poisson, density);
+        const auto beam = ancf::straight_beam<ancf::PlanarQuinticBeam<>>(
+            column, steel, ancf::rectangle(height, height), {0, 0}, {0.6 * length, 0.8 * length},
+            6);
+        column.clamp(beam.first());
+        column.add(ancf::Force<2>(beam.last(), {-0.6, -0.8}));
+        ancf::EigenLdlt solver;
+        const auto report = ancf::buckling_modes(column, solver);
+        REQUIRE(report.status == Status::converged);
+        const double moment = std::pow(height, 4) / 12.0;
+        return std::abs(report.modes.at(0).value) * length * length / (steel.young * moment);
+    };
+    // the round-off of what works on r_xx, in N um^2, counted as N: refused
+    CHECK(load(1e-6) == Approx(load(1.0)).epsilon(1e-6));
+}
+
 TEST_CASE("buckling: springs that bear the load give way across", "[modal]") {
     Scene scene;
     const auto top = scene.add_node({0, 0, 1});

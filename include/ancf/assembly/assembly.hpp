@@ -326,7 +326,6 @@ private:
     void add_loads(const Configuration& at, Request request);
     void add_constraints(const Configuration& at, Request request);
     void add_constraint_blocks(int constraint, ConstraintResult& result);
-    void add_value(int row, int column, double value, SparseMatrix& matrix) const;
 
     const Scene& model_;
     Numbering numbering_;

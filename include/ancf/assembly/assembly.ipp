@@ -456,18 +456,6 @@ ANCF_INLINE void Assembly::add_elements(const Configuration& at, Request request
     }
 }
 
-ANCF_INLINE void Assembly::add_value(int row, int column, double value,
-                                     SparseMatrix& matrix) const {
-    const int i = numbering_.equation(row);
-    const int j = numbering_.equation(column);
-    if (i < 0 || j < 0 || (pattern_.storage() == Storage::lower && i < j)) return;
-    const int a = numbering_.block(row);
-    const int b = numbering_.block(column);
-    const int slot = pattern_.base(a, b) + pattern_.column_offset(b, j - pattern_.first(b)) + i -
-                     pattern_.first(a);
-    matrix.valuePtr()[slot] += value;
-}
-
 ANCF_INLINE void Assembly::add_matrix(const std::vector<int>& coordinates, double scale,
                                       const MatrixX& local, SparseMatrix& matrix) const {
     const auto size = static_cast<Eigen::Index>(coordinates.size());
@@ -530,7 +518,7 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
             ++place;
             load_potential_ += scale * result.potential;
             const bool finite =
-                std::isfinite(scale) && detail::all_finite(result.force) &&
+                std::isfinite(scale * result.potential) && detail::all_finite(result.force) &&
                 (request == Request::force ||
                  (detail::all_finite(result.stiffness) && detail::all_finite(result.damping)));
             if (faulty_load_ < 0 && !finite) faulty_load_ = place;
@@ -739,8 +727,10 @@ ANCF_INLINE std::string Assembly::describe(const Fault& fault) const {
                                " of the type ", model_.groups()[fault.group]->name(), " is ",
                                to_string(fault.status)});
     if (faulty_load_ >= 0)
-        return detail::joined({detail::all_finite(external_) ? "a derivative of the force of load "
-                                                             : "the force of load ",
+        return detail::joined({!detail::all_finite(external_) ? "the force of load "
+                               : std::isfinite(load_potential_)
+                                   ? "a derivative of the force of load "
+                                   : "the potential of load ",
                                faulty_load_, " is not finite"});
     if (faulty_constraint_ >= 0) {
         const auto at = static_cast<std::size_t>(faulty_constraint_);
@@ -824,12 +814,11 @@ ANCF_INLINE SparseMatrix Assembly::mass() const {
                       result);
     }
     for (const PointMass& point : model_.masses()) {
-        const auto parts = numbering_.dependence().parts(model_.coordinate(point.node, Field::r));
-        for (const Dependence::Part& row : parts)
-            for (const Dependence::Part& column : parts)
-                for (int i = 0; i < model_.dimension(); ++i)
-                    add_value(row.first + i, column.first + i,
-                              point.mass * row.factor * column.factor, result);
+        const detail::LocalCoordinates at(model_.layout(), model_.dependence(),
+                                          {{point.node, Field::r}}, "mass");
+        MatrixX block = MatrixX::Identity(model_.dimension(), model_.dimension());
+        at.carry(block);
+        add_matrix(at.acted(), point.mass, block, result);
     }
     return result;
 }

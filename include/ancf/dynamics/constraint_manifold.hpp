@@ -19,49 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace ancf::detail {
-
-/// L U of a small matrix, with rows exchanged.
-struct DenseLu {
-    MatrixX factors;         ///< the matrix, then L and U
-    std::vector<int> order;  ///< rows by their pivots
-
-    /// Factorises in place. @return false where a pivot is zero or no number.
-    [[nodiscard]] bool factorize() {
-        const Eigen::Index rows = factors.rows();
-        order.resize(static_cast<std::size_t>(rows));
-        for (Eigen::Index j = 0; j < rows; ++j) {
-            Eigen::Index pivot = j;
-            for (Eigen::Index i = j + 1; i < rows; ++i)
-                if (std::abs(factors(i, j)) > std::abs(factors(pivot, j))) pivot = i;
-            order[j] = static_cast<int>(pivot);
-            for (Eigen::Index k = 0; pivot != j && k < rows; ++k)
-                std::swap(factors(j, k), factors(pivot, k));
-            const double diagonal = factors(j, j);
-            if (diagonal == 0.0 || !std::isfinite(diagonal)) return false;
-            for (Eigen::Index i = j + 1; i < rows; ++i) factors(i, j) /= diagonal;
-            for (Eigen::Index k = j + 1; k < rows; ++k)
-                for (Eigen::Index i = j + 1; i < rows; ++i)
-                    factors(i, k) -= factors(i, j) * factors(j, k);
-        }
-        return true;
-    }
-
-    /// Solves in place.
-    void solve(VectorX& x) const {
-        const Eigen::Index rows = x.size();
-        for (Eigen::Index j = 0; j < rows; ++j) std::swap(x[j], x[order[j]]);
-        for (Eigen::Index j = 0; j < rows; ++j)
-            for (Eigen::Index i = j + 1; i < rows; ++i) x[i] -= factors(i, j) * x[j];
-        for (Eigen::Index j = rows - 1; j >= 0; --j) {
-            x[j] /= factors(j, j);
-            for (Eigen::Index i = 0; i < j; ++i) x[i] -= factors(i, j) * x[j];
-        }
-    }
-};
 
 /// Adds scale A x, x beginning at an entry of a vector.
 inline void add_product(const MatrixX& A, double scale, const VectorX& x, Eigen::Index from,
@@ -96,11 +56,11 @@ inline void add_product(const MatrixX& A, const MatrixX& B, double scale, Eigen:
 
 /// The constraints at a place: m equations in k active coordinates.
 struct TangentSpace {
-    MatrixX G;     ///< m x k; of equations left out the rows are zero
-    MatrixX C;     ///< k x m: the active rows of M^-1 G^T
-    DenseLu S;     ///< G C; of equations left out 1
-    VectorX g;     ///< m
-    VectorX rate;  ///< m: g_t, and what driven supports make
+    MatrixX G;          ///< m x k; of equations left out the rows are zero
+    MatrixX C;          ///< k x m: the active rows of M^-1 G^T
+    DenseLu<double> S;  ///< G C; of equations left out 1
+    VectorX g;          ///< m
+    VectorX rate;       ///< m: g_t, and what driven supports make
 };
 
 /// The manifold of the constraints with the metric M; without constraints all places.
@@ -162,7 +122,7 @@ public:
         gather(x, active_, there_);
         multipliers_ = b;
         add_product(at.G, 1.0, there_, 0, multipliers_);
-        at.S.solve(multipliers_);
+        at.S.solve(multipliers_.data());
         force_.setZero(there_.size());
         add_transposed(at.G, -1.0, multipliers_, 0, force_);
         add(force_, 1.0, x);
@@ -178,7 +138,7 @@ public:
         for (int iteration = 0; iteration < 12; ++iteration) {
             look(t, there_, at);
             multipliers_ = at.g;
-            along.S.solve(multipliers_);
+            along.S.solve(multipliers_.data());
             change_.setZero(there_.size());
             add_product(along.C, -1.0, multipliers_, 0, change_);
             add_transposed(along.G, -1.0, multipliers_, 0, force_);
@@ -289,7 +249,7 @@ private:
             }
             change_.resize(2 * m);
             std::copy_n(to.g.data(), m, std::copy_n(multipliers_.data(), m, change_.data()));
-            newton_.solve(change_);
+            newton_.solve(change_.data());
             push_ += change_;
             there_.setZero();
             add_product(from.C, 4.0 * part, change_, 0, there_);
@@ -321,7 +281,7 @@ private:
     TangentSpace middle_;
     VectorX push_, before_;
     MatrixX guess_;
-    DenseLu newton_;
+    DenseLu<double> newton_;
     VectorX place_now_, rate_, there_, slip_, force_, multipliers_, change_;
 };
 

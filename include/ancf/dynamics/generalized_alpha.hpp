@@ -64,8 +64,9 @@ public:
     ///         resolution of time, a memory of another integrator, state or scene, a solver whose
     ///         storage is not the problem's, or a scene without a free coordinate.
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
-                                           const Schedule& schedule,
-                                           const Memory& memory = {}) const;
+                                           const Schedule& schedule, const Memory& memory) const;
+    /// Integrates likewise from a consistent start.
+    [[nodiscard]] DynamicsReport integrate(DynamicProblem&, LinearSolver&, const Schedule&) const;
 };
 
 }  // namespace ancf

@@ -46,21 +46,14 @@ public:
         solver_.analyze(system_);
     }
 
+    DynamicsReport run() {
+        if (has_started()) begin_anew();
+        return finished();
+    }
+
     DynamicsReport run(const Memory& memory) {
-        if (!has_started()) return std::move(report_);
-        memory.empty() ? begin_anew() : recall_run(memory);
-        next_ = now_;
-        if (!control_.is_adaptive())
-            recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02),
-                                  "shorter steps, a smaller rho or adaptive steps (tolerance > 0)");
-        recorder_.start(now_);
-        while (goes_on(now_) && advance()) {
-            std::swap(now_, next_);
-            if (!record(next_, now_)) break;
-        }
-        recorder_.finish(now_);
-        if (!jumps_.ends(now_)) remember_run();
-        return std::move(report_);
+        if (has_started()) recall_run(memory);
+        return finished();
     }
 
 private:
@@ -80,6 +73,22 @@ private:
     static constexpr double few_steps = 4.0;    // of a matrix that fails too early
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
     static constexpr double round_off = 4e-16;  // of corrections, at least
+
+    [[nodiscard]] DynamicsReport finished() {
+        if (!has_started()) return std::move(report_);
+        next_ = now_;
+        if (!control_.is_adaptive())
+            recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02),
+                                  "shorter steps, a smaller rho or adaptive steps (tolerance > 0)");
+        recorder_.start(now_);
+        while (goes_on(now_) && advance()) {
+            std::swap(now_, next_);
+            if (!record(next_, now_)) break;
+        }
+        recorder_.finish(now_);
+        if (!jumps_.ends(now_)) remember_run();
+        return std::move(report_);
+    }
 
     /// Begins at the model's state, with accelerations that belong to it.
     ///
@@ -427,7 +436,14 @@ ANCF_INLINE DynamicsReport GeneralizedAlpha::integrate(DynamicProblem& problem,
                                                        LinearSolver& solver,
                                                        const Schedule& schedule,
                                                        const Memory& memory) const {
+    if (memory.empty()) return integrate(problem, solver, schedule);
     return detail::GeneralizedAlphaRun(problem, solver, schedule, options()).run(memory);
+}
+
+ANCF_INLINE DynamicsReport GeneralizedAlpha::integrate(DynamicProblem& problem,
+                                                       LinearSolver& solver,
+                                                       const Schedule& schedule) const {
+    return detail::GeneralizedAlphaRun(problem, solver, schedule, options()).run();
 }
 
 }  // namespace ancf

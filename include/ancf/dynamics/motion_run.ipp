@@ -317,8 +317,8 @@ ANCF_INLINE Step StepGrid::next(double now, double end) const {
 }
 
 /// Calls `look` with each function of time alone: amplitudes, gravity, and of supports a member.
-template <class Look>
-void look_at_drives(const Scene& model, Amplitude Support::*member, const Look& look) {
+ANCF_INLINE void look_at_drives(const Scene& model, Amplitude Support::*member,
+                                const std::function<void(const Amplitude&)>& look) {
     for (const ScaledLoad& load : model.loads())
         if (load.amplitude) look(load.amplitude);
     for (const Support& support : model.supports())
@@ -330,7 +330,7 @@ ANCF_INLINE double hidden_action(DynamicProblem& problem, const MotionPoint& now
                                  double apart) {
     const double between = std::max(apart, 1e-3 * (end - now.time));
     double found = end;
-    const auto look = [&](const auto& function) {
+    const auto look = [&](const Amplitude& function) {
         const double first = function(now.time), last = function(end);
         const double round_off = 1e-12 * std::abs(first);
         const double least = 1e-9 * std::abs(last - first) + round_off;
@@ -361,8 +361,8 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
     if (weariness_ > most_weariness) return;
     const Scene& model = problem_.model();
     // Halves an interval towards the larger change, which shrinks to about half unless it jumps.
-    const auto find = [&](const auto& function, double least, double from, double low, double to,
-                          double high) {
+    const auto find = [&](const Amplitude& function, double least, double from, double low,
+                          double to, double high) {
         constexpr double share = 0.1;  // of a change, that a jump keeps
         least = std::max(least, share * std::abs(high - low));
         while (std::abs(high - low) > least) {
@@ -381,7 +381,7 @@ ANCF_INLINE void Jumps::look(const MotionPoint& now, double end, bool constraint
         return false;
     };
     std::size_t k = 0;
-    const auto look = [&](const auto& function) {
+    const auto look = [&](const Amplitude& function) {
         constexpr int parts = 4;
         constexpr double matters = 1e-4;  // of the largest value
         if (k == largest_.size()) largest_.push_back(0.0);
@@ -450,7 +450,7 @@ ANCF_INLINE double Jumps::corner(double now, double end, double tolerance) {
     std::size_t k = 0;
     // Halves an interval towards the largest second difference of three overlapping halves. Over a
     // corner it shrinks with the interval, where the function is smooth with its square.
-    const auto look = [&](const auto& function) {
+    const auto look = [&](const Amplitude& function) {
         if (k == largest_.size()) largest_.push_back(0.0);
         double& largest = largest_[k++];
         double from = now, width = found - now, values[5];

@@ -553,6 +553,8 @@ ANCF_INLINE bool DynamicProblem::project_rates(double t, const VectorX& q, Vecto
 ANCF_INLINE bool DynamicProblem::project_accelerations(double t, const VectorX& q, const VectorX& v,
                                                        VectorX& acceleration) {
     if (multipliers() == 0) return true;
+    detail::require(acceleration.size() == size(), "DynamicProblem: expected ", size(),
+                    " accelerations, got ", acceleration.size());
     evaluate_constraints(t, q, v);
     if (factorize_kkt() != Status::converged) return false;
     VectorX whole = full_a_;  // of driven coordinates

@@ -42,36 +42,8 @@ struct RadauTableau {
 /// A vector of each stage.
 using Stages = std::vector<VectorX>;
 
-/// Returns the inverse of a small square matrix by elimination with column pivots.
-template <class Scalar>
-[[nodiscard]] std::vector<std::vector<Scalar>> small_inverse(
-    std::vector<std::vector<Scalar>> matrix) {
-    const std::size_t size = matrix.size();
-    for (std::size_t i = 0; i < size; ++i) {
-        matrix[i].resize(2 * size, Scalar(0.0));
-        matrix[i][size + i] = 1.0;
-    }
-    for (std::size_t k = 0; k < size; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < size; ++i)
-            if (std::abs(matrix[i][k]) > std::abs(matrix[pivot][k])) pivot = i;
-        std::swap(matrix[k], matrix[pivot]);
-        const Scalar inverse = 1.0 / matrix[k][k];
-        for (Scalar& entry : matrix[k]) entry *= inverse;
-        for (std::size_t i = 0; i < size; ++i) {
-            if (i == k) continue;
-            const Scalar factor = matrix[i][k];
-            for (std::size_t j = k; j < 2 * size; ++j) matrix[i][j] -= factor * matrix[k][j];
-        }
-    }
-    for (auto& row : matrix)
-        row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size));
-    return matrix;
-}
-
 /// Returns W: differentiation on the points 0 and c_i, by their barycentric weights.
-[[nodiscard]] inline std::vector<std::vector<double>> differentiation(
-    const std::vector<double>& nodes) {
+[[nodiscard]] inline MatrixX differentiation(const std::vector<double>& nodes) {
     const std::size_t stages = nodes.size();
     std::vector<double> points = {0.0};
     points.insert(points.end(), nodes.begin(), nodes.end());
@@ -79,13 +51,13 @@ template <class Scalar>
     for (std::size_t i = 0; i <= stages; ++i)
         for (std::size_t j = 0; j <= stages; ++j)
             if (i != j) weights[i] /= points[i] - points[j];
-    std::vector<std::vector<double>> W(stages, std::vector<double>(stages, 0.0));
+    MatrixX W = MatrixX::Zero(stages, stages);
     for (std::size_t i = 0; i < stages; ++i)
         for (std::size_t j = 0; j <= stages; ++j) {
             if (j == i + 1) continue;
             const double entry = weights[j] / weights[i + 1] / (points[i + 1] - points[j]);
-            if (j > 0) W[i][j - 1] = entry;
-            W[i][i] -= entry;
+            if (j > 0) W(i, j - 1) = entry;
+            W(i, i) -= entry;
         }
     return W;
 }
@@ -128,24 +100,25 @@ template <class Scalar>
                                {3.65569432546357226, 6.54373689936007729},
                                {5.70095329867178942, 3.21026560030854988}};
     }
-    const auto W = differentiation(tableau.nodes);
-    const auto A = small_inverse(W);
-    const auto squared = [&](const std::vector<std::vector<double>>& a) {
+    const auto inverse_of = [](auto matrix) {
+        DenseLu<typename decltype(matrix)::Scalar> lu{std::move(matrix), {}};
+        static_cast<void>(lu.factorize());  // the matrices of a method are regular
+        return lu.inverse();
+    };
+    const auto squared = [&](const MatrixX& a) {
         MatrixX result = MatrixX::Zero(stages, stages);
         for (int i = 0; i < stages; ++i)
             for (int j = 0; j < stages; ++j)
-                for (int k = 0; k < stages; ++k) result(i, j) += a[i][k] * a[k][j];
+                for (int k = 0; k < stages; ++k) result(i, j) += a(i, k) * a(k, j);
         return result;
     };
-    tableau.square = squared(W);
-    tableau.double_integral = squared(A);
-    tableau.inverse.resize(stages, stages);
-    for (int i = 0; i < stages; ++i)
-        for (int j = 0; j < stages; ++j) tableau.inverse(i, j) = W[i][j];
+    tableau.inverse = differentiation(tableau.nodes);
+    tableau.square = squared(tableau.inverse);
+    tableau.double_integral = squared(inverse_of(tableau.inverse));
 
     tableau.to_modes.resize(stages, stages);
     tableau.from_modes.resize(stages, stages);
-    std::vector<std::vector<Complex>> T(stages);  // the kept columns, each before its conjugate
+    DynamicMatrix<Complex> T(stages, stages);  // the kept columns, each before its conjugate
     int at = 0;
     for (const Complex& eigenvalue : tableau.eigenvalues) {
         const bool real = eigenvalue.imag() == 0.0;
@@ -153,19 +126,19 @@ template <class Scalar>
         for (int i = 0; i < stages; ++i) {
             // of a pair the sum of both is twice the real part
             tableau.from_modes(i, at) = (real ? 1.0 : 2.0) * column[i].real();
-            T[i].push_back(column[i]);
+            T(i, at) = column[i];
             if (real) continue;
             tableau.from_modes(i, at + 1) = -2.0 * column[i].imag();
-            T[i].push_back(std::conj(column[i]));
+            T(i, at + 1) = std::conj(column[i]);
         }
         at += real ? 1 : 2;
     }
-    const auto inverse = small_inverse(T);
+    const auto inverse = inverse_of(T);
     for (int j = 0; j < stages; ++j) {
-        tableau.to_modes(0, j) = inverse[0][j].real();
+        tableau.to_modes(0, j) = inverse(0, j).real();
         for (int row = 1; row < stages; row += 2) {
-            tableau.to_modes(row, j) = inverse[row][j].real();
-            tableau.to_modes(row + 1, j) = inverse[row][j].imag();
+            tableau.to_modes(row, j) = inverse(row, j).real();
+            tableau.to_modes(row + 1, j) = inverse(row, j).imag();
         }
     }
     return tableau;

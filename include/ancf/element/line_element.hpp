@@ -20,20 +20,17 @@
 #include <ancf/section/section.hpp>
 #include <ancf/types.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ancf::detail {
 
 /// Returns the determinant of the columns [p, r_y] or [p, r_y, r_z].
-[[nodiscard]] inline double orientation(const double (&v)[2][2]) noexcept {
+[[nodiscard]] inline double orientation(const Vector<double, 2> (&v)[2]) noexcept {
     return v[0][0] * v[1][1] - v[0][1] * v[1][0];
 }
-[[nodiscard]] inline double orientation(const double (&v)[3][3]) noexcept {
-    return v[2][0] * (v[0][1] * v[1][2] - v[0][2] * v[1][1]) +
-           v[2][1] * (v[0][2] * v[1][0] - v[0][0] * v[1][2]) +
-           v[2][2] * (v[0][0] * v[1][1] - v[0][1] * v[1][0]);
+[[nodiscard]] inline double orientation(const Vector<double, 3> (&v)[3]) noexcept {
+    return product(v[2], cross(v[0], v[1]));
 }
 
 /// Tells whether an element is upright all along: its slopes turn by less than 120 degrees from
@@ -52,43 +49,36 @@ namespace ancf::detail {
 template <int Dimension, class Line = CubicLine, int Dofs>
 [[nodiscard]] bool upright(const Vector<double, Dofs>& e, double length) noexcept {
     static_assert(Dofs >= 2 * Dimension * (Dimension - 1 + Line::fields));
+    using Point = Vector<double, Dimension>;
     constexpr double least = 1e-6;
     constexpr int node = Dofs / 2;
-    const auto product = [](const double* a, const double* b) {
-        double sum = 0.0;
-        for (int i = 0; i < Dimension; ++i) sum += a[i] * b[i];
-        return sum;
-    };
-    const auto size = [&](const double* a) { return std::sqrt(product(a, a)); };
+    const auto at = [&](int place) { return Point(e.template segment<Dimension>(place)); };
+    const auto size = [](const Point& a) { return std::sqrt(product(a, a)); };
     for (int slope = 2; slope <= Dimension; ++slope) {
-        const double *first = e.data() + Dimension * slope, *last = first + node;
+        const Point first = at(Dimension * slope), last = at(node + Dimension * slope);
         if (!(product(first, last) > -0.5 * size(first) * size(last))) return false;
     }
-    double before[Dimension] = {};
+    Point before = Point::Zero();
     for (int k = 0; k <= line_parts; ++k) {
         const double xi = static_cast<double>(k) / line_parts;
         const auto weights = Line::first(xi, length);
-        double triad[Dimension][Dimension];  // columns
-        for (int i = 0; i < Dimension; ++i) {
-            double& p = triad[0][i];
-            p = weights[0] * (e[node + i] - e[i]) + weights[1] * e[Dimension + i] +
-                weights[2] * e[node + Dimension + i];
-            if constexpr (Line::fields > CubicLine::fields)
-                p +=
-                    weights[3] * e[node - Dimension + i] + weights[4] * e[2 * node - Dimension + i];
-            for (int slope = 2; slope <= Dimension; ++slope)
-                triad[slope - 1][i] =
-                    (1.0 - xi) * e[Dimension * slope + i] + xi * e[node + Dimension * slope + i];
-        }
+        Point triad[Dimension];
+        triad[0] = weights[0] * (at(node) - at(0)) + weights[1] * at(Dimension) +
+                   weights[2] * at(node + Dimension);
+        if constexpr (Line::fields > CubicLine::fields)
+            triad[0] += weights[3] * at(node - Dimension) + weights[4] * at(2 * node - Dimension);
+        for (int slope = 2; slope <= Dimension; ++slope)
+            triad[slope - 1] =
+                (1.0 - xi) * at(Dimension * slope) + xi * at(node + Dimension * slope);
         double lengths = 1.0;
-        for (const auto& column : triad) {
-            const double norm = size(column);
+        for (const Point& vector : triad) {
+            const double norm = size(vector);
             if (!(norm > least)) return false;
             lengths *= norm;
         }
         if (!(orientation(triad) > least * lengths)) return false;
         if (k > 0 && !(product(triad[0], before) > 0.0)) return false;
-        std::copy_n(triad[0], Dimension, before);
+        before = triad[0];
     }
     return true;
 }

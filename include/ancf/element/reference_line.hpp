@@ -77,8 +77,8 @@ public:
     /// Returns J = ds/dx.
     [[nodiscard]] double metric(double xi) const noexcept {
         if (!curved_) return 1.0;
-        const Components p = derivative(straight_shape<Line>(xi, parameter_length_).p, vectors_);
-        return std::sqrt(product(p, p));
+        const Point p = derivative(straight_shape<Line>(xi, parameter_length_).p, vectors_);
+        return std::sqrt(detail::product(p, p));
     }
 
     /// Returns the least stretch |dr/ds| of the line with the given coordinates, at its ends and at
@@ -90,8 +90,8 @@ public:
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k <= detail::line_parts; ++k) {
             const auto at = shape(static_cast<double>(k) / detail::line_parts);
-            const Components p = derivative(at.p, vectors);
-            least = std::min(least, std::sqrt(product(p, p)));
+            const Point p = derivative(at.p, vectors);
+            least = std::min(least, std::sqrt(detail::product(p, p)));
         }
         return least;
     }
@@ -100,9 +100,9 @@ public:
     [[nodiscard]] StationShape<double, Line::vectors> shape(double xi) const noexcept {
         auto shape = straight_shape<Line>(xi, parameter_length_);
         if (!curved_) return shape;
-        const Components p = derivative(shape.p, vectors_);
-        const double J = std::sqrt(product(p, p));
-        const double growth = product(p, derivative(shape.p1, vectors_)) / (J * J);  // J'/J
+        const Point p = derivative(shape.p, vectors_);
+        const double J = std::sqrt(detail::product(p, p));
+        const double growth = detail::product(p, derivative(shape.p1, vectors_)) / (J * J);  // J'/J
         for (int k = 0; k < Line::vectors; ++k) {
             shape.p1[k] = (shape.p1[k] - growth * shape.p[k]) / (J * J);
             shape.p[k] /= J;
@@ -192,9 +192,8 @@ public:
 private:
     static constexpr int integration_points = 10;  // round-off for arcs of a radian
 
-    using Components = std::array<double, Dimension>;
     /// (D, g_i, g_j), of a quintic then (k_i, k_j).
-    using Vectors = std::array<Components, Line::vectors>;
+    using Vectors = std::array<Point, Line::vectors>;
 
     /// Where their coordinates start; those of D are those of r_j less those of r_i.
     template <int Dofs>
@@ -204,25 +203,16 @@ private:
     template <int Dofs>
     [[nodiscard]] static Vectors line_vectors(const Vector<double, Dofs>& e) noexcept {
         Vectors vectors;
-        for (int i = 0; i < Dimension; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            for (std::size_t x = 0; x < vectors.size(); ++x) vectors[x][k] = e[start<Dofs>[x] + i];
-            vectors[0][k] -= e[i];
-        }
+        for (std::size_t x = 0; x < vectors.size(); ++x)
+            vectors[x] = e.template segment<Dimension>(start<Dofs>[x]);
+        vectors[0] -= e.template head<Dimension>();
         return vectors;
     }
 
-    [[nodiscard]] static Components derivative(const double (&weights)[Line::vectors],
-                                               const Vectors& vectors) noexcept {
-        Components sum{};
-        for (std::size_t k = 0; k < vectors.size(); ++k)
-            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[k] * vectors[k][i];
-        return sum;
-    }
-
-    [[nodiscard]] static double product(const Components& a, const Components& b) noexcept {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    [[nodiscard]] static Point derivative(const double (&weights)[Line::vectors],
+                                          const Vectors& vectors) noexcept {
+        Point sum = Point::Zero();
+        for (std::size_t k = 0; k < vectors.size(); ++k) sum += weights[k] * vectors[k];
         return sum;
     }
 

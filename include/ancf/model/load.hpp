@@ -41,7 +41,7 @@ struct LoadResult {
     VectorX force;           ///< generalised force Q, N and N m
     MatrixX stiffness;       ///< dQ/dq; empty for a load of constant force
     MatrixX damping;         ///< dQ/dv; empty for a load of constant force
-    double potential = 0.0;  ///< V with Q = -dV/dq where there is one, J
+    double potential = 0.0;  ///< V with Q = -dV/dq, J; 0 where there is none
     double period = 0.0;     ///< J; of a V of an angle, its jump after a turn; else 0
 };
 

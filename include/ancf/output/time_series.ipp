@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/assembly/assembly.hpp>
 #include <ancf/assembly/resultant.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/dynamics/problem.hpp>
@@ -11,12 +12,14 @@
 #include <ancf/output/time_series.hpp>
 
 #include <limits>
+#include <memory>
 
 namespace ancf {
 
 ANCF_INLINE void TimeSeries::add(const std::string& name, const std::vector<std::string>& parts,
                                  Append append) {
     detail::require(!csv_, "TimeSeries: ", name, " must be added before the first row");
+    detail::require(append != nullptr, "TimeSeries: ", name, " has no function");
     Quantity quantity{{}, std::move(append)};
     for (const std::string& part : parts) quantity.columns.push_back(name + '_' + part);
     quantities_.push_back(std::move(quantity));
@@ -26,7 +29,7 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, int constraint,
     const auto& constraints = model_.constraints();
     detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
                     "TimeSeries: there are ", constraints.size(), " constraints, got index ",
-                    constraint, "; for a support give the DynamicProblem instead");
+                    constraint, "; for a support leave the index out, or give the DynamicProblem");
     const AnyConstraint& held = constraints[constraint];
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
@@ -41,13 +44,36 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem&
                                         NodeId node) {
     detail::require(&problem.model() == &model_, "TimeSeries: the problem of ", name,
                     " is that of another model");
-    bool found = false;
-    for (const Support& support : model_.supports()) found = found || support.node == node;
-    detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
+    add_support_force(name, node, false);
     solve_supports_ = [this, &problem](const State& state) {
         if (problem.reactions(state, support_force_) != Status::converged)
             support_force_.setConstant(std::numeric_limits<double>::quiet_NaN());
     };
+}
+
+ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, NodeId node) {
+    add_support_force(name, node, true);
+    const auto assembly = std::make_shared<Assembly>(model_, Storage::full);
+    solve_supports_ = [this, assembly](const State& state) {
+        const Instant instant{state.time, state.time};
+        const VectorX rest = VectorX::Zero(state.q.size());
+        const bool fails =
+            assembly->evaluate({state.q, rest, state.multipliers, instant}, Request::force)
+                .has_value();
+        support_force_ = rest;
+        for (const int k : assembly->numbering().held())
+            support_force_[k] =
+                fails ? std::numeric_limits<double>::quiet_NaN() : assembly->unbalanced(k);
+    };
+}
+
+ANCF_LAZY void TimeSeries::add_support_force(const std::string& name, NodeId node, bool rests) {
+    detail::require(!solve_supports_ || rests == rests_, "TimeSeries: ", name,
+                    " is of statics and others are of a motion, or the reverse: take two series");
+    rests_ = rests;
+    bool found = false;
+    for (const Support& support : model_.supports()) found = found || support.node == node;
+    detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
     add(name, {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"},
         [this, node](const State& state, Values& row) {
             append_force(node, state, support_force_, row);
@@ -61,6 +87,9 @@ ANCF_LAZY VectorX TimeSeries::constraint_force(int constraint, const State& stat
     int first = 0;
     for (int k = 0; k < constraint; ++k) first += constraints[k].equations();
     const AnyConstraint& held = constraints[constraint];
+    detail::require(first + held.equations() <= state.multipliers.size(),
+                    "TimeSeries: ", held.name(), " has the multipliers ", first, " to ",
+                    first + held.equations() - 1, ", the state has ", state.multipliers.size());
     std::vector<int> coordinates;  // of all its vectors
     for (const NodeField& at : held.coupling())
         for (int i = 0; i < dimension; ++i)

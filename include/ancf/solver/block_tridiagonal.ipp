@@ -18,23 +18,16 @@ ANCF_INLINE FactorReport BlockTridiagonal::factorize_values(const SparseMatrix& 
     detail::require(detail::stays_within(lower, layout_), name(), " analysed another pattern");
     roots_.resize(lower.cols());
     probe_.resize(lower.cols());
-    detail::PivotSummary summary = detail::factorize_chain<double>(
+    const detail::PivotSummary summary = detail::factorize_chain<double>(
         layout_, {lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr()}, panels_.data(),
         roots_.data(), probe_.data());
-    if (!summary.complete && summary.failed_column < 0) {
-        detail::symmetric_roots(lower, roots_);
-        summary.weights = detail::probe_load(roots_, probe_);
-        summary.energy = detail::with_block_width(layout_.width, [&](auto width) {
-            return detail::BlockKernel<width()>::probe_energy(layout_, panels_.data(),
-                                                              probe_.data());
-        });
-    }
     FactorReport report;
     if (summary.failed_column >= 0) {
         detail::report_failure(lower, summary.failed_column, report);
         return report;
     }
     report.negative_pivots = summary.negative;
+    if (!summary.complete) return report;  // the base finds the condition by a solution
     report.rcond = detail::rcond_by_energy(summary.weights, summary.energy);
     if (!(report.rcond > singular_rcond())) {
         detail::probe_load(roots_, probe_);

@@ -83,19 +83,6 @@ public:
         return summary;
     }
 
-    /// Replaces a probe by L^-1 of it and returns its energy.
-    static double probe_energy(const BlockLayout& layout, const double* panels,
-                               double* probe) noexcept {
-        Column rest = Column::zero();
-        PivotSummary summary;
-        for (int block = 0; block < layout.blocks(); ++block, panels += panel_size) {
-            double* z = probe + layout.start(block);
-            forward(panels, layout.size(block), rest, z);
-            audit(panels, layout.size(block), z, summary);
-        }
-        return summary.energy;
-    }
-
     /// Solves L D L^T x = x in place.
     static void solve(const BlockLayout& layout, const Scalar* panels, Scalar* x) noexcept {
         Column carry = Column::zero();

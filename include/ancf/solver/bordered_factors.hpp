@@ -80,9 +80,8 @@ private:
     std::vector<int> diagonal_;           // slots, -1: no entry
     std::vector<Scalar> chain_values_, panels_;
     std::vector<Scalar> columns_;  // A^-1 B^T
-    std::vector<Scalar> small_;    // L U of S, row by row
-    std::vector<int> pivots_;
-    std::vector<double> scales_;  // of the unknowns, by which the diagonal of A becomes one
+    DenseLu<Scalar> small_;        // of S
+    std::vector<double> scales_;   // of the unknowns, by which the diagonal of A becomes one
     std::vector<Scalar> probe_;
     VectorX roots_, load_;  // what the kernel of doubles leaves beside its factors
 };

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace ancf::detail {
 
@@ -55,8 +54,6 @@ bool BorderedFactors<Scalar>::divide(int least_border) {
     panels_.resize(static_cast<std::size_t>(layout_.panel_entries()));
     chain_values_.resize(chain_slots_.size());
     columns_.resize(static_cast<std::size_t>(chain_) * static_cast<std::size_t>(border_));
-    small_.resize(static_cast<std::size_t>(border_) * static_cast<std::size_t>(border_));
-    pivots_.resize(static_cast<std::size_t>(border_));
     scales_.resize(static_cast<std::size_t>(size));
     probe_.resize(static_cast<std::size_t>(size));
     roots_.resize(chain_);
@@ -112,34 +109,23 @@ bool BorderedFactors<Scalar>::factorize_chain(const Scalar* values) {
                .failed_column < 0;
 }
 
-/// Makes A^-1 B^T and the factors of S, by Gauss with the largest pivot of each column.
+/// Makes A^-1 B^T and the factors of S.
 template <class Scalar>
 bool BorderedFactors<Scalar>::factorize_border(const Scalar* values) {
     const auto m = static_cast<std::size_t>(border_), n = static_cast<std::size_t>(chain_);
     std::fill(columns_.begin(), columns_.end(), Scalar(0.0));
-    std::fill(small_.begin(), small_.end(), Scalar(0.0));
+    DynamicMatrix<Scalar>& S = small_.factors;
+    S.setZero(border_, border_);
     for (const Entry& entry : across_) columns_[entry.row * n + entry.column] = values[entry.slot];
     for (std::size_t k = 0; k < m; ++k)
         solve_chain(layout_, panels_.data(), columns_.data() + k * n);
-    for (const Entry& entry : corner_) small_[entry.row * m + entry.column] += values[entry.slot];
-    for (const Entry& entry : across_)
+    for (const Entry& entry : corner_) S(entry.row, entry.column) += values[entry.slot];
+    for (const Entry& entry : across_) {
+        const Scalar value = values[entry.slot];
         for (std::size_t k = 0; k < m; ++k)
-            small_[entry.row * m + k] -=
-                product(values[entry.slot], columns_[k * n + entry.column]);
-    for (std::size_t k = 0; k < m; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < m; ++i)
-            if (magnitude(small_[i * m + k]) > magnitude(small_[pivot * m + k])) pivot = i;
-        pivots_[k] = static_cast<int>(pivot);
-        if (!(magnitude(small_[pivot * m + k]) > 0.0)) return false;
-        for (std::size_t j = 0; j < m; ++j) std::swap(small_[k * m + j], small_[pivot * m + j]);
-        for (std::size_t i = k + 1; i < m; ++i) {
-            const Scalar factor = small_[i * m + k] /= small_[k * m + k];
-            for (std::size_t j = k + 1; j < m; ++j)
-                small_[i * m + j] -= product(factor, small_[k * m + j]);
-        }
+            S.data()[entry.row + k * m] -= product(value, columns_[k * n + entry.column]);
     }
-    return true;
+    return small_.factorize();
 }
 
 template <class Scalar>
@@ -148,13 +134,7 @@ void BorderedFactors<Scalar>::solve(Scalar* x) const {
     Scalar* y = x + n;
     for (std::size_t k = 0; k < m; ++k)  // c - B A^-1 b
         for (std::size_t i = 0; i < n; ++i) y[k] -= product(columns_[k * n + i], x[i]);
-    for (std::size_t k = 0; k < m; ++k) std::swap(y[k], y[pivots_[k]]);
-    for (std::size_t k = 0; k < m; ++k)
-        for (std::size_t j = 0; j < k; ++j) y[k] -= product(small_[k * m + j], y[j]);
-    for (std::size_t k = m; k-- > 0;) {
-        for (std::size_t j = k + 1; j < m; ++j) y[k] -= product(small_[k * m + j], y[j]);
-        y[k] /= small_[k * m + k];
-    }
+    small_.solve(y);
     solve_chain(layout_, panels_.data(), x);
     for (std::size_t k = 0; k < m; ++k)
         for (std::size_t i = 0; i < n; ++i) x[i] -= product(columns_[k * n + i], y[k]);

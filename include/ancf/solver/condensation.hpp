@@ -10,7 +10,6 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -99,15 +98,17 @@ public:
                 if (k >= 0) to(i, j) = matrix.valuePtr()[k];
             });
         };
-        MatrixX ee, ne, en, change;
+        DenseLu<double> ee;
+        MatrixX ne, en, change;
         for (Set& set : sets_) {
-            copy(set.own, set.own, ee);
+            copy(set.own, set.own, ee.factors);
             copy(set.others, set.own, ne);
             if (symmetric_)
                 en = ne.transpose();
             else
                 copy(set.own, set.others, en);
-            set.inverse = inverse(ee);
+            if (!ee.factorize()) return false;
+            set.inverse = ee.inverse();
             if (!set.inverse.allFinite()) return false;
             set.right = product(set.inverse, en);
             if (!symmetric_) set.left = product(ne, set.inverse);
@@ -147,29 +148,6 @@ private:
     [[nodiscard]] static MatrixX product(const MatrixX& A, const MatrixX& B) {
         MatrixX result(A.rows(), B.cols());
         for (Eigen::Index j = 0; j < B.cols(); ++j) result.col(j) = multiply(A, B.col(j));
-        return result;
-    }
-
-    // Returns the inverse of a small matrix by Gauss and Jordan with exchanges of rows; where it is
-    // singular an entry that is not finite.
-    [[nodiscard]] static MatrixX inverse(MatrixX A) {
-        const Eigen::Index size = A.rows();
-        MatrixX result = MatrixX::Identity(size, size);
-        for (Eigen::Index k = 0; k < size; ++k) {
-            Eigen::Index pivot = k;
-            for (Eigen::Index i = k + 1; i < size; ++i)
-                if (std::abs(A(i, k)) > std::abs(A(pivot, k))) pivot = i;
-            VectorX times = A.col(k);
-            std::swap(times[k], times[pivot]);
-            for (MatrixX* const both : {&A, &result})
-                for (Eigen::Index j = 0; j < size; ++j) {
-                    double* const column = both->data() + j * size;
-                    std::swap(column[k], column[pivot]);
-                    column[k] /= times[k];
-                    for (Eigen::Index i = 0; i < size; ++i)
-                        if (i != k) column[i] -= times[i] * column[k];
-                }
-        }
         return result;
     }
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ancf::detail {
 
@@ -76,18 +75,14 @@ ANCF_INLINE void report_condition(const SparseMatrix& matrix, double limit,
     const double weights = probe_load(roots, load);
     solve(load, solution);
     VectorX motion = solution;
-    double largest = 0.0;
-    bool finite = true;
-    for (Eigen::Index i = 0; i < roots.size(); ++i) {
-        motion[i] *= roots[i];
-        finite = finite && std::isfinite(motion[i]);
-        largest = std::max(largest, std::abs(motion[i]));
-    }
+    for (Eigen::Index i = 0; i < roots.size(); ++i) motion[i] *= roots[i];
+    const double largest = largest_magnitude(motion);
     double sum = 0.0;
-    if (largest > 0.0)
-        for (const double entry : motion) sum += (entry / largest) * (entry / largest);
-    const double size = finite ? largest * std::sqrt(sum) : std::numeric_limits<double>::infinity();
-    report.rcond = size > 0.0 ? std::min(1.0, probe_share * std::sqrt(weights) / size) : 1.0;
+    for (const double entry : motion) sum += (entry / largest) * (entry / largest);
+    const double size = largest * std::sqrt(sum);
+    report.rcond = largest == 0.0        ? 1.0
+                   : std::isfinite(size) ? std::min(1.0, probe_share * std::sqrt(weights) / size)
+                                         : 0.0;
     if (!(report.rcond > limit)) report_failure(matrix, softest_unknown(roots, solution), report);
 }
 

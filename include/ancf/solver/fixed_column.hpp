@@ -9,10 +9,10 @@
 
 #pragma once
 
+#include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/element/pack.hpp>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstring>
@@ -28,19 +28,6 @@
 #endif
 
 namespace ancf::detail {
-
-/// Returns how large a number is; of a complex one |re| + |im|, which takes no root.
-inline double magnitude(double x) noexcept { return std::abs(x); }
-inline double magnitude(const std::complex<double>& x) noexcept {
-    return std::abs(x.real()) + std::abs(x.imag());
-}
-
-/// Returns a b; of complex numbers by their parts, which does not look for infinities.
-inline double product(double a, double b) noexcept { return a * b; }
-inline std::complex<double> product(const std::complex<double>& a,
-                                    const std::complex<double>& b) noexcept {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 /// Returns 1 / a; of a complex number without a look for infinities where its square has none.
 inline double reciprocal(double a) noexcept { return 1.0 / a; }

@@ -7,6 +7,7 @@
 #include <ancf/solver/convergence.hpp>
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/modal.hpp>
+#include <ancf/solver/stability.hpp>
 #include <ancf/solver/subspace.hpp>
 
 #include <algorithm>
@@ -139,6 +140,20 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
             "a tangent that is not symmetric; follow the path, and look at a motion beside it");
 }
 
+/// Returns A with what constraints hold on springs as well, K + G^T W G.
+///
+/// A solution that keeps the constraints solves both. A body between welds has next to no stiffness
+/// of its own, which a solver would take for the scale of its unknowns.
+ANCF_LAZY [[nodiscard]] SparseMatrix braced(const Assembly& assembly, const SparseMatrix& A) {
+    if (assembly.numbering().multipliers() == 0) return A;
+    VectorX diagonal = A.diagonal().head(assembly.numbering().free_coordinates());
+    const VectorX stiffest = stiffest_of_unit(assembly, diagonal);
+    Records<MatrixEntry> entries;  // of springs as stiff as what is stiffest
+    if (!add_springs(A, 1.0, stiffest, stiffest, diagonal, entries)) return A;
+    const SparseMatrix springs = compressed(static_cast<int>(A.cols()), entries);
+    return A + SparseMatrix(springs.selfadjointView<Eigen::Lower>());
+}
+
 /// Factorises A; what a constraint does not account for must not be negative.
 [[nodiscard]] ANCF_INLINE Status factorise(const Assembly& assembly, const SparseMatrix& A,
                                            LinearSolver& solver) {
@@ -177,11 +192,12 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
 /// @param least  the least |th| that counts, relative to the round-off of x^T A x
 template <class Value>
 [[nodiscard]] ModalReport modes_of(const Assembly& assembly, const SparseMatrix& A,
-                                   const SparseMatrix& B, LinearSolver& solver,
-                                   const ModalOptions& options, double least, const Value& value) {
+                                   const SparseMatrix& B, const VectorX& scales,
+                                   LinearSolver& solver, const ModalOptions& options, double least,
+                                   const Value& value) {
     ModalReport report;
     const Numbering& numbering = assembly.numbering();
-    Subspace<MatrixX> space(A, B, solver);
+    Subspace<MatrixX> space(A, B, scales, solver);
     report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
                               options.max_iterations);
     report.iterations = space.iterations;
@@ -232,8 +248,10 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     const SparseMatrix mass = assembly.mass();
     SparseMatrix A = assembly.tangent() - options.shift * mass;
     if (solver.storage() == Storage::full) detail::symmetrise(A);
-    if (const Status status = detail::factorise(assembly, A, solver); status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, A, solver, high,
+    const SparseMatrix firm = detail::braced(assembly, A);
+    if (const Status status = detail::factorise(assembly, firm, solver);
+        status != Status::converged)
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm, solver, high,
                                   remedy);
     const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
@@ -242,9 +260,9 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     const int left = assembly.numbering().free_coordinates() - assembly.numbering().multipliers();
     ModalReport report;
     if (left != 0)  // 0: the matrix is regular, so constraints hold everything
-        report =
-            detail::with_cause(detail::modes_of(assembly, A, mass, solver, options, 0.0, value),
-                               model, assembly, A, solver, high, remedy);
+        report = detail::with_cause(detail::modes_of(assembly, A, mass, detail::unit_scales(firm),
+                                                     solver, options, 0.0, value),
+                                    model, assembly, firm, solver, high, remedy);
     const int wanted = std::min(options.count, std::max(left, 0));
     const auto found = static_cast<int>(report.modes.size());
     if (report.status == Status::converged && found < wanted)
@@ -275,14 +293,18 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     VectorX forces, load;
     assembly.residual(forces);
     assembly.numbering().gather_free(assembly.load_rate(model.state().q, 0.0), load);
-    const double largest = detail::largest_magnitude(load);
+    const double size = ConvergenceMonitor(model, assembly.numbering()).size();
+    const VectorX lever = detail::length_powers(size, model.layout(), assembly.numbering());
+    const double largest = detail::largest_magnitude(lever.cwiseProduct(load));  // J
     const double borne =
-        largest > 0.0 ? detail::largest_magnitude(forces.head(free)) / largest : 0.0;
+        largest > 0.0 ? detail::largest_magnitude(lever.cwiseProduct(forces.head(free))) / largest
+                      : 0.0;
     SparseMatrix unloaded = assembly.tangent();
     if (solver.storage() == Storage::full) detail::symmetrise(unloaded);
-    if (const Status status = detail::factorise(assembly, unloaded, solver);
+    const SparseMatrix firm = detail::braced(assembly, unloaded);
+    if (const Status status = detail::factorise(assembly, firm, solver);
         status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, unloaded, solver,
+        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm, solver,
                                   "the matrix is not positive definite");
     deflected.respond(solver);
     SparseMatrix change;
@@ -293,11 +315,11 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (solver.storage() == Storage::full) detail::symmetrise(B);
     // B is the difference of two tangents: without load it has their round-off alone
     ModalReport report =
-        detail::modes_of(assembly, unloaded, B, solver, options, largest > 0.0 ? 0.0 : 10.0,
-                         [](double th, double&) { return 1.0 / th; });
+        detail::modes_of(assembly, unloaded, B, detail::unit_scales(firm), solver, options,
+                         largest > 0.0 ? 0.0 : 10.0, [](double th, double&) { return 1.0 / th; });
     if (report.status == Status::converged && report.modes.empty())
         report.status = Status::singular;
-    report = detail::with_cause(std::move(report), model, assembly, unloaded, solver,
+    report = detail::with_cause(std::move(report), model, assembly, firm, solver,
                                 "the load makes no stress, or the scene without it is not stable");
     constexpr double small = 0.01;
     detail::require(report.modes.empty() || borne <= small * std::abs(report.modes[0].value),

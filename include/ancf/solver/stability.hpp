@@ -7,7 +7,10 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/records.hpp>
 #include <ancf/solver/linear_solver.hpp>
+#include <ancf/solver/sparse_ldlt.hpp>
+#include <ancf/types.hpp>
 
 #include <string_view>
 
@@ -46,6 +49,21 @@ enum class Stability {
                                   const LinearSolver* solver = nullptr);
 
 namespace detail {
+
+/// Returns for each free coordinate the largest stiffness that one of its unit has in the scene, or
+/// any one has where that is zero.
+/// @param diagonal  of the tangent, free coordinates alone
+[[nodiscard]] VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& diagonal);
+
+/// Appends the lower half of the stiffness of constraints as springs.
+/// @param tangent    of full storage: its last columns hold the constraints' gradients
+/// @param stiffness  of a spring, to that of what it holds
+/// @param held       stiffness of each free coordinate
+/// @param otherwise  what counts instead where a constraint holds none that is positive
+/// @param diagonal   of the tangent; grows with the springs
+/// @return false where nothing has a stiffness.
+bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& held,
+                 const VectorX& otherwise, VectorX& diagonal, Records<MatrixEntry>& entries);
 
 /// Tells whether an assembly's tangent K is so near an earlier one K_0, whose factors a solver has,
 /// that both have the same signs: no eigenvalue of K_0^-1 (K - K_0) is of the size of 1.

@@ -22,10 +22,7 @@ namespace ancf {
 
 namespace detail {
 
-/// Returns for each free coordinate the largest stiffness that one of its unit has in the scene, or
-/// any one has where that is zero.
-[[nodiscard]] ANCF_INLINE VectorX stiffest_of_unit(const Assembly& assembly,
-                                                   const VectorX& diagonal) {
+ANCF_INLINE VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& diagonal) {
     const Numbering& numbering = assembly.numbering();
     const double most = largest_magnitude(diagonal);
     double largest[3] = {};  // of r_xx, slopes, positions
@@ -43,17 +40,9 @@ namespace detail {
     return stiffest;
 }
 
-/// Appends the lower half of the stiffness of constraints as springs, each far stiffer than what
-/// it holds.
-/// @param tangent    of full storage: its last columns hold the constraints' gradients
-/// @param held       stiffness of each free coordinate
-/// @param otherwise  what counts instead where a constraint holds none that is positive
-/// @param diagonal   of the tangent; grows with the springs
-/// @return false where nothing has a stiffness.
-ANCF_INLINE bool add_springs(const SparseMatrix& tangent, const VectorX& held,
+ANCF_INLINE bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& held,
                              const VectorX& otherwise, VectorX& diagonal,
                              Records<MatrixEntry>& entries) {
-    constexpr double stiffness = 1e4;  // of a spring, to that of what it holds
     const int* const row = tangent.innerIndexPtr();
     const double* const g = tangent.valuePtr();
     const auto counts = [&](int k) { return row[k] < held.size() && g[k] != 0.0; };
@@ -126,10 +115,11 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
                                                            VectorX diagonal,
                                                            Records<MatrixEntry> entries) {
     constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
+    constexpr double stiff = 1e4;        // of a spring, to what it holds
     const SparseMatrix& tangent = assembly.tangent();
     const auto free = static_cast<int>(diagonal.size());
     const bool stored = assembly.pattern().storage() == Storage::lower;  // and no constraints
-    if (!add_springs(tangent, held, otherwise, diagonal, entries)) return Stability::unknown;
+    if (!add_springs(tangent, stiff, held, otherwise, diagonal, entries)) return Stability::unknown;
     const SparseMatrix made = stored ? SparseMatrix() : compressed(free, entries);
     const SparseMatrix& lower = stored ? tangent : made;
     SparseLdlt factor;

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -29,9 +30,11 @@ namespace ancf::detail {
 template <class Dense>
 class Subspace {
 public:
-    /// @param solver  has A factorised.
-    Subspace(const SparseMatrix& A, const SparseMatrix& B, const LinearSolver& solver)
-        : A_(A), B_(B), magnitude_(A.cwiseAbs()), solver_(solver) {}
+    /// @param scales  of the unknowns, as many as A has rows: displacements of one size
+    /// @param solver  has A factorised, or a matrix with the same solutions of A x = B y
+    Subspace(const SparseMatrix& A, const SparseMatrix& B, VectorX scales,
+             const LinearSolver& solver)
+        : A_(A), B_(B), magnitude_(A.cwiseAbs()), scales_(std::move(scales)), solver_(solver) {}
 
     /// Iterates until no wanted value changes by more than the tolerance, relative, and the
     /// round-off of x^T A x.
@@ -44,7 +47,6 @@ public:
         count = static_cast<int>(std::min<Eigen::Index>(count, all));
         const auto width = std::min<Eigen::Index>(2 * count + 8, all);
         constrained_ = free < A_.rows();
-        scales_ = unit_scales(A_);
         vectors = mixtures(width);
         VectorX last = VectorX::Zero(count);
         for (iterations = 0; iterations < max_iterations;) {
@@ -216,8 +218,8 @@ private:
     const SparseMatrix& A_;
     const SparseMatrix& B_;
     SparseMatrix magnitude_;
-    const LinearSolver& solver_;
     VectorX scales_;
+    const LinearSolver& solver_;
     double draw_ = 0.5;  // of the mixtures
     bool constrained_ = false;
 };

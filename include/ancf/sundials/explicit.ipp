@@ -371,20 +371,11 @@ private:
 
     // Quintic of q, v and a at both ends, and its derivative.
     [[nodiscard]] MotionPoint between(double time) const {
-        const double h = now_.time - from_.time;
-        const double s = (time - from_.time) / h;
-        const double r = 1.0 - s;
-        const double later = s * s * s * (10.0 + s * (6.0 * s - 15.0));
-        const double slope = 30.0 * s * s * r * r / h;
-        return {
-            time,
-            (1.0 - later) * from_.q + later * now_.q +
-                h * s * r * (r * r * (1.0 + 3.0 * s) * from_.v - s * s * (1.0 + 3.0 * r) * now_.v) +
-                0.5 * h * h * s * s * r * r * (r * from_a_ + s * a_),
-            slope * (now_.q - from_.q) + r * r * (1.0 + s * (2.0 - 15.0 * s)) * from_.v +
-                s * s * (1.0 + r * (2.0 - 15.0 * r)) * now_.v +
-                0.5 * h * s * r * (r * (2.0 - 5.0 * s) * from_a_ - s * (2.0 - 5.0 * r) * a_),
-            {}};
+        MotionPoint at{time, {}, {}, {}};
+        ancf::detail::interpolate(
+            {{from_.time, from_.q, from_.v, from_a_}, {now_.time, now_.q, now_.v, a_}}, time, at.q,
+            at.v);
+        return at;
     }
 
     bool fail(int code) {

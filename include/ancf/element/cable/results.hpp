@@ -43,12 +43,10 @@ bool Cable<Dimension, Measure>::admissible(const Coordinates& e) const noexcept 
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
     for (const auto& at : kernel_.bending)
         if (!stretched(detail::interpolated<Dimension>(at.p, line))) return false;
-    Point first, last, control;
-    for (int i = 0; i < Dimension; ++i) {
-        first[i] = line[Dimension + i];
-        last[i] = line[2 * Dimension + i];
-        control[i] = 3.0 / line_.parameter_length() * line[i] - first[i] - last[i];
-    }
+    const Point first = line.template segment<Dimension>(Dimension),
+                last = line.template tail<Dimension>();
+    const Point control =
+        3.0 / line_.parameter_length() * line.template head<Dimension>() - first - last;
     const auto polar = [&](double a, double b) -> Point {
         const double of_first = (1.0 - a) * (1.0 - b), of_last = a * b;
         return of_first * first + (1.0 - of_first - of_last) * control + of_last * last;

@@ -67,6 +67,16 @@ struct Force {
     Matrix<Scalar, Dimension, slopes> difference = Matrix<Scalar, Dimension, slopes>::Zero();
 };
 
+/// Calls visit(i, j, p) for the pairs i <= j of the law, in their order; p is their place.
+template <int Dimension, class Visit>
+inline void each_pair(const Visit& visit) noexcept {
+    ANCF_UNROLL
+    for (int i = 0, p = 0; i < Dimension; ++i) {
+        ANCF_UNROLL
+        for (int j = i; j < Dimension; ++j, ++p) visit(i, j, p);
+    }
+}
+
 /// Returns the strain coefficients of local vectors, before the reference is subtracted.
 template <class Scalar, int Dimension>
 [[nodiscard]] inline Strain<Scalar, Dimension> strain_coefficients(
@@ -81,25 +91,16 @@ template <class Scalar, int Dimension>
     };
     const Scalar half(0.5);
     Strain<Scalar, Dimension> s;
-    s.axial(0) = half * dot(0, 0);
-    s.axial(1) = dot(0, 1);
-    s.axial(Dimension) = half * dot(1, 1);
-    constexpr int a = Dimension;
-    s.shear(0, 0) = dot(0, a);
-    s.shear(1, 0) = dot(1, a);
-    s.normal(0) = half * dot(a, a);
-    if constexpr (Dimension == 3) {
-        constexpr int b = a + 1;
-        s.axial(2) = dot(0, 2);
-        s.axial(4) = dot(1, 2);
-        s.axial(5) = half * dot(2, 2);
-        s.shear(2, 0) = dot(2, a);
-        s.shear(0, 1) = dot(0, b);
-        s.shear(1, 1) = dot(1, b);
-        s.shear(2, 1) = dot(2, b);
-        s.normal(1) = half * dot(b, b);
-        s.transverse = dot(a, b);
+    each_pair<Dimension>(
+        [&](int i, int j, int p) { s.axial(p) = i == j ? Scalar(half * dot(i, j)) : dot(i, j); });
+    ANCF_UNROLL
+    for (int c = 0; c < Dimension - 1; ++c) {
+        const int a = Dimension + c;
+        ANCF_UNROLL
+        for (int i = 0; i < Dimension; ++i) s.shear(i, c) = dot(i, a);
+        s.normal(c) = half * dot(a, a);
     }
+    if constexpr (Dimension == 3) s.transverse = dot(3, 4);
     return s;
 }
 
@@ -149,11 +150,7 @@ template <class Scalar, int Dimension>
 [[nodiscard]] inline Matrix<Scalar, 2 * Dimension - 1> resultant_matrix(
     const Strain<Scalar, Dimension>& stress) noexcept {
     Matrix<Scalar, 2 * Dimension - 1> s;
-    ANCF_UNROLL
-    for (int i = 0, p = 0; i < Dimension; ++i) {
-        ANCF_UNROLL
-        for (int j = i; j < Dimension; ++j, ++p) s(i, j) = s(j, i) = stress.axial(p);
-    }
+    each_pair<Dimension>([&](int i, int j, int p) { s(i, j) = s(j, i) = stress.axial(p); });
     ANCF_UNROLL
     for (int c = 0; c < Dimension - 1; ++c) {
         ANCF_UNROLL

@@ -42,29 +42,13 @@ struct Tangent {
 /// Writes x y^T + y x^T, packed.
 template <int Dimension, class Scalar>
 inline void packed_product(const Scalar* x, const Scalar* y, Scalar* packed) noexcept {
-    const Scalar first = x[0] * y[0], second = x[1] * y[1];
-    packed[0] = first + first;
-    packed[1] = x[0] * y[1] + x[1] * y[0];
-    packed[Dimension] = second + second;
-    if constexpr (Dimension == 3) {
-        const Scalar third = x[2] * y[2];
-        packed[2] = x[0] * y[2] + x[2] * y[0];
-        packed[4] = x[1] * y[2] + x[2] * y[1];
-        packed[5] = third + third;
-    }
+    each_pair<Dimension>([&](int i, int j, int p) { packed[p] = x[i] * y[j] + x[j] * y[i]; });
 }
 
 /// Writes x x^T, packed.
 template <int Dimension, class Scalar>
 inline void packed_square(const Scalar* x, Scalar* packed) noexcept {
-    packed[0] = x[0] * x[0];
-    packed[1] = x[0] * x[1];
-    packed[Dimension] = x[1] * x[1];
-    if constexpr (Dimension == 3) {
-        packed[2] = x[0] * x[2];
-        packed[4] = x[1] * x[2];
-        packed[5] = x[2] * x[2];
-    }
+    each_pair<Dimension>([&](int i, int j, int p) { packed[p] = x[i] * x[j]; });
 }
 
 /// Writes a packed block to the D x D block at `full`, of a column-major matrix of so many rows.
@@ -99,9 +83,8 @@ inline void add_packed(const Scalar* packed, Scalar* full) noexcept {
 /// Adds a number to the diagonal of a packed block.
 template <int Dimension, class Scalar>
 inline void add_to_diagonal(Scalar* packed, const Scalar& value) noexcept {
-    packed[0] += value;
-    packed[Dimension] += value;
-    if constexpr (Dimension == 3) packed[5] += value;
+    ANCF_UNROLL
+    for (int i = 0; i < Dimension; ++i) packed[ContinuumLaw<Dimension>::pair(i, i)] += value;
 }
 
 /// What the Hessian is made of: packed products of the local vectors.

@@ -12,6 +12,7 @@
 #include <ancf/element/compiled_element.hpp>
 #include <ancf/element/evaluation.hpp>
 #include <ancf/element/fields.hpp>
+#include <ancf/element/mass.hpp>
 #include <ancf/types.hpp>
 
 namespace ancf::detail {
@@ -34,7 +35,10 @@ public:
 
     /// @param moments  int (1, x, y, z)^T (1, x, y, z) dm: kg, kg m and kg m^2.
     /// @param size     of the body, m.
-    BodyMass(const Moments& moments, double size) : moments_(moments), size_(size) {}
+    BodyMass(const Moments& moments, double size) : size_(size) {
+        weights_.setZero();
+        weights_.template topLeftCorner<1 + Dimension, 1 + Dimension>() = moments;
+    }
 
     /// Returns the size of the body, m.
     [[nodiscard]] double length() const noexcept { return size_; }
@@ -63,30 +67,19 @@ public:
     }
 
     /// Returns the mass matrix, kg, kg m and kg m^2.
-    [[nodiscard]] Matrix<double, dofs> mass() const {
-        Matrix<double, dofs> result = Matrix<double, dofs>::Zero();
-        for (int a = 0; a <= Dimension; ++a)
-            for (int b = 0; b <= Dimension; ++b)
-                for (int i = 0; i < Dimension; ++i)
-                    result(Dimension * a + i, Dimension * b + i) = moments_(a, b);
-        return result;
-    }
+    [[nodiscard]] Matrix<double, dofs> mass() const { return mass_matrix<Dimension>(weights_); }
 
     /// Returns the weight.
     /// @param acceleration  of gravity, m/s^2.
     [[nodiscard]] Coordinates gravity(const Vector<double, Dimension>& acceleration) const {
-        Coordinates result = Coordinates::Zero();
-        for (int a = 0; a <= Dimension; ++a)
-            for (int i = 0; i < Dimension; ++i)
-                result[Dimension * a + i] = moments_(0, a) * acceleration[i];
-        return result;
+        return gravity_force<Dimension>(weights_, acceleration);
     }
 
     /// Every state has a mass.
     [[nodiscard]] bool admissible(const Coordinates& /*e*/) const noexcept { return true; }
 
 private:
-    Moments moments_;
+    Matrix<double, 2 * (1 + Dimension)> weights_;  // the moments, of both sets of vectors
     double size_;
 };
 

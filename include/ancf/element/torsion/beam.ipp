@@ -81,8 +81,7 @@ ANCF_LAZY bool TorsionBeam::admissible(const Coordinates& e) const noexcept {
     }
     const detail::TorsionNodes<double> nodes(e);
     for (const detail::TorsionStation& station : kernel_.stations) {
-        detail::Vec3<double> p{};
-        for (int a = 0; a < 3; ++a) detail::add(p, station.shape.p[a], nodes.vector[a]);
+        const detail::Vec3<double> p = detail::line_sum(station.shape.p, nodes.vector);
         const double square = detail::dot(p, p);
         if (!(square > smallest * smallest)) return false;
         const detail::Vec3<double> t = (1.0 / std::sqrt(square)) * p;

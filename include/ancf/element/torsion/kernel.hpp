@@ -27,27 +27,6 @@
 
 namespace ancf::detail {
 
-/// Where EA eps^2/2 is integrated.
-struct TorsionAxialStation {
-    double p[3];             ///< of (D, g1, g2) in p = r0'
-    double reference = 0.0;  ///< eps of the stress-free state
-    double stiffness;        ///< EA times weight and length
-
-    /// Returns r0' of nodal vectors (D, g1, g2, ...).
-    template <class S, int Count>
-    [[nodiscard]] Vec3<S> slope(const Vec3<S> (&vector)[Count]) const noexcept {
-        Vec3<S> sum{};
-        for (int a = 0; a < 3; ++a) add(sum, p[a], vector[a]);
-        return sum;
-    }
-
-    /// Returns eps of a slope r0' without that of the stress-free state.
-    template <class S>
-    [[nodiscard]] S strain(const Vec3<S>& slope) const noexcept {
-        return deformation(S(0.5 * (dot(slope, slope) - 1.0)), reference);
-    }
-};
-
 /// Where bending and torsion are integrated.
 struct TorsionStation {
     StationShape<double> shape;
@@ -123,6 +102,20 @@ struct TorsionNodes {
     }
 };
 
+/// Returns the sum of the line's vectors (D, g1, g2) times their weights.
+template <class S>
+[[nodiscard]] inline Vec3<S> line_sum(const double (&weights)[3],
+                                      const Vec3<S> (&vector)[torsion_vectors]) noexcept {
+    return weights[0] * vector[tv_D] + weights[1] * vector[tv_g1] + weights[2] * vector[tv_g2];
+}
+
+/// Returns eps of a slope r0' at a station, without that of the stress-free state.
+template <class S>
+[[nodiscard]] inline S axial_strain(const AxialStationData<double>& station,
+                                    const Vec3<S>& slope) noexcept {
+    return deformation(S(0.5 * (dot(slope, slope) - 1.0)), station.reference);
+}
+
 /// No state before a correction.
 struct NoState {};
 
@@ -145,13 +138,8 @@ inline void set_line(const StationShape<double>& shape, const Vec3<S>& p, const 
 template <class S>
 inline void torsion_frame(const StationShape<double>& shape, const TorsionNodes<S>& nodes,
                           CarriedFrame<S>& f, Invariants<S>& w) noexcept {
-    for (int k = 0; k < 3; ++k) {
-        f.p[k] = f.p1[k] = S(0.0);
-        for (int a = 0; a < 3; ++a) {
-            f.p[k] += shape.p[a] * nodes.vector[a][k];
-            f.p1[k] += shape.p1[a] * nodes.vector[a][k];
-        }
-    }
+    f.p = line_sum(shape.p, nodes.vector);
+    f.p1 = line_sum(shape.p1, nodes.vector);
     f.g[0] = nodes.vector[tv_g1];
     f.g[1] = nodes.vector[tv_g2];
     f.n2 = S(shape.n2);
@@ -247,17 +235,15 @@ inline constexpr int torsion_place[torsion_local] = {9,  10, 11, 3, 4,  5,  12, 
 struct TorsionKernel {
     static constexpr int dimension = 3, dofs = 18;
 
-    std::vector<TorsionAxialStation> axial;
+    Records<AxialStationData<double>> axial;
     std::vector<TorsionStation> stations;
     TorsionHold holds[2];
 
     /// Takes the strains of a state as those of the stress-free state.
     void set_reference(const Vector<double, 18>& e) noexcept {
         const TorsionNodes<double> nodes(e);
-        for (TorsionAxialStation& station : axial) {
-            station.reference = 0.0;
-            station.reference = station.strain(station.slope(nodes.vector));
-        }
+        for (AxialStationData<double>& station : axial)
+            station.reference += axial_strain(station, line_sum(station.p, nodes.vector));
         for (TorsionStation& station : stations) {
             CarriedFrame<double> f;
             Invariants<double> w;
@@ -353,13 +339,14 @@ private:
     S add_axial(const TorsionNodes<S>& nodes, const Before& before, Local<S>& force,
                 LocalMatrix<S>& tangent) const noexcept {
         S energy(0.0);
-        for (const TorsionAxialStation& station : axial) {
-            const Vec3<S> p = station.slope(nodes.vector);
-            const S strain = station.strain(p);
+        for (const AxialStationData<double>& station : axial) {
+            const Vec3<S> p = line_sum(station.p, nodes.vector);
+            const S strain = axial_strain(station, p);
             S stress = station.stiffness * strain;
             energy += 0.5 * stress * strain;
             if constexpr (!std::is_same_v<Before, NoState>) {
-                stress = station.stiffness * arrived(station.strain(station.slope(before.vector)));
+                const auto earlier = axial_strain(station, line_sum(station.p, before.vector));
+                stress = station.stiffness * arrived(earlier);
             }
             for (int a = 0; a < 3; ++a)
                 for (int i = 0; i < 3; ++i) force[3 * a + i] += station.p[a] * stress * p[i];

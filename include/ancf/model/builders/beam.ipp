@@ -4,6 +4,7 @@
 #pragma once
 
 #include <ancf/compiler.hpp>
+#include <ancf/element/vec3.hpp>
 #include <ancf/model/builders/beam.hpp>
 
 #include <cmath>
@@ -97,25 +98,20 @@ std::vector<NodeId> add_nodes_between(BasicModel<Dimension>& model,
 
 ANCF_INLINE Matrix<double, 3> reference_slopes(const Vector<double, 3>& direction,
                                                const Vector<double, 3>& y_axis) {
-    const double length = detail::require_length("the direction", direction);
-    const double width = detail::require_length("the y axis", y_axis);
-    Matrix<double, 3> slopes;
-    double share = 0.0, square = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        slopes(k, 0) = direction[k] / length;
-        share += y_axis[k] / width * slopes(k, 0);
-    }
-    for (int k = 0; k < 3; ++k) {
-        slopes(k, 1) = y_axis[k] / width - share * slopes(k, 0);
-        square += slopes(k, 1) * slopes(k, 1);
-    }
-    detail::require(std::sqrt(square) > 1e-8,
+    using detail::vec3;
+    const auto t = vec3<double>(direction) / detail::require_length("the direction", direction);
+    const auto y = vec3<double>(y_axis) / detail::require_length("the y axis", y_axis);
+    const auto across = y - dot(y, t) * t;
+    const double width = length(across);
+    detail::require(width > 1e-8,
                     "reference_slopes: the y axis must not be parallel to the beam, got ",
                     detail::components(y_axis));
-    for (int k = 0; k < 3; ++k) slopes(k, 1) /= std::sqrt(square);
+    const auto n = across / width, c = cross(t, n);
+    Matrix<double, 3> slopes;
     for (int k = 0; k < 3; ++k) {
-        const int next = (k + 1) % 3, last = (k + 2) % 3;
-        slopes(k, 2) = slopes(next, 0) * slopes(last, 1) - slopes(last, 0) * slopes(next, 1);
+        slopes(k, 0) = t[k];
+        slopes(k, 1) = n[k];
+        slopes(k, 2) = c[k];
     }
     return slopes;
 }

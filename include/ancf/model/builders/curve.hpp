@@ -40,14 +40,12 @@ struct Curve {
     std::vector<double> lengths;  ///< parameter range of each element, or of all
 };
 
-// The curves of the builders below.
-ANCF_LAZY [[nodiscard]] Curve<3> arc_curve(const Vector<double, 3>& from,
-                                           const Vector<double, 3>& tangent,
-                                           const Vector<double, 3>& normal, double radius,
-                                           double angle, int elements);
-ANCF_LAZY [[nodiscard]] Curve<2> arc_curve(const Vector<double, 2>& from,
-                                           const Vector<double, 2>& tangent, double radius,
-                                           double angle, int elements);
+/// The curves of the builders below, which throw what their builders say.
+/// @param start  slopes of the first node; the arc turns from the first to the second of them
+template <int Dimension>
+[[nodiscard]] Curve<Dimension> arc_curve(const Vector<double, Dimension>& from,
+                                         const Matrix<double, Dimension>& start, double radius,
+                                         double angle, int elements);
 ANCF_LAZY [[nodiscard]] Curve<3> helix_curve(const Vector<double, 3>& centre,
                                              const Vector<double, 3>& axis,
                                              const Vector<double, 3>& outward, double radius,
@@ -115,7 +113,9 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
          Options&&... options) {
     static_assert(Dimension == 3,
                   "an arc takes a normal in space alone: leave it out in the plane");
-    const auto curve = detail::arc_curve(from, tangent, normal, radius, angle, elements);
+    detail::require_positive("arc: angle", angle);
+    const auto curve =
+        detail::arc_curve<3>(from, reference_slopes(tangent, normal), radius, angle, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
 }
@@ -128,7 +128,8 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
          double angle, int elements, Options&&... options) {
     static_assert(Dimension == 2,
                   "an arc in space takes: from, tangent, normal, radius, angle, elements");
-    const auto curve = detail::arc_curve(from, tangent, radius, angle, elements);
+    const auto curve =
+        detail::arc_curve<2>(from, reference_slopes(tangent), radius, angle, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
 }

@@ -13,41 +13,23 @@
 
 namespace ancf::detail {
 
-ANCF_LAZY Curve<3> arc_curve(const Vector<double, 3>& from, const Vector<double, 3>& tangent,
-                             const Vector<double, 3>& normal, double radius, double angle,
-                             int elements) {
-    require_positive("arc: radius", radius);
-    require_positive("arc: angle", angle);
-    require(elements >= 1, "arc: at least one element is needed, got ", elements);
-    const Matrix<double, 3> start = reference_slopes(tangent, normal);
-    std::vector<CurvePoint<3>> points;
-    for (int k = 0; k <= elements; ++k) {
-        const double turn = angle * k / elements;
-        Matrix<double, 3> rotation;
-        rotation << std::cos(turn), -std::sin(turn), 0.0, std::sin(turn), std::cos(turn), 0.0, 0.0,
-            0.0, 1.0;
-        points.push_back({from + start * Vector<double, 3>(radius * std::sin(turn),
-                                                           radius * (1.0 - std::cos(turn)), 0.0),
-                          start * rotation, start * rotation.col(1) / radius});
-    }
-    return {std::move(points), {radius * angle / elements}};
-}
-
-ANCF_LAZY Curve<2> arc_curve(const Vector<double, 2>& from, const Vector<double, 2>& tangent,
-                             double radius, double angle, int elements) {
+template <int Dimension>
+Curve<Dimension> arc_curve(const Vector<double, Dimension>& from,
+                           const Matrix<double, Dimension>& start, double radius, double angle,
+                           int elements) {
     require_positive("arc: radius", radius);
     require(std::isfinite(angle) && angle != 0.0, "arc: the angle must not be zero, got ", angle);
     require(elements >= 1, "arc: at least one element is needed, got ", elements);
-    const Matrix<double, 2> start = reference_slopes(tangent);
     const double side = angle > 0.0 ? 1.0 : -1.0;
-    std::vector<CurvePoint<2>> points;
+    std::vector<CurvePoint<Dimension>> points;
     for (int k = 0; k <= elements; ++k) {
-        const double turn = angle * k / elements;
-        Matrix<double, 2> rotation;
-        rotation << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
-        points.push_back({from + start * Vector<double, 2>(side * radius * std::sin(turn),
-                                                           side * radius * (1.0 - std::cos(turn))),
-                          start * rotation, side / radius * (start * rotation.col(1))});
+        const double turn = angle * k / elements, sine = std::sin(turn), cosine = std::cos(turn);
+        Matrix<double, Dimension> slopes = start;
+        slopes.col(0) = cosine * start.col(0) + sine * start.col(1);
+        slopes.col(1) = cosine * start.col(1) - sine * start.col(0);
+        points.push_back(
+            {from + side * radius * (sine * start.col(0) + (1.0 - cosine) * start.col(1)), slopes,
+             side / radius * slopes.col(1)});
     }
     return {std::move(points), {radius * std::abs(angle) / elements}};
 }
@@ -177,6 +159,10 @@ void check_equal_elements(Fields fields, const std::vector<CurvePoint<Dimension>
 }
 
 #if defined(ANCF_SOURCE)
+template Curve<2> arc_curve<2>(const Vector<double, 2>&, const Matrix<double, 2>&, double, double,
+                               int);
+template Curve<3> arc_curve<3>(const Vector<double, 3>&, const Matrix<double, 3>&, double, double,
+                               int);
 template void check_equal_elements<2>(Fields, const std::vector<CurvePoint<2>>&,
                                       const std::vector<double>&);
 template void check_equal_elements<3>(Fields, const std::vector<CurvePoint<3>>&,

@@ -136,6 +136,8 @@ auto KelvinVoigt<Element>::force(const Vector<Scalar, dofs>& e, const Vector<Sca
 
 template <class Element>
 void KelvinVoigt<Element>::evaluate(const LoadState& state, LoadResult& out) const {
+    detail::require(state.q.size() == dofs, "KelvinVoigt: ", state.q.size(),
+                    " coordinates are coupled, the element has ", dofs);
     const Vector<double, dofs> e = state.q, v = state.v;
     if (!state.derivatives) {
         out.force = force<double>(e, v);

@@ -24,6 +24,9 @@ ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
                                     const Amplitude& amplitude) {
     require_not_negative("add_rayleigh_damping: a", a);
     require_not_negative("add_rayleigh_damping: b", b);
+    const VectorX& q = model.state().q;
+    require(q.size() == model.layout().size(), "add_rayleigh_damping: the state has ", q.size(),
+            " coordinates, the model has ", model.layout().size());
     const int dofs = group.dofs();
     VectorX e(dofs), force(dofs);
     MatrixX mass(dofs, dofs), tangent(dofs, dofs);
@@ -33,7 +36,7 @@ ANCF_LAZY void add_rayleigh_damping(Scene& model, const ElementGroup& group,
         double* to = e.data();
         for (const NodeField& at : coupling)
             for (int i = 0; i < model.dimension(); ++i)
-                *to++ = model.state().q[model.coordinate(at.node, at.field) + i];
+                *to++ = q[model.coordinate(at.node, at.field) + i];
         group.mass(connection.prototype, mass.data());
         static_cast<void>(
             group.evaluate(connection.prototype, e.data(), force.data(), tangent.data()));

@@ -12,6 +12,22 @@
 
 namespace ancf {
 
+namespace detail {
+
+/// Writes the force m x a/|a|^2 on a slope and its derivative by a.
+ANCF_INLINE void turn_slope(const Vec3<double>& m, const Vec3<double>& a, LoadResult& out) {
+    const double square = dot(a, a);
+    const auto turned = cross(m, a);
+    const auto turn = cross_block(m);
+    for (int i = 0; i < 3; ++i) {
+        out.force[i] = turned[i] / square;
+        for (int j = 0; j < 3; ++j)
+            out.stiffness(i, j) = (turn(i, j) - 2.0 / square * turned[i] * a[j]) / square;
+    }
+}
+
+}  // namespace detail
+
 ANCF_INLINE SlopeMoment::SlopeMoment(NodeId node, Field slope, const VectorArgument<3>& axis,
                                      double moment)
     : node_(node), slope_(slope), axis_(axis), moment_(moment) {
@@ -25,22 +41,11 @@ ANCF_INLINE SlopeMoment::SlopeMoment(NodeId node, Field slope, const VectorArgum
 
 ANCF_INLINE void SlopeMoment::evaluate(const LoadState& state, LoadResult& out) const {
     const auto n = detail::vec3<double>(axis_), slope = detail::vec3<double>(state.q);
-    const auto ap = slope - dot(n, slope) * n, turned = cross(n, ap);
-    const double square = dot(ap, ap), scale = moment_ / square;
-    // ap and turned are normal to the axis: n x dap - 2 turned (ap.dap)/|ap|^2
-    const auto turn = detail::cross_block(n);
-    for (int i = 0; i < 3; ++i) {
-        out.force[i] = scale * turned[i];
-        for (int j = 0; j < 3; ++j)
-            out.stiffness(i, j) = scale * (turn(i, j) - 2.0 / square * turned[i] * ap[j]);
-    }
-    // the angle from the global axis e that leans least along n: ap.e and ap.(n x e)
-    int across = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(n[i]) < std::abs(n[across])) across = i;
-    detail::Vec3<double> zero_angle = {};
-    zero_angle[across] = 1.0;
-    out.potential = -moment_ * std::atan2(dot(ap, cross(n, zero_angle)), ap[across]);
+    const auto ap = slope - dot(n, slope) * n;
+    detail::turn_slope(moment_ * n, ap, out);  // n x da = n x dap and ap.da = ap.dap
+    // from the global axis e that leans least along n: u along n x e, w along n x (n x e)
+    const auto [u, w] = detail::normals_of(n);
+    out.potential = -moment_ * std::atan2(dot(ap, u), -dot(ap, w));
     out.period = 2.0 * pi * std::abs(moment_);
 }
 
@@ -64,15 +69,7 @@ ANCF_INLINE void PlanarSlopeMoment::evaluate(const LoadState& state, LoadResult&
 }
 
 ANCF_INLINE void TangentMoment::evaluate(const LoadState& state, LoadResult& out) const {
-    const auto slope = detail::vec3<double>(state.q), m = detail::vec3<double>(moment_);
-    const double square = dot(slope, slope);
-    const auto turned = cross(m, slope);
-    const auto turn = detail::cross_block(m);
-    for (int i = 0; i < 3; ++i) {
-        out.force[i] = turned[i] / square;
-        for (int j = 0; j < 3; ++j)
-            out.stiffness(i, j) = (turn(i, j) - 2.0 / square * turned[i] * slope[j]) / square;
-    }
+    detail::turn_slope(detail::vec3<double>(moment_), detail::vec3<double>(state.q), out);
 }
 
 ANCF_INLINE void Moment::settle(const Layout& layout) {
