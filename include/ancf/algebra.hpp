@@ -13,8 +13,6 @@
 #include <ancf/types.hpp>
 
 #include <cmath>
-#include <complex>
-#include <utility>
 #include <vector>
 
 namespace ancf::detail {
@@ -71,68 +69,6 @@ public:
 
 private:
     Matrix<double, Size> factors_;  // L below the diagonal, the inverse of D on it
-};
-
-/// Returns how large a number is; of a complex one |re| + |im|, which takes no root.
-inline double magnitude(double x) noexcept { return std::abs(x); }
-inline double magnitude(const std::complex<double>& x) noexcept {
-    return std::abs(x.real()) + std::abs(x.imag());
-}
-
-/// Returns a b; of complex numbers by their parts, which does not look for infinities.
-inline double product(double a, double b) noexcept { return a * b; }
-inline std::complex<double> product(const std::complex<double>& a,
-                                    const std::complex<double>& b) noexcept {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
-/// L U of a small matrix of doubles or complex numbers, with rows exchanged.
-template <class Scalar>
-struct DenseLu {
-    DynamicMatrix<Scalar> factors;  ///< the matrix, then L and U
-    std::vector<int> order;         ///< rows by their pivots
-
-    /// Factorises in place. @return false where a pivot is zero or no number.
-    [[nodiscard]] bool factorize() {
-        const auto rows = static_cast<int>(factors.rows());
-        order.clear();
-        for (int j = 0; j < rows; ++j) {
-            int pivot = j;
-            for (int i = j + 1; i < rows; ++i)
-                if (magnitude(factors(i, j)) > magnitude(factors(pivot, j))) pivot = i;
-            order.push_back(pivot);
-            for (int k = 0; pivot != j && k < rows; ++k)
-                std::swap(factors(j, k), factors(pivot, k));
-            const double size = magnitude(factors(j, j));
-            if (size == 0.0 || !std::isfinite(size)) return false;
-            for (int i = j + 1; i < rows; ++i) factors(i, j) /= factors(j, j);
-            for (int k = j + 1; k < rows; ++k) {
-                const Scalar above = factors(j, k);
-                for (int i = j + 1; i < rows; ++i) factors(i, k) -= product(factors(i, j), above);
-            }
-        }
-        return true;
-    }
-
-    /// Solves in place.
-    void solve(Scalar* x) const {
-        const auto rows = static_cast<int>(factors.rows());
-        for (int j = 0; j < rows; ++j) std::swap(x[j], x[order[j]]);
-        for (int j = 0; j < rows; ++j)
-            for (int i = j + 1; i < rows; ++i) x[i] -= product(factors(i, j), x[j]);
-        for (int j = rows - 1; j >= 0; --j) {
-            x[j] /= factors(j, j);
-            for (int i = 0; i < j; ++i) x[i] -= product(factors(i, j), x[j]);
-        }
-    }
-
-    /// Returns the inverse of the matrix that was factorised.
-    [[nodiscard]] DynamicMatrix<Scalar> inverse() const {
-        DynamicMatrix<Scalar> result;
-        result.setIdentity(factors.rows(), factors.rows());
-        for (int j = 0; j < factors.rows(); ++j) solve(result.col(j).data());
-        return result;
-    }
 };
 
 /// Returns how many entries a compressed matrix stores.

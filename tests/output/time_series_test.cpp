@@ -282,12 +282,12 @@ TEST_CASE("TimeSeries: at rest a pin carries the weight, a clamp what a weld car
 }
 
 TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][time-series]") {
-    constexpr double lift = 40.0, held = 15.0;
+    constexpr double push = 40.0, held = 15.0;
     PlanarModel model;
     const auto beam = straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
                                              rectangle(0.02, 0.02), Point(0, 0), Point(1, 0), 4);
     model.clamp(beam.first(), Clamp::free_slope);
-    model.add(Force<2>(beam.last(), Point(0, lift)));
+    model.add(Force<2>(beam.last(), Point(0, push)));
     model.add(Force<2>(beam.last(), Point(held, 0)), [](double) { return 1.0; });
     std::ostringstream out;
     TimeSeries series(out, model);
@@ -298,7 +298,7 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
     options.progress = [&](double, const State& state) {
         series.write(state);
         const Point tip = state.q.segment<2>(model.coordinate(beam.last(), Field::r));
-        arms.push_back(tip[0] * state.time * lift - tip[1] * held);
+        arms.push_back(tip[0] * state.time * push - tip[1] * held);
         return true;
     };
     EigenLu solver;
@@ -309,7 +309,7 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const double factor = table.value(row, "t");
         CHECK(table.value(row, "foot_F_x") == Approx(-held).epsilon(1e-8));
-        CHECK(table.value(row, "foot_F_y") == Approx(-factor * lift).epsilon(1e-8));
+        CHECK(table.value(row, "foot_F_y") == Approx(-factor * push).epsilon(1e-8));
         CHECK(table.value(row, "foot_M_z") == Approx(-arms[row]).epsilon(1e-8));
     }
     CHECK_THROWS_WITH(TimeSeries(out, model).add_reaction("tip", beam.last()),

@@ -14,6 +14,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/dynamics/problem.hpp>
+#include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include <ancf/dynamics/problem.hpp>
 #include <ancf/solver/complex_solver.hpp>
 #include <ancf/solver/complex_solver_for.hpp>
+#include <ancf/solver/dense_lu.hpp>
 #include <ancf/solver/linear_solver.hpp>
 #include <ancf/types.hpp>
 

@@ -17,6 +17,7 @@
 
 #include <ancf/algebra.hpp>
 #include <ancf/solver/block_tridiagonal_layout.hpp>
+#include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <ancf/algebra.hpp>
+#include <ancf/solver/dense_lu.hpp>
 #include <ancf/types.hpp>
 
 #include <algorithm>

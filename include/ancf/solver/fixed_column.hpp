@@ -9,9 +9,9 @@
 
 #pragma once
 
-#include <ancf/algebra.hpp>
 #include <ancf/compiler.hpp>
 #include <ancf/element/pack.hpp>
+#include <ancf/solver/dense_lu.hpp>
 
 #include <complex>
 #include <cstddef>
