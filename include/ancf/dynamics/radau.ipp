@@ -250,7 +250,7 @@ private:
         }
         int tangents = 0;  // of this step
         int since = 0;     // corrections by the matrices at hand
-        double before = 0.0, ratio_before = 0.0;
+        double change = 0.0, before = 0.0, ratio_before = 0.0;
         const double expected = std::min(contraction_, 0.5);
         // a share of the step's own error, as the last step tells it
         const double shrinks = width_before_ > 0.0 ? std::min(h / width_before_, 1.0) : 0.0;
@@ -270,7 +270,7 @@ private:
                 since = 0;
                 renew = false;
             }
-            const double change = correct(h);
+            change = correct(h);
             frames_.add_correction();
             if (!std::isfinite(change)) return Status::not_finite;
             // in a step far shorter than its error allows, what is left is to be small beside that
@@ -308,7 +308,8 @@ private:
             before = change;
             ratio_before = ratio;
         }
-        renew_ = contraction_ > good_contraction;
+        // a last correction at the round-off of coordinates tells nothing of the matrices
+        renew_ = contraction_ > good_contraction && change > epsilon;
         if (tangents > 0) fresh_ = contraction_;
         place_stages(step);
         next_.q = stage_.back().q;
