@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <ancf/section/section.hpp>
-#include <ancf/section/section.hpp>
 
 #include <support/catch.hpp>
 

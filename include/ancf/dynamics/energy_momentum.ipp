@@ -228,11 +228,11 @@ private:
         return false;
     }
 
-    static constexpr double floor = 1e-16;         // of corrections, relative
-    static constexpr double fastest = 1e-2;        // the fastest contraction that is believed
-    static constexpr double farthest = 1.0;        // of them: a slope's length, the scene's size;
-                                                   // of r_xx the inverse length of an element
-    static constexpr double trusted_part = 1e-2;   // of one that turns a section inside out
+    static constexpr double floor = 1e-16;        // of corrections, relative
+    static constexpr double fastest = 1e-2;       // the fastest contraction that is believed
+    static constexpr double farthest = 1.0;       // of them: a slope's length, the scene's size;
+                                                  // of r_xx the inverse length of an element
+    static constexpr double trusted_part = 1e-2;  // of one that turns a section inside out
 
     const EnergyMomentumOptions& options_;
     EnergyMomentumSystem system_;

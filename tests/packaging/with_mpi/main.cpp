@@ -12,6 +12,4 @@
 #error "MPI::MPI_C does not stand for the MPI of C++"
 #endif
 
-int main() {
-    return 0;
-}
+int main() { return 0; }
