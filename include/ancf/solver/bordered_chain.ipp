@@ -91,7 +91,7 @@ ANCF_INLINE FactorReport BorderedChain::factorize(const SparseMatrix& matrix) {
     by_chain_ = is_chain_ && factors_.factorize(matrix.valuePtr());
     if (by_chain_) {
         detail::report_condition(
-            matrix, singular_rcond_,
+            matrix, storage(), singular_rcond_,
             [this](const VectorX& b, VectorX& x) {
                 x = b;
                 factors_.solve(x.data());
