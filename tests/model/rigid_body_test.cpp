@@ -16,6 +16,7 @@
 #include <ancf/section/section.hpp>
 #include <ancf/solver/eigen_lu.hpp>
 #include <ancf/solver/modal.hpp>
+#include <ancf/solver/path.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/catch.hpp>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace rigid_body_test {
 
@@ -442,24 +444,36 @@ TEST_CASE("add_body: a column on a body is judged like a clamped one, whatever t
     CHECK(judged == 12);
 }
 
+/// Two clamped steel beams with a body welded between them, which a load pushes.
+struct WeldedBody {
+    Model model;
+    NodeId body{};
+};
+
+WeldedBody welded_body(double slant, double load) {
+    const Material steel = Material::isotropic(2.1e11, 0.3, 7800.0);
+    const Section square = rectangle(0.02 + 0.01 * slant, 0.02);
+    const Point middle(1.0, 0.2 * slant, -0.1 * slant);
+    WeldedBody scene;
+    Model& model = scene.model;
+    const auto left = straight_beam<Bar>(model, steel, square, Point(0, 0, 0), middle, 3);
+    scene.body = model.add_node(middle);
+    add_body(model, scene.body, 2.0, diagonal(0.03, 0.04, 0.05));
+    const auto right =
+        straight_beam<Bar>(model, steel, square, middle, Point(2.0, 0.3, 0.4 * slant), 3);
+    model.clamp(left.first());
+    model.clamp(right.last());
+    model.add(Weld(model, left.last(), scene.body));
+    model.add(Weld(model, scene.body, right.first()));
+    model.add(Force<3>(scene.body, load * Point(0.3, 1.0, -0.6)));
+    return scene;
+}
+
 TEST_CASE("add_body: a body between welds has its modes, however little it bears",
           "[model][body][modal]") {
     // far below Euler's load the frequencies are those of the unloaded scene
     const auto modes = [](double slant, double load) {
-        const Material steel = Material::isotropic(2.1e11, 0.3, 7800.0);
-        const Section square = rectangle(0.02 + 0.01 * slant, 0.02);
-        Model model;
-        const Point middle(1.0, 0.2 * slant, -0.1 * slant);
-        const auto left = straight_beam<Bar>(model, steel, square, Point(0, 0, 0), middle, 3);
-        const NodeId body = model.add_node(middle);
-        add_body(model, body, 2.0, diagonal(0.03, 0.04, 0.05));
-        const auto right =
-            straight_beam<Bar>(model, steel, square, middle, Point(2.0, 0.3, 0.4 * slant), 3);
-        model.clamp(left.first());
-        model.clamp(right.last());
-        model.add(Weld(model, left.last(), body));
-        model.add(Weld(model, body, right.first()));
-        model.add(Force<3>(body, load * Point(0.3, 1.0, -0.6)));
+        Model model = std::move(welded_body(slant, load).model);
         EigenLu solver;
         REQUIRE(solve_statics(model, solver).status == Status::converged);
         ModalOptions options;
@@ -478,6 +492,26 @@ TEST_CASE("add_body: a body between welds has its modes, however little it bears
                 CHECK(loaded[k].value == Approx(unloaded[k].value).epsilon(1e-6));
         }
     }
+}
+
+TEST_CASE("add_body: the path of a body between welds can be followed", "[model][body][path]") {
+    // along it the body's own stiffness is that of the forces in it, or their round-off
+    for (const double slant : {0.1, 0.4, 0.7, 1.0})
+        for (const double load : {1e-5, 1e-3, 0.1, 10.0, 1e3}) {
+            CAPTURE(slant, load);
+            WeldedBody scene = welded_body(slant, load), once = welded_body(slant, load);
+            PathOptions options;
+            options.first_step = 0.3;
+            options.last_factor = 1.0;
+            EigenLu solver;
+            const PathReport report = follow_path(scene.model, solver, options);
+            CAPTURE(report.message);
+            CHECK(report.status == Status::converged);
+            CHECK(report.points.size() <= 8);
+            REQUIRE(solve_statics(once.model, solver).status == Status::converged);
+            const Point place = once.model.position(once.body);
+            CHECK((scene.model.position(scene.body) - place).norm() <= 1e-9);
+        }
 }
 
 TEST_CASE("add_body: two beams welded to a body are stable", "[model][body][statics][stability]") {
