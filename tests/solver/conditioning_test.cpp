@@ -9,6 +9,8 @@
 #include <support/catch.hpp>
 #include <support/dense.hpp>
 
+#include <Eigen/LU>
+
 #include <limits>
 
 namespace conditioning_test {
@@ -118,6 +120,34 @@ TEST_CASE("condition: a diagonal of round-off does not make a constrained system
         VectorX x;
         solver.solve(VectorX(full * VectorX::Ones(4)), x);
         CHECK((x - VectorX::Ones(4)).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("condition: a diagonal that tells no scale does not make a system singular",
+          "[solver][condition]") {
+    // an unknown with next to no stiffness, one with some, and what holds them together
+    MatrixX full(3, 3);
+    full << 1e-20, 0, 1, 0, 1, -1, 1, -1, 0;
+    const auto judged = [](const MatrixX& dense, Storage storage) {
+        const Eigen::PartialPivLU<MatrixX> lu(dense);
+        FactorReport report{Status::converged};
+        detail::report_condition(
+            stored(dense.sparseView(), storage), storage, default_singular_rcond,
+            [&](const VectorX& b, VectorX& x) { x = lu.solve(b); }, report);
+        return report;
+    };
+    for (const Storage storage : {Storage::full, Storage::lower}) {
+        const FactorReport regular = judged(full, storage);
+        CHECK(regular.status == Status::converged);
+        CHECK(regular.rcond > 0.1);  // rho(|A^-1| |A|) is 1
+    }
+    // what moves without stiffness but for round-off remains singular
+    MatrixX loose(2, 2);
+    loose << 1, -1, -1, 1 + 4e-16;
+    for (const double scale : {1.0, 1e-9}) {
+        const MatrixX units = Eigen::DiagonalMatrix<double, 2>(1.0, scale);
+        CHECK(judged(units * loose * units, Storage::full).status == Status::singular);
+        CHECK(judged(units * loose * units, Storage::lower).status == Status::singular);
     }
 }
 
