@@ -19,6 +19,7 @@
 /// Where r is that small, a second look decides, for scales that the diagonal does not tell: the
 /// diagonal of a body between welds is of the forces in it, or their round-off. 1/rho(|A^-1| |A|)
 /// has no scales (F. L. Bauer, Numerische Mathematik 5, 1963). Above 1000 times the limit it is r.
+/// In the tests it is below 1e-15 where a matrix is singular, and above 1e-6 where not.
 
 #pragma once
 
