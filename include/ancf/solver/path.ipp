@@ -49,7 +49,8 @@ public:
           assembly_(model, solver.storage()),
           numbering_(assembly_.numbering()),
           monitor_(model, numbering_),
-          rest_(VectorX::Zero(numbering_.coordinates())) {
+          rest_(VectorX::Zero(numbering_.coordinates())),
+          start_{model.state(), options.first_factor} {
         for (const Support& support : model.supports())
             require(!support.value,
                     "follow_path: supports driven by an amplitude have no place on "
@@ -75,7 +76,7 @@ public:
     }
 
     [[nodiscard]] PathReport run() {
-        Point here{model_.state(), options_.first_factor};
+        Point here = start_;
         if (const Outcome start = begin(here); start.failed()) {
             note_failure(start);
             report_.message = cause(start.status, "the path cannot start", here);
@@ -109,9 +110,9 @@ public:
                 return finish(Status::stopped, here);
             }
         }
-        report_.message =
-            joined({"the limit of ", options_.max_points, " points came at load factor ",
-                    here.factor, "; longer steps need a larger first_step or largest_step"});
+        report_.message = joined(
+            {"the limit of ", options_.max_points, " points came at load factor ", here.factor,
+             "; longer steps need a larger first_step or largest_step", flaw_of_start()});
         return finish(Status::max_iterations, here);
     }
 
@@ -179,9 +180,6 @@ private:
     // Factorises the first point; sets the direction of travel and the first step.
     [[nodiscard]] Outcome begin(Point& here) {
         branching_ = options_.direction.size() > 0;
-        // before the rates of driven joints, which look ahead
-        if (!model_.constraints().empty() && !evaluate(here, 0.0, Request::force))
-            unfulfilled_ = unfulfilled();
         Outcome outcome = prepare_start(here);
         if (!outcome.failed() && options_.control == PathControl::spherical) {
             // coordinates and load factor count alike at the start; at a limit point, where
@@ -576,12 +574,17 @@ private:
             found = controlled_ >= 0 ? "the load does not move the coordinate that is controlled"
                                      : "the load moves nothing";
         text += found.empty() ? std::string(to_string(status)) : found;
-        if (!report_.points.empty()) return text;
-        if (!unfulfilled_.empty()) return text + unfulfilled_;
-        const bool balanced = evaluate(here, 0.0, Request::tangent) ||
-                              !(monitor_.residual(assembly_) > unbalanced_start) ||
-                              monitor_.at_round_off(assembly_, here.state.q);
-        return balanced ? text : text + "; it starts out of balance: solve_statics() first";
+        return text + flaw_of_start();
+    }
+
+    // Says what is wrong with the state where the path starts, where something is.
+    [[nodiscard]] std::string flaw_of_start() {
+        if (evaluate(start_)) return {};
+        std::string text = unfulfilled();
+        if (text.empty() && monitor_.residual(assembly_) > unbalanced_start &&
+            !monitor_.at_round_off(assembly_, start_.state.q))
+            text = "; it starts out of balance: solve_statics() first";
+        return text;
     }
 
     // Names the constraint that the last evaluation violates most, where one is violated.
@@ -616,14 +619,14 @@ private:
     const Numbering& numbering_;
     ConvergenceMonitor monitor_;
     VectorX rest_;
+    const Point start_;
     VectorX weights_;      // of the free coordinates in the path's measure
     double psi_ = 0.0;     // weight of the load factor in it
     int controlled_ = -1;  // equation of the controlled coordinate
     double step_ = 0.0;    // the next one, signed for a displacement or along a branch
     double first_ = 0.0;   // size of the one that others are measured by
     bool branching_ = false;
-    std::string unfulfilled_;  // constraint at the start, in words
-    bool idle_ = false;        // a change of the load moves nothing, of what is measured
+    bool idle_ = false;  // a change of the load moves nothing, of what is measured
     PathReport report_;
 };
 
