@@ -47,6 +47,42 @@ TEST_CASE("scales: a small cantilever moves in the steps of a large one", "[dyna
     }
 }
 
+/// A slender steel cantilever at rest, without load, that stands at (x, 0).
+[[nodiscard]] ancf::PlanarModel remote(double x) {
+    ancf::PlanarModel model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, Scale().material(2.07e11, 0.3, 7850.0), ancf::rectangle(0.01, 0.01), {x, 0.0},
+        {x + 1.0, 0.0}, 4);
+    model.clamp(beam.first());
+    return model;
+}
+
+/// Runs it for 100 steps, which are to be whole and to need one matrix.
+template <class Integrator>
+void check_remote(const Integrator& integrator, double x, double step, long factors) {
+    CAPTURE(x, step);
+    const auto report = run(remote(x), Lu(), integrator, 100.0 * step);
+    CHECK(report.status == Status::converged);
+    CHECK(report.steps == 100);
+    CHECK(report.convergence_failures == 0);
+    CHECK(report.iterations <= 310);
+    CHECK(report.factorisations == factors);
+}
+
+TEST_CASE("scales: a scene at rest stays there, however far from the origin, by one matrix",
+          "[dynamics][scales]") {
+    int checked = 0;
+    for (const double x : {0.0, 1e3, 1e6})
+        for (const double step : {1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2}) {
+            check_remote(generalized_alpha({}, step, 0.0), x, step, 1);
+            check_remote(energy_momentum({}, step), x, step, 1);
+            check_remote(radau({}, 3, step, 0.0), x, step, 2);
+            check_remote(radau({}, 5, step, 0.0), x, step, 3);
+            ++checked;
+        }
+    CHECK(checked == 18);
+}
+
 TEST_CASE("scales: what holds a start to be at rest does not depend on units",
           "[dynamics][scales]") {
     for (const double time : {1e-9, 1.0, 1e9}) {

@@ -134,6 +134,7 @@ private:
         next_.lambda = now_.lambda;
         bool fresh = false;  // whether the matrix is of this step
         bool last = false;   // whether the correction after this one would be round-off
+        const double resolution = 2e-14 * remoteness(now_.q);  // of corrections
         double before = 0.0;
         double least = std::numeric_limits<double>::infinity();
         int stalled = 0;  // corrections since the least one
@@ -155,8 +156,9 @@ private:
             stalled = change < least ? 0 : stalled + 1;
             least = std::min(least, change);
             // corrections that no longer shrink are the round-off of the residual
-            if ((last && change <= before) || change <= floor || (ratio > 0.3 && change <= 1e-11) ||
-                (stalled >= 2 && change <= 1e-9)) {
+            if ((last && change <= before) || change <= floor ||
+                (ratio > 0.3 && change <= std::max(1e-11, resolution)) ||
+                (stalled >= 2 && change <= std::max(1e-9, resolution))) {
                 set_rates(h);
                 const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
                 return distrusted ? Status::diverged : Status::converged;

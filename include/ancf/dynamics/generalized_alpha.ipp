@@ -72,7 +72,7 @@ private:
     static constexpr double most_noise = 4.0;   // by which corrections that are round-off grow
     static constexpr double few_steps = 4.0;    // of a matrix that fails too early
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
-    static constexpr double round_off = 4e-16;  // of corrections, at least
+    static constexpr double round_off = 4e-16;  // of corrections beside the origin, at least
 
     [[nodiscard]] DynamicsReport finished() {
         if (!has_started()) return std::move(report_);
@@ -279,6 +279,7 @@ private:
         bool fresh = false;  // whether the matrix is of this step
         int since = 0;       // corrections by the matrix at hand
         matrix_.steps += 1.0;
+        const double least = round_off * remoteness(next_.q);
         double before = 0.0;
         for (int k = 1; k <= options_.max_iterations; ++k) {
             if (const Status status =
@@ -319,7 +320,7 @@ private:
             // at the round-off of the residual the corrections no longer shrink
             const bool small =
                 change <= 1e3 * options_.newton_tolerance && (fresh || ratio <= most_noise);
-            const bool noise = change <= round_off || (ratio >= 1.0 && small);
+            const bool noise = change <= least || (ratio >= 1.0 && small);
             if (left <= wanted || (k > 1 && noise)) {
                 // in a body that turns, what two corrections leave adds up over the steps
                 if (since > 2 || k == options_.max_iterations || !frames_.turn())

@@ -416,6 +416,11 @@ protected:
         return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
                 memory.get(prefix + "lambda", problem_.multipliers())};
     }
+    /// Returns how far from the origin coordinates are, in sizes of the scene, at least 1: by so
+    /// much their round-off is larger.
+    [[nodiscard]] double remoteness(const VectorX& q) const {
+        return std::max(1.0, problem_.largest_ratio(q));
+    }
     /// Tells whether the rates move a position by a quarter of the scene's size in a step, or a
     /// slope by a quarter of its length: Newton's method may find another solution from there.
     [[nodiscard]] bool moves_far(const MotionPoint& at, double width) const {

@@ -97,6 +97,7 @@ private:
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
+    static constexpr double resolution = 4e-15;       // of corrections beside the origin
     static constexpr double loosest = 1e-3;           // tolerance in frames that turn
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
@@ -250,6 +251,11 @@ private:
         }
         int tangents = 0;  // of this step
         int since = 0;     // corrections by the matrices at hand
+        const double least = resolution * remoteness(now_.q);
+        const double noise = std::max(round_off, least);
+        const double tolerance = options_.newton_tolerance > 0.0
+                                     ? newton_tolerance_
+                                     : std::max(newton_tolerance_, least);
         double change = 0.0, before = 0.0, ratio_before = 0.0;
         const double expected = std::min(contraction_, 0.5);
         // a share of the step's own error, as the last step tells it
@@ -276,14 +282,13 @@ private:
             // in a step far shorter than its error allows, what is left is to be small beside that
             // error or the accelerations: x is an error x/h^2 of these, and the next step has its
             // stresses
-            const double wanted = std::min(
-                newton_tolerance_,
-                std::max({of_error, of_accelerations_ * h * h * problem_.largest_ratio(Y_.back()),
-                          1e-13}));
+            const double of_motion = of_accelerations_ * h * h * problem_.largest_ratio(Y_.back());
+            const double wanted =
+                std::min(tolerance, std::max({of_error, of_motion, 1e-13, least}));
             const double excess = std::max(
-                change / wanted, change > round_off ? std::sqrt(correction_energy_ / energy) : 0.0);
+                change / wanted, change > noise ? std::sqrt(correction_energy_ / energy) : 0.0);
             const double ratio = iterations_ > 1 ? change / before : 0.0;
-            const double enough = std::max(wanted, round_off);
+            const double enough = std::max(wanted, noise);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
             // they are round-off of nothing, and tell nothing of the matrices
             if (change <= nothing) contraction_ = 0.0;
@@ -308,9 +313,11 @@ private:
             before = change;
             ratio_before = ratio;
         }
-        // a last correction at the round-off of coordinates tells nothing of the matrices
-        renew_ = contraction_ > good_contraction && change > epsilon;
-        if (tangents > 0) fresh_ = contraction_;
+        // one correction tells nothing of the matrices, and a last one at the round-off of
+        // coordinates no more than that they are not worse
+        const bool told = since > 1 && change > least;
+        renew_ = told && contraction_ > good_contraction;
+        if (tangents > 0) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
         place_stages(step);
         next_.q = stage_.back().q;
         frames_.compare(problem_, next_.q);
@@ -510,6 +517,7 @@ private:
     /// Solves the first half of the last step by the whole one's matrices, from its polynomials.
     [[nodiscard]] bool solve_half(const Span& half) {
         predict(0.0, 0.5);
+        const double least = resolution * remoteness(now_.q);
         double before = 0.0;
         for (int iteration = 1; iteration <= options_.max_iterations; ++iteration) {
             if (evaluate_stages(half, false) != Status::converged) {
@@ -520,7 +528,7 @@ private:
             if (!std::isfinite(change)) return false;
             const double ratio = iteration > 1 ? change / before : 0.5;
             if (iteration > 1 && ratio >= 1.0) {
-                if (change > std::max(newton_tolerance_, round_off)) return false;
+                if (change > std::max({newton_tolerance_, round_off, least})) return false;
                 break;
             }
             if (ratio / (1.0 - ratio) * change <= newton_tolerance_) break;
