@@ -285,8 +285,8 @@ private:
             const double of_motion = of_accelerations_ * h * h * problem_.largest_ratio(Y_.back());
             const double wanted =
                 std::min(tolerance, std::max({of_error, of_motion, 1e-13, least}));
-            const double excess = std::max(
-                change / wanted, change > noise ? std::sqrt(correction_energy_ / energy) : 0.0);
+            const double strain = change > noise ? std::sqrt(correction_energy_ / energy) : 0.0;
+            const double excess = std::max(change / wanted, strain);
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, noise);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
@@ -301,7 +301,9 @@ private:
                 contraction_ = contraction;
                 if (contraction_ >= 0.99) return Status::diverged;
                 eta_ = contraction_ / (1.0 - contraction_);
-                const double left = eta_ * excess;
+                // strains no longer count below the noise
+                const double left =
+                    eta_ * std::max(change / wanted, std::min(strain, change / noise));
                 const int rest = options_.max_iterations - iterations_;
                 renew = left > 1.0 && left * std::pow(contraction_, rest) > 1.0;
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
@@ -316,8 +318,10 @@ private:
         // one correction tells nothing of the matrices, and a last one at the round-off of
         // coordinates no more than that they are not worse
         const bool told = since > 1 && change > least;
-        renew_ = told && contraction_ > good_contraction;
         if (tangents > 0) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
+        // in frames that turn corrections shrink by half an angle: new matrices would not help
+        const double of_angle = frames_.turn() ? 1.5 * fresh_ : 0.0;
+        renew_ = told && contraction_ > std::max(good_contraction, of_angle);
         place_stages(step);
         next_.q = stage_.back().q;
         frames_.compare(problem_, next_.q);
