@@ -288,7 +288,8 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
                                              rectangle(0.02, 0.02), Point(0, 0), Point(1, 0), 4);
     model.clamp(beam.first(), Clamp::free_slope);
     model.add(Force<2>(beam.last(), Point(0, push)));
-    model.add(Force<2>(beam.last(), Point(held, 0)), [](double) { return 1.0; });
+    double factor = 1.0;
+    model.add(Force<2>(beam.last(), Point(held, 0)), [&factor](double) { return factor; });
     std::ostringstream out;
     TimeSeries series(out, model);
     series.add_reaction("foot", beam.first());
@@ -307,9 +308,9 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
     const Table table(out.str());
     REQUIRE(table.rows.size() >= 4);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const double factor = table.value(row, "t");
+        const double share = table.value(row, "t");
         CHECK(table.value(row, "foot_F_x") == Approx(-held).epsilon(1e-8));
-        CHECK(table.value(row, "foot_F_y") == Approx(-factor * push).epsilon(1e-8));
+        CHECK(table.value(row, "foot_F_y") == Approx(-share * push).epsilon(1e-8));
         CHECK(table.value(row, "foot_M_z") == Approx(-arms[row]).epsilon(1e-8));
     }
     CHECK_THROWS_WITH(TimeSeries(out, model).add_reaction("tip", beam.last()),
@@ -318,13 +319,13 @@ TEST_CASE("TimeSeries: supports carry the load of each load step", "[output][tim
     TimeSeries other(out, model);
     other.add_reaction("foot", beam.first());
     CHECK_THROWS_AS(other.add_reaction("moving", problem, beam.first()), InvalidArgument);
-    State nowhere = model.state();
-    nowhere.q.setConstant(std::numeric_limits<double>::quiet_NaN());
     std::ostringstream row;
     TimeSeries failing(row, model);
     failing.add_reaction("foot", beam.first());
-    failing.write(nowhere);
-    CHECK(row.str().find("nan", row.str().find('\n')) != std::string::npos);
+    model.add(Force<2>(beam.nodes[1], Point(0, push)));  // before the first row
+    factor = std::numeric_limits<double>::quiet_NaN();
+    failing.write(model.state());
+    CHECK(std::isnan(Table(row.str()).value(0, "foot_F_y")));
 }
 
 TEST_CASE("TimeSeries: columns of one's own stand among the others", "[output][time-series]") {

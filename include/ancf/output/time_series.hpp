@@ -4,7 +4,7 @@
 /// @file
 /// Results over time as CSV: energies, section forces, stresses, reactions of joints and supports.
 ///
-/// One row for every snapshot that an integrator shows.
+/// One row for every snapshot that an integrator shows, or every load step of statics.
 
 #pragma once
 
@@ -148,7 +148,7 @@ private:
     static void check_place(double xi) {
         detail::require(xi >= 0.0 && xi <= 1.0, "TimeSeries: xi must lie in [0, 1], got ", xi);
     }
-    ANCF_LAZY void add_support_force(const std::string& name, NodeId node, bool rests);
+    ANCF_LAZY void add_support_force(const std::string& name, NodeId node, bool in_statics);
     ANCF_LAZY [[nodiscard]] VectorX constraint_force(int constraint, const State& state) const;
     void append_force(NodeId node, const State& state, const VectorX& force, Values& row) const;
 
@@ -157,7 +157,7 @@ private:
     std::vector<Quantity> quantities_;
     std::function<void(const State&)> solve_supports_;  // fills the next; empty: nobody asked
     VectorX support_force_;
-    bool rests_ = false;  // it is of statics
+    bool in_statics_ = false;  // whether solve_supports_ is
     std::optional<CsvWriter> csv_;
 };
 

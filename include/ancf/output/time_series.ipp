@@ -29,7 +29,9 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, int constraint,
     const auto& constraints = model_.constraints();
     detail::require(constraint >= 0 && constraint < static_cast<int>(constraints.size()),
                     "TimeSeries: there are ", constraints.size(), " constraints, got index ",
-                    constraint, "; for a support leave the index out, or give the DynamicProblem");
+                    constraint,
+                    "; for a support leave the index out in statics, and in a motion give the "
+                    "DynamicProblem in its place");
     const AnyConstraint& held = constraints[constraint];
     bool found = false;
     for (const NodeField& at : held.coupling()) found = found || at.node == node;
@@ -53,8 +55,8 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, DynamicProblem&
 
 ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, NodeId node) {
     add_support_force(name, node, true);
-    const auto assembly = std::make_shared<Assembly>(model_, Storage::full);
-    solve_supports_ = [this, assembly](const State& state) {
+    solve_supports_ = [this, assembly = std::shared_ptr<Assembly>()](const State& state) mutable {
+        if (!assembly) assembly = std::make_shared<Assembly>(model_, Storage::full);
         const Instant instant{state.time, state.time};
         const VectorX rest = VectorX::Zero(state.q.size());
         const bool fails =
@@ -67,10 +69,12 @@ ANCF_LAZY void TimeSeries::add_reaction(const std::string& name, NodeId node) {
     };
 }
 
-ANCF_LAZY void TimeSeries::add_support_force(const std::string& name, NodeId node, bool rests) {
-    detail::require(!solve_supports_ || rests == rests_, "TimeSeries: ", name,
-                    " is of statics and others are of a motion, or the reverse: take two series");
-    rests_ = rests;
+ANCF_LAZY void TimeSeries::add_support_force(const std::string& name, NodeId node,
+                                             bool in_statics) {
+    detail::require(!solve_supports_ || in_statics == in_statics_, "TimeSeries: ", name,
+                    in_statics ? " is of statics, others are of a motion: take two series"
+                               : " is of a motion, others are of statics: take two series");
+    in_statics_ = in_statics;
     bool found = false;
     for (const Support& support : model_.supports()) found = found || support.node == node;
     detail::require(found, "TimeSeries: no support holds node ", node.index, ": pin or fix it");
