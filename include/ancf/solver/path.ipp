@@ -566,7 +566,10 @@ private:
         std::string text = joined({what, " at load factor ", here.factor, ": "});
         if (status == Status::not_finite && !report_.fault)
             report_.fault = assembly_.inspect_values(here.state.q);
-        if (report_.fault) return text + assembly_.describe(*report_.fault);
+        if (report_.fault) {
+            text += assembly_.describe(*report_.fault);
+            return text + flaw_of_start();
+        }
         std::string found;
         if (status == Status::singular && report_.points.empty())
             found = singular_cause(model_, numbering_, assembly_.tangent(), solver_);
@@ -583,7 +586,7 @@ private:
         std::string text = unfulfilled();
         if (text.empty() && monitor_.residual(assembly_) > unbalanced_start &&
             !monitor_.at_round_off(assembly_, start_.state.q))
-            text = "; it starts out of balance: solve_statics() first";
+            text = "; the path starts out of balance: solve_statics() first";
         return text;
     }
 
