@@ -59,13 +59,14 @@ TEST_CASE("scales: a small cantilever moves in the steps of a large one", "[dyna
 
 /// Runs it for 100 steps, which are to be whole and to need one matrix.
 template <class Integrator>
-void check_remote(const Integrator& integrator, double x, double step, long factors) {
+void check_remote(const Integrator& integrator, double x, double step, long factors,
+                  long iterations) {
     CAPTURE(x, step);
     const auto report = run(remote(x), Lu(), integrator, 100.0 * step);
     CHECK(report.status == Status::converged);
     CHECK(report.steps == 100);
     CHECK(report.convergence_failures == 0);
-    CHECK(report.iterations <= 310);
+    CHECK(report.iterations <= iterations);
     CHECK(report.factorisations == factors);
 }
 
@@ -74,10 +75,11 @@ TEST_CASE("scales: a scene at rest stays there, however far from the origin, by 
     int checked = 0;
     for (const double x : {0.0, 1e3, 1e6})
         for (const double step : {1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2}) {
-            check_remote(generalized_alpha({}, step, 0.0), x, step, 1);
-            check_remote(energy_momentum({}, step), x, step, 1);
-            check_remote(radau({}, 3, step, 0.0), x, step, 2);
-            check_remote(radau({}, 5, step, 0.0), x, step, 3);
+            // 200, 300, 281 and 294 iterations measured
+            check_remote(generalized_alpha({}, step, 0.0), x, step, 1, 200);
+            check_remote(energy_momentum({}, step), x, step, 1, 300);
+            check_remote(radau({}, 3, step, 0.0), x, step, 2, 300);
+            check_remote(radau({}, 5, step, 0.0), x, step, 3, 300);
             ++checked;
         }
     CHECK(checked == 18);

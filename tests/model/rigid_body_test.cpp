@@ -496,6 +496,7 @@ TEST_CASE("add_body: a body between welds has its modes, however little it bears
 
 TEST_CASE("add_body: the path of a body between welds can be followed", "[model][body][path]") {
     // along it the body's own stiffness is that of the forces in it, or their round-off
+    int followed = 0;
     for (const double slant : {0.1, 0.4, 0.7, 1.0})
         for (const double load : {1e-5, 1e-3, 0.1, 10.0, 1e3}) {
             CAPTURE(slant, load);
@@ -507,11 +508,14 @@ TEST_CASE("add_body: the path of a body between welds can be followed", "[model]
             const PathReport report = follow_path(scene.model, solver, options);
             CAPTURE(report.message);
             CHECK(report.status == Status::converged);
-            CHECK(report.points.size() <= 8);
+            CHECK(report.points.size() <= 4);  // 3 measured
             REQUIRE(solve_statics(once.model, solver).status == Status::converged);
             const Point place = once.model.position(once.body);
-            CHECK((scene.model.position(scene.body) - place).norm() <= 1e-9);
+            // 3.4e-14 measured; the smallest load moves the body by 1.2e-10
+            CHECK((scene.model.position(scene.body) - place).norm() <= 1e-12);
+            ++followed;
         }
+    CHECK(followed == 20);
 }
 
 TEST_CASE("add_body: two beams welded to a body are stable", "[model][body][statics][stability]") {
