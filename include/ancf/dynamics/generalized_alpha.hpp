@@ -65,7 +65,8 @@ public:
     ///         storage is not the problem's, or a scene without a free coordinate.
     [[nodiscard]] DynamicsReport integrate(DynamicProblem& problem, LinearSolver& solver,
                                            const Schedule& schedule, const Memory& memory) const;
-    /// Integrates likewise from a consistent start.
+    /// Integrates likewise from a consistent start. A program that calls this one alone does not
+    /// compile what reads a memory.
     [[nodiscard]] DynamicsReport integrate(DynamicProblem&, LinearSolver&, const Schedule&) const;
 };
 

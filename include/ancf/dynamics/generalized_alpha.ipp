@@ -47,13 +47,19 @@ public:
     }
 
     DynamicsReport run() {
-        if (has_started()) begin_anew();
-        return finished();
+        if (has_started()) {
+            begin_anew();
+            go();
+        }
+        return std::move(report_);
     }
 
     DynamicsReport run(const Memory& memory) {
-        if (has_started()) recall_run(memory);
-        return finished();
+        if (has_started()) {
+            recall_run(memory);
+            go();
+        }
+        return std::move(report_);
     }
 
 private:
@@ -72,10 +78,10 @@ private:
     static constexpr double most_noise = 4.0;   // by which corrections that are round-off grow
     static constexpr double few_steps = 4.0;    // of a matrix that fails too early
     static constexpr double farthest = 1.0;     // of corrections that grow: a slope's length
-    static constexpr double round_off = 4e-16;  // of corrections beside the origin, at least
+    static constexpr double round_off = 4e-16;  // of corrections, of a scene at the origin
 
-    [[nodiscard]] DynamicsReport finished() {
-        if (!has_started()) return std::move(report_);
+    /// Moves to the end of the schedule.
+    void go() {
         next_ = now_;
         if (!control_.is_adaptive())
             recorder_.forbid_gain(std::max(0.7 * (1.0 - options_.rho), 0.02),
@@ -87,7 +93,6 @@ private:
         }
         recorder_.finish(now_);
         if (!jumps_.ends(now_)) remember_run();
-        return std::move(report_);
     }
 
     /// Begins at the model's state, with accelerations that belong to it.

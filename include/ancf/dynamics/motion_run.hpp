@@ -416,8 +416,8 @@ protected:
         return {time, memory.get(prefix + "q", n), memory.get(prefix + "v", n),
                 memory.get(prefix + "lambda", problem_.multipliers())};
     }
-    /// Returns how far from the origin coordinates are, in sizes of the scene, at least 1: by so
-    /// much their round-off is larger.
+    /// Returns the largest coordinate relative to its scale, at least 1: round-off grows with it.
+    /// Of positions that is the distance from the origin. Several processes call it together.
     [[nodiscard]] double remoteness(const VectorX& q) const {
         return std::max(1.0, problem_.largest_ratio(q));
     }

@@ -97,7 +97,7 @@ private:
     static constexpr double largest_growth = 8.0;     // of a step
     static constexpr double farthest_start = 10.0;    // steps that the last one's polynomials reach
     static constexpr double round_off = 1e-10;        // of corrections that no longer shrink
-    static constexpr double resolution = 4e-15;       // of corrections beside the origin
+    static constexpr double resolution = 4e-15;       // of corrections, of a scene at the origin
     static constexpr double loosest = 1e-3;           // tolerance in frames that turn
     static constexpr double good_contraction = 0.03;  // by which matrices stay
     static constexpr double fair_contraction = 0.2;   // by a tangent of the step's own
@@ -285,8 +285,8 @@ private:
             const double of_motion = of_accelerations_ * h * h * problem_.largest_ratio(Y_.back());
             const double wanted =
                 std::min(tolerance, std::max({of_error, of_motion, 1e-13, least}));
-            const double strain = change > noise ? std::sqrt(correction_energy_ / energy) : 0.0;
-            const double excess = std::max(change / wanted, strain);
+            const double strained = change > noise ? std::sqrt(correction_energy_ / energy) : 0.0;
+            const double excess = std::max(change / wanted, strained);
             const double ratio = iterations_ > 1 ? change / before : 0.0;
             const double enough = std::max(wanted, noise);
             // at the round-off of the residual the corrections no longer shrink; in a scene at rest
@@ -303,7 +303,7 @@ private:
                 eta_ = contraction_ / (1.0 - contraction_);
                 // strains no longer count below the noise
                 const double left =
-                    eta_ * std::max(change / wanted, std::min(strain, change / noise));
+                    eta_ * std::max(change / wanted, std::min(strained, change / noise));
                 const int rest = options_.max_iterations - iterations_;
                 renew = left > 1.0 && left * std::pow(contraction_, rest) > 1.0;
                 if (renew && tangents == 2 && control_.is_adaptive()) return Status::max_iterations;
@@ -315,11 +315,11 @@ private:
             before = change;
             ratio_before = ratio;
         }
-        // one correction tells nothing of the matrices, and a last one at the round-off of
-        // coordinates no more than that they are not worse
+        // a single correction does not tell how good the matrices are; where the last one is
+        // round-off of coordinates, the contraction is only an upper bound
         const bool told = since > 1 && change > least;
         if (tangents > 0) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
-        // in frames that turn corrections shrink by half an angle: new matrices would not help
+        // in frames that turn even new matrices leave about half the angle between the stages
         const double of_angle = frames_.turn() ? 1.5 * fresh_ : 0.0;
         renew_ = told && contraction_ > std::max(good_contraction, of_angle);
         place_stages(step);

@@ -34,7 +34,7 @@ struct DenseLu {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
     Matrix factors;          ///< the matrix, then L and U
-    std::vector<int> order;  ///< rows by their pivots
+    std::vector<int> order;  ///< the row that each row was exchanged with
 
     /// Factorises in place. @return false where a pivot is zero or no number.
     [[nodiscard]] bool factorize() {

@@ -16,10 +16,11 @@
 /// between a third and three times the converged value, and below 1.3 eps where round-off alone
 /// keeps the matrix from being singular.
 ///
-/// Where r is that small, a second look decides, for scales that the diagonal does not tell: the
-/// diagonal of a body between welds is of the forces in it, or their round-off. 1/rho(|A^-1| |A|)
-/// has no scales (F. L. Bauer, Numerische Mathematik 5, 1963). Above 1000 times the limit it is r.
-/// In the tests it is below 1e-15 where a matrix is singular, and above 1e-6 where not.
+/// A matrix whose r is at or below the limit gets a second look, because its diagonal may tell no
+/// scale: that of a body between welds is made of the forces in it, or of their round-off.
+/// 1/rho(|A^-1| |A|) depends on no scales (F. L. Bauer, Numerische Mathematik 5, 1963). Where it is
+/// above 1000 times the limit, the matrix is regular and it replaces r. In the tests it is below
+/// 1e-15 where a matrix is singular, and above 1e-7 where not.
 
 #pragma once
 

@@ -67,18 +67,20 @@ ANCF_INLINE void report_failure(const SparseMatrix& matrix, int column, FactorRe
 
 /// Returns an estimate of 1 / rho(|A^-1| |A|), which no scales of unknowns and equations change.
 ///
-/// The largest growth of |A^-1| |A| x in a few iterations from a solution x of the probe, |A^-1| by
-/// one solution with random signs: see direct_solver.hpp.
+/// Takes the largest growth of x by |A^-1| |A| in a few iterations. |A^-1| y is taken as
+/// |A^-1 D y|, D of random signs.
+/// @param x  where it begins.
 ANCF_INLINE double rcond_of_any_scale(
     const SparseMatrix& matrix, Storage storage, VectorX x,
     const std::function<void(const VectorX& b, VectorX& x)>& solve) {
     constexpr int settled = 2, iterations = 8;
     double growth = 0.0;
     VectorX load;
-    for (int k = 0; k <= iterations; ++k) {
+    for (int k = 0;; ++k) {
         const double size = largest_magnitude(x);
         if (!std::isfinite(size) || size == 0.0) return 0.0;
         if (k > settled) growth = std::max(growth, size);
+        if (k == iterations) return 1.0 / growth;
         load.setZero(x.size());
         for (int column = 0; column < matrix.outerSize(); ++column)
             for (int at = matrix.outerIndexPtr()[column]; at < matrix.outerIndexPtr()[column + 1];
@@ -95,7 +97,6 @@ ANCF_INLINE double rcond_of_any_scale(
         }
         solve(load, x);
     }
-    return 1.0 / growth;
 }
 
 ANCF_INLINE void report_condition(const SparseMatrix& matrix, Storage storage, double limit,

@@ -140,7 +140,7 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
             "a tangent that is not symmetric; follow the path, and look at a motion beside it");
 }
 
-/// Returns A with what constraints hold on springs as well, K + G^T W G.
+/// Returns A + G^T W G: constraints act as springs, too.
 ///
 /// A solution that keeps the constraints solves both. A body between welds has next to no stiffness
 /// of its own, which a solver would take for the scale of its unknowns.
@@ -188,8 +188,10 @@ ANCF_LAZY [[nodiscard]] SparseMatrix braced(const Assembly& assembly, const Spar
     return report;
 }
 
-/// Finds the modes of a factorised A and turns th into values.
-/// @param least  the least |th| that counts, relative to the round-off of x^T A x
+/// Finds the modes of A, of which the solver has the factors, or those of braced(A), and turns th
+/// into values.
+/// @param scales  of the unknowns: displacements of one size
+/// @param least   the least |th| that counts, relative to the round-off of x^T A x
 template <class Value>
 [[nodiscard]] ModalReport modes_of(const Assembly& assembly, const SparseMatrix& A,
                                    const SparseMatrix& B, const VectorX& scales,

@@ -50,14 +50,14 @@ enum class Stability {
 
 namespace detail {
 
-/// Returns for each free coordinate the largest stiffness that one of its unit has in the scene, or
-/// any one has where that is zero.
+/// Returns for each free coordinate the largest stiffness among those of its unit, or among all
+/// where that is zero.
 /// @param diagonal  of the tangent, free coordinates alone
 [[nodiscard]] VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& diagonal);
 
 /// Appends the lower half of the stiffness of constraints as springs.
 /// @param tangent    of full storage: its last columns hold the constraints' gradients
-/// @param stiffness  of a spring, to that of what it holds
+/// @param stiffness  how many times a spring is as stiff as what it holds
 /// @param held       stiffness of each free coordinate
 /// @param otherwise  what counts instead where a constraint holds none that is positive
 /// @param diagonal   of the tangent; grows with the springs

@@ -79,7 +79,8 @@ public:
     [[nodiscard]] bool admissible(const Coordinates& /*e*/) const noexcept { return true; }
 
 private:
-    Matrix<double, 2 * (1 + Dimension)> weights_;  // the moments, of both sets of vectors
+    // the moments; zero for the second, idle set of vectors
+    Matrix<double, 2 * (1 + Dimension)> weights_;
     double size_;
 };
 

@@ -40,7 +40,7 @@ struct Curve {
     std::vector<double> lengths;  ///< parameter range of each element, or of all
 };
 
-/// The curves of the builders below, which throw what their builders say.
+/// The curves of the builders below. They throw what the builders document.
 /// @param start  slopes of the first node; the arc turns from the first to the second of them
 template <int Dimension>
 [[nodiscard]] Curve<Dimension> arc_curve(const Vector<double, Dimension>& from,
