@@ -103,7 +103,8 @@ void symmetrise(SparseMatrix& A);
 /// they are 0. There the largest scaled entry, |a_ij|/(r_i r_j), becomes `one`, as the diagonal is.
 ///
 /// Likewise where a diagonal is below a hundredth of the largest entry beside it and one of these,
-/// so scaled, is above 1024 times `one`: it is round-off. A root only grows. If nothing tells: 1.
+/// so scaled, is above 1024 times `one`, or where an equation of G ties it to a root 2^20 times as
+/// large: it is round-off. A root only grows. If nothing tells: 1.
 void complete_roots(const SparseMatrix& matrix, double one, VectorX& roots);
 
 /// Returns scales of the unknowns of a symmetric matrix [A G^T; G 0], of either storage: powers of

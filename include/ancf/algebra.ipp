@@ -130,6 +130,19 @@ ANCF_INLINE void complete_roots(const SparseMatrix& matrix, double one, VectorX&
         if (entry > 1024.0 * one * roots[i] * roots[j] && roots[i] > 0.0 && roots[j] > 0.0)
             known[i] = known[j] = 0.0;
     });
+    // rows without a diagonal: what the firmest of their unknowns makes of their root
+    VectorX firm = VectorX::Zero(size);
+    const auto for_each_tie = [&](const auto& visit) {
+        for_each([&](int i, int j, double entry) {
+            if ((roots[i] == 0.0) == (roots[j] == 0.0)) return;
+            const int tie = roots[i] == 0.0 ? i : j, tied = roots[i] == 0.0 ? j : i;
+            if (entry > 1e-2 * largest[tie]) visit(tie, tied, roots[tied] / entry);
+        });
+    };
+    for_each_tie([&](int tie, int, double root) { firm[tie] = std::max(firm[tie], root); });
+    for_each_tie([&](int tie, int tied, double root) {
+        if (root < 0x1p-20 * firm[tie]) known[tied] = 0.0;
+    });
     for (int i = 0; i < size; ++i)
         if (one * roots[i] * roots[i] > 1e-2 * largest[i]) known[i] = roots[i];
     // From one to the next, first by entries that count in their rows. The limit spares long chains

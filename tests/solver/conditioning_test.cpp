@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ancf authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <ancf/algebra.hpp>
 #include <ancf/solver/block_tridiagonal.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/eigen_solver.hpp>
@@ -121,6 +122,28 @@ TEST_CASE("condition: a diagonal of round-off does not make a constrained system
         solver.solve(VectorX(full * VectorX::Ones(4)), x);
         CHECK((x - VectorX::Ones(4)).norm() < 1e-9);
     }
+}
+
+TEST_CASE("symmetric_roots: a constraint tells of a diagonal that is round-off",
+          "[solver][condition]") {
+    // a node, a body that a slider presses with next to nothing, and what ties the two
+    for (const double diagonal : {4.8e-31, -1.4e-27, 0.0}) {
+        CAPTURE(diagonal);
+        const SparseMatrix matrix =
+            sparse(3, {{0, 0, 4e6}, {1, 1, diagonal}, {2, 0, 1.0}, {2, 1, -1.0}, {2, 2, 0.0}});
+        VectorX roots, expected(3);
+        expected << 2e3, 2e3, 5e-4;
+        detail::symmetric_roots(matrix, roots);
+        CHECK((roots - expected).cwiseQuotient(expected).norm() <= 1e-15);
+        const VectorX scales = detail::unit_scales(matrix);
+        CHECK(std::abs(std::log2(scales[1] / scales[0])) <= 1.0);
+    }
+    // a soft spring counts
+    const SparseMatrix soft =
+        sparse(3, {{0, 0, 4e6}, {1, 1, 0.25}, {2, 0, 1.0}, {2, 1, -1.0}, {2, 2, 0.0}});
+    VectorX roots;
+    detail::symmetric_roots(soft, roots);
+    CHECK(roots[1] == 0.5);
 }
 
 TEST_CASE("condition: a diagonal that tells no scale does not make a system singular",
