@@ -10,6 +10,7 @@
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
 #include <ancf/model/builders/frame.hpp>
+#include <ancf/model/constraints/joints.hpp>
 #include <ancf/model/constraints/planar.hpp>
 #include <ancf/model/constraints/points.hpp>
 #include <ancf/model/loads.hpp>
@@ -984,6 +985,20 @@ TEST_CASE("path: a load that moves nothing is called that", "[path][bad-input]")
     report = ancf::follow_path(model, solver);
     CHECK(report.status == Status::singular);
     CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+    // nor where a joint carries it all, which leaves round-off
+    for (const int elements : {1, 2, 3, 4}) {
+        ancf::Model jointed;
+        const auto bar = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+            jointed, ancf::Material::isotropic(2e11, 0.3, 1000.0), ancf::circle(0.02), {1, 2, 3},
+            {1.3, 2.8, 3.4}, elements);
+        jointed.clamp(bar.first());
+        jointed.add(ancf::Revolute(jointed, bar.last(), {0.3, -0.2, 0.9}));
+        jointed.add(ancf::Force<3>(bar.last(), {3, 5, 1}));
+        ancf::EigenLu lu;
+        report = ancf::follow_path(jointed, lu);
+        CHECK(report.status == Status::singular);
+        CHECK_THAT(report.message, ContainsSubstring("the load moves nothing"));
+    }
     // nor does one that begins with the square of its factor, on a beam whose rest is round-off
     ancf::Model inclined;
     const auto across = ancf::straight_beam<ancf::CrossSectionBeam<3>>(

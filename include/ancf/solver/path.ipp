@@ -261,6 +261,18 @@ private:
         return (assembly_.constraint_force() - before) / (2.0 * step);
     }
 
+    // Tells whether constraints carry all of the load but round-off; after prepare()'s evaluate().
+    [[nodiscard]] bool carried(const VectorX& response) const {
+        if (numbering_.multipliers() == 0) return false;
+        const int free = numbering_.free_coordinates();
+        const auto size = [&](const VectorX& x) {
+            VectorX force = VectorX::Zero(free);
+            add_product(assembly_.tangent(), assembly_.pattern().storage(), 1.0, x, force);
+            return force.cwiseAbs2().cwiseQuotient(weights_.head(free)).sum();
+        };
+        return size(response.head(free)) <= 1e-24 * size(response);
+    }
+
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
     [[nodiscard]] Outcome prepare(Point& at) {
         idle_ = false;
@@ -276,7 +288,7 @@ private:
             controlled_ >= 0 ? at.tangent_u[controlled_] : std::sqrt(response + psi_ * psi_);
         idle_ = controlled_ >= 0 ? std::abs(length) * std::sqrt(weights_[controlled_]) <=
                                        round_off * std::sqrt(response)
-                                 : length == 0.0;
+                                 : length == 0.0 || carried(at.tangent_u);
         if (idle_ || !std::isfinite(length)) return Outcome::of(Status::singular);
         at.tangent_u /= length;
         at.tangent_f /= length;
