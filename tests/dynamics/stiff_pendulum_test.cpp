@@ -242,7 +242,7 @@ TEST_CASE("adaptive Radau IIA keeps the energy of a bar that is hardly strained 
     const double most = options.stages == 5 ? 1e-4 : 3e-3;
     CHECK(report.energy_drift <= most * report.kinetic_largest);
     CHECK(std::abs(behind) <= 30.0 * options.tolerance);
-    CHECK(report.steps <= 200);  // 65 to 184 measured; 3800 to 4500 by one tangent that stays put
+    CHECK(report.steps <= 200);  // 70 to 184 measured; 3800 to 4500 by one tangent that stays put
 }
 
 TEST_CASE("adaptive Radau IIA keeps the energy of a slow steel link", "[dynamics]") {
@@ -254,7 +254,7 @@ TEST_CASE("adaptive Radau IIA keeps the energy of a slow steel link", "[dynamics
     CAPTURE(pinned, report.steps);
     REQUIRE(report.status == Status::converged);
     CHECK(report.energy_drift <= 1e-4 * report.kinetic_largest);  // 3e-6 measured
-    CHECK(report.steps <= 200);  // 76 measured; 5000 and 10 000 by one tangent that stays put
+    CHECK(report.steps <= 200);  // 77 measured; 5000 and 10 000 by one tangent that stays put
 }
 
 /// A free bar a hundred times as stiff as steel that turns in space, about its own axis too.
