@@ -264,13 +264,14 @@ private:
     // Tells whether constraints carry all of the load but round-off; after prepare()'s evaluate().
     [[nodiscard]] bool carried(const VectorX& response) const {
         if (numbering_.multipliers() == 0) return false;
+        constexpr double round_off = 1e-12;  // of forces
         const int free = numbering_.free_coordinates();
-        const auto size = [&](const VectorX& x) {
+        const auto square = [&](const VectorX& x) {
             VectorX force = VectorX::Zero(free);
             add_product(assembly_.tangent(), assembly_.pattern().storage(), 1.0, x, force);
             return force.cwiseAbs2().cwiseQuotient(weights_.head(free)).sum();
         };
-        return size(response.head(free)) <= 1e-24 * size(response);
+        return square(response.head(free)) <= round_off * round_off * square(response);
     }
 
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
