@@ -134,7 +134,7 @@ private:
         next_.lambda = now_.lambda;
         bool fresh = false;  // whether the matrix is of this step
         bool last = false;   // whether the correction after this one would be round-off
-        const double resolution = 2e-14 * remoteness(now_.q);  // of corrections
+        const double noise = 2e-14 * remoteness(now_.q);  // of corrections
         double before = 0.0;
         double least = std::numeric_limits<double>::infinity();
         int stalled = 0;  // corrections since the least one
@@ -157,8 +157,8 @@ private:
             least = std::min(least, change);
             // corrections that no longer shrink are the round-off of the residual
             if ((last && change <= before) || change <= floor ||
-                (ratio > 0.3 && change <= std::max(1e-11, resolution)) ||
-                (stalled >= 2 && change <= std::max(1e-9, resolution))) {
+                (ratio > 0.3 && change <= std::max(1e-11, noise)) ||
+                (stalled >= 2 && change <= std::max(1e-9, noise))) {
                 set_rates(h);
                 const bool distrusted = h > trusted_part * options_.step && turns_inside_out();
                 return distrusted ? Status::diverged : Status::converged;
