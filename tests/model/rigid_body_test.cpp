@@ -25,7 +25,6 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 namespace rigid_body_test {
 
@@ -473,7 +472,7 @@ TEST_CASE("add_body: a body between welds has its modes, however little it bears
           "[model][body][modal]") {
     // far below Euler's load the frequencies are those of the unloaded scene
     const auto modes = [](double slant, double load) {
-        Model model = std::move(welded_body(slant, load).model);
+        Model model = welded_body(slant, load).model;
         EigenLu solver;
         REQUIRE(solve_statics(model, solver).status == Status::converged);
         ModalOptions options;
