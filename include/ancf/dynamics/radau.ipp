@@ -319,8 +319,10 @@ private:
         // round-off of coordinates, the contraction is only an upper bound
         const bool told = since > 1 && change > least;
         if (tangents > 0) fresh_ = told ? contraction_ : std::min(fresh_, contraction_);
-        // in frames that turn even new matrices leave about half the angle between the stages
-        const double of_angle = frames_.turn() ? 1.5 * fresh_ : 0.0;
+        // in frames that turn even new matrices leave about half the angle between the stages;
+        // adaptive steps would pay for kept ones by shorter steps
+        const bool keeps = frames_.turn() && !control_.is_adaptive();
+        const double of_angle = keeps ? 1.5 * fresh_ : 0.0;
         renew_ = told && contraction_ > std::max(good_contraction, of_angle);
         place_stages(step);
         next_.q = stage_.back().q;
