@@ -84,11 +84,16 @@ public:
         }
         while (static_cast<int>(report_.points.size()) < options_.max_points) {
             Point next = here;
-            Outcome tried =
-                advance(here, branching_ ? along_branch() : along_path(here, step_), next);
-            const bool landing =
-                !tried.failed() && options_.last_factor && passes(here.factor, next.factor);
-            if (landing) tried = land(here, tried.iterations, next);
+            const Control ahead = branching_ ? along_branch() : along_path(here, step_);
+            Outcome tried = advance(here, ahead, next);
+            const double whole =
+                tried.failed() ? std::abs(ahead.length) : std::abs(length(here, next));
+            if (tried.failed() && !branching_) next = predicted(here, ahead);
+            const bool landing = options_.last_factor && passes(here.factor, next.factor);
+            if (landing) {
+                const Outcome landed = land(here, whole, tried.iterations, next);
+                if (!tried.failed() || !landed.failed()) tried = landed;
+            }
             if (!tried.failed() && options_.critical_points && !branching_ &&
                 !find_critical(here, next))
                 tried = Outcome::of(Status::diverged);
@@ -306,9 +311,23 @@ private:
         return Outcome::of(Status::diverged);
     }
 
+    // Returns the predictor of a step, cut at the last load factor; the beginning where it does not
+    // reach that. Where a load ends at that factor no state may be as far as a step wants.
+    [[nodiscard]] Point predicted(const Point& from, const Control& ahead) const {
+        Point point = from;
+        const double way = options_.last_factor ? *options_.last_factor - from.factor : 0.0;
+        const double part = way == 0.0 ? 0.0 : way / ahead.first_f;
+        if (!(part > 0.0 && part <= 1.0)) return point;
+        const int free = numbering_.free_coordinates();
+        numbering_.add_free(ahead.first_u.head(free), part, point.state.q);
+        point.state.multipliers += part * ahead.first_u.tail(numbering_.multipliers());
+        point.factor = *options_.last_factor;
+        return point;
+    }
+
     // Moves a point behind the last load factor onto it; fails where that leaves the step.
-    [[nodiscard]] Outcome land(const Point& from, int iterations, Point& point) {
-        const double whole = std::abs(length(from, point));
+    // @param whole  length of the step
+    [[nodiscard]] Outcome land(const Point& from, double whole, int iterations, Point& point) {
         const double change = *options_.last_factor - point.factor;
         const VectorX none = VectorX::Zero(numbering_.unknowns());
         Outcome outcome = advance(from, {true, none, 1.0, change, none, change}, point);
