@@ -735,6 +735,35 @@ TEST_CASE("buckling: refuses a state that bears the load already", "[modal][bad-
     CHECK(report.modes[0].value == Approx(0.5).epsilon(1e-3));
 }
 
+TEST_CASE("buckling: a load that begins at the factor 0 counts in full", "[modal]") {
+    // pushed, twisted and heavy columns: a force, a load with a stiffness, and gravity; of an
+    // element without a tangent at given stresses too
+    const auto factor = [](int kind, bool mixed, const ancf::Amplitude& course) {
+        Scene scene = mixed ? cantilever(8, 0.01) : Scene();
+        if (!mixed)
+            scene.clamp(ancf::straight_beam<ancf::test::Unmixed<Element>>(
+                            scene, steel(), ancf::rectangle(0.01, 0.01), {0, 0, 0}, {1, 0, 0}, 8)
+                            .first());
+        const ancf::NodeId tip{8};
+        if (kind == 0) scene.add(ancf::Force<3>(tip, {-1.0, 0.0, 0.0}), course);
+        if (kind == 1)
+            for (const auto slope : {ancf::Field::r_y, ancf::Field::r_z})
+                scene.add(ancf::SlopeMoment(tip, slope, {1.0, 0.0, 0.0}, 0.5), course);
+        if (kind == 2) scene.set_gravity({-9.81, 0.0, 0.0}, course);
+        ancf::EigenLdlt solver;
+        const auto report = ancf::buckling_modes(scene, solver);
+        REQUIRE(report.status == Status::converged);
+        return std::abs(report.modes.at(0).value);
+    };
+    const auto ramp = ancf::tabular_amplitude({{0.0, 0.0}, {1.0, 1.0}});
+    for (const bool mixed : {true, false})
+        for (const int kind : {0, 1, 2}) {
+            INFO("kind " << kind << ", mixed " << mixed);
+            // a central difference gives twice the factor
+            CHECK(factor(kind, mixed, ramp) == Approx(factor(kind, mixed, {})).epsilon(1e-9));
+        }
+}
+
 TEST_CASE("buckling: a column of quintic elements buckles alike in m and in um", "[modal]") {
     const auto load = [](double unit) {  // of a length, in m; times the length squared over E I
         ancf::PlanarModel column;

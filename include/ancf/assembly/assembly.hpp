@@ -77,7 +77,7 @@ struct AnglePotential {
 
 namespace detail {
 
-/// The step of central differences in the load factor, a ten-thousandth of it and at least 1e-4:
+/// The step of differences in the load factor, a ten-thousandth of it and at least 1e-4:
 /// exact but for round-off for loads in proportion to the factor.
 [[nodiscard]] inline double factor_step(double factor) noexcept {
     const double size = factor < 0.0 ? -factor : factor;
@@ -192,10 +192,12 @@ public:
 
     /// Returns the derivative of the external force with respect to the load factor, where the
     /// instant is that factor: N and N m.
-    [[nodiscard]] VectorX load_rate(const VectorX& q, double factor) const;
+    /// @param side  0: central; 1, -1: by the loads above or below the factor alone, as a load may
+    ///              begin or end there.
+    [[nodiscard]] VectorX load_rate(const VectorX& q, double factor, double side = 0.0) const;
 
-    /// Adds the derivative of the loads' part of the tangent by the load factor, at the factor 0,
-    /// to a matrix of this pattern: exact however small it is beside the tangent.
+    /// Adds the derivative of the loads' part of the tangent by the load factor, just above the
+    /// factor 0, to a matrix of this pattern: exact however small it is beside the tangent.
     void add_load_tangent_rate(const VectorX& q, SparseMatrix& matrix) const;
 
     /// Adds scale (K(q + change) - K(q - change)) of the loads at the factor 0, less its round-off,

@@ -53,14 +53,18 @@ ANCF_INLINE void require_mass(const ElementGroup& group, const double* mass) {
     return masses;
 }
 
-/// Returns the derivative of a factor by the load factor.
+/// Returns the derivative of a factor by the load factor: central, or by the values above (side 1)
+/// or below (side -1) alone.
 /// @param scale  as scale(Instant)
 template <class Scale>
-[[nodiscard]] double slope_of(const Scale& scale, double factor) {
-    const double step = factor_step(factor);
-    return (scale(Instant{factor + step, factor + step}) -
-            scale(Instant{factor - step, factor - step})) /
-           (2.0 * step);
+[[nodiscard]] double slope_of(const Scale& scale, double factor, double side) {
+    const double step = factor_step(factor) * (side == 0.0 ? 1.0 : side);
+    const auto at = [&](double steps) {
+        return scale(Instant{factor + steps * step, factor + steps * step});
+    };
+    const double change =
+        side == 0.0 ? at(1.0) - at(-1.0) : 4.0 * at(1.0) - at(2.0) - 3.0 * at(0.0);
+    return change / (2.0 * step);
 }
 
 }  // namespace detail
@@ -531,17 +535,17 @@ ANCF_INLINE void Assembly::add_loads(const Configuration& at, Request request) {
         });
 }
 
-ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor) const {
+ANCF_INLINE VectorX Assembly::load_rate(const VectorX& q, double factor, double side) const {
     check_size("load_rate", "coordinates", q);
     const double gravity =
-        detail::slope_of([&](const Instant& at) { return model_.gravity_scale(at); }, factor);
+        detail::slope_of([&](const Instant& at) { return model_.gravity_scale(at); }, factor, side);
     VectorX rate = gravity_;
     for (double& entry : rate) entry *= gravity;
     for_each_load(
         q, VectorX::Zero(q.size()), factor, false,
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             const double scale =
-                detail::slope_of([&](const Instant& at) { return load.scale(at); }, factor);
+                detail::slope_of([&](const Instant& at) { return load.scale(at); }, factor, side);
             for (std::size_t i = 0; i < coordinates.size(); ++i)
                 rate[coordinates[i]] += scale * result.force[static_cast<Eigen::Index>(i)];
         });
@@ -555,7 +559,7 @@ ANCF_INLINE void Assembly::add_load_tangent_rate(const VectorX& q, SparseMatrix&
         [&](const ScaledLoad& load, const std::vector<int>& coordinates, const LoadResult& result) {
             if (result.stiffness.size() == 0) return;
             const double scale =
-                detail::slope_of([&](const Instant& at) { return load.scale(at); }, 0.0);
+                detail::slope_of([&](const Instant& at) { return load.scale(at); }, 0.0, 1.0);
             add_matrix(coordinates, -scale, result.stiffness, matrix);
         });
 }

@@ -32,7 +32,7 @@ public:
     ANCF_LAZY void respond(const LinearSolver& solver) {
         const Numbering& numbering = assembly_.numbering();
         VectorX load, response;
-        numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0), load);
+        numbering.gather_free(assembly_.load_rate(model_.state().q, 0.0, 1.0), load);
         load.conservativeResizeLike(VectorX::Zero(numbering.unknowns()));
         solve_with(solver, load, response);
         numbering.add_free(response.head(numbering.free_coordinates()), 1.0, deflection_);
@@ -59,8 +59,7 @@ public:
             constexpr double visible = 1e-3;
             const double multiple = size_ > 0.0 ? std::max(1.0, visible / size_) : 1.0;
             const Correction stresses{model_.state().q, multiple * deflection_};
-            if (const auto fault = evaluate(0.0, model_.state().q, multiple, &stresses))
-                return fault;
+            if (const auto fault = evaluate(model_.state().q, multiple, &stresses)) return fault;
             out = (assembly_.tangent() - unloaded) / multiple;
             // what the loads themselves change
             assembly_.add_load_tangent_rate(model_.state().q, out);
@@ -70,22 +69,22 @@ public:
             assembly_.add_load_tangent_change(model_.state().q, h * deflection_, 0.5 / h, out);
             return {};
         }
-        if (const auto fault = evaluate(-step, model_.state().q - step * deflection_, -step))
-            return fault;
+        if (const auto fault = evaluate(model_.state().q - step * deflection_, -step)) return fault;
         out = assembly_.tangent();
-        const auto fault = evaluate(step, model_.state().q + step * deflection_, step);
+        const auto fault = evaluate(model_.state().q + step * deflection_, step);
         out = (assembly_.tangent() - out) / (2.0 * step);
+        assembly_.add_load_tangent_rate(model_.state().q, out);
         return fault;
     }
 
-    /// Evaluates the tangent at a load factor, with the multipliers of a multiple of the load;
+    /// Evaluates the tangent at the load factor 0, with the multipliers of a multiple of the load;
     /// returns the element that failed.
-    [[nodiscard]] std::optional<Fault> evaluate(double factor, const VectorX& q, double multiple,
+    [[nodiscard]] std::optional<Fault> evaluate(const VectorX& q, double multiple,
                                                 const Correction* stresses = nullptr) {
         VectorX multipliers = model_.state().multipliers;
         if (multiple != 0.0) multipliers += multiple * forces_;  // 0 first: it refuses a bad size
-        return assembly_.evaluate({q, rest_, multipliers, {factor, factor}}, Request::tangent,
-                                  nullptr, stresses);
+        return assembly_.evaluate({q, rest_, multipliers, {0.0, 0.0}}, Request::tangent, nullptr,
+                                  stresses);
     }
 
 private:
@@ -286,7 +285,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     options.check();
     Assembly assembly(model, solver.storage());
     detail::Deflected deflected(model, assembly);
-    auto fault = deflected.evaluate(0.0, model.state().q, 0.0);
+    auto fault = deflected.evaluate(model.state().q, 0.0);
     if (!fault) fault = assembly.inspect(model.state().q);
     if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     detail::require_resting(assembly, model.state().q);
@@ -294,7 +293,7 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     if (free == 0) return {};
     VectorX forces, load;
     assembly.residual(forces);
-    assembly.numbering().gather_free(assembly.load_rate(model.state().q, 0.0), load);
+    assembly.numbering().gather_free(assembly.load_rate(model.state().q, 0.0, 1.0), load);
     const double size = ConvergenceMonitor(model, assembly.numbering()).size();
     const VectorX lever = detail::length_powers(size, model.layout(), assembly.numbering());
     const double largest = detail::largest_magnitude(lever.cwiseProduct(load));  // J
