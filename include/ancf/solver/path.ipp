@@ -205,7 +205,7 @@ private:
 
     // A branch may leave a state whose tangent is singular: the step along it does not need that.
     [[nodiscard]] Outcome prepare_start(Point& here) {
-        const Outcome outcome = prepare(here);
+        const Outcome outcome = prepare(here, std::copysign(1.0, options_.first_step));
         return branching_ && outcome.status == Status::singular ? Outcome{} : outcome;
     }
 
@@ -245,9 +245,10 @@ private:
     }
 
     // Solves K x = -dR/df, after evaluate() and factorisation at that point.
-    void solve_load(const Point& at, VectorX& x) {
+    // @param side  as of Assembly::load_rate()
+    void solve_load(const Point& at, VectorX& x, double side = 0.0) {
         VectorX rate = VectorX::Zero(numbering_.unknowns());
-        VectorX load = assembly_.load_rate(at.state.q, at.factor);
+        VectorX load = assembly_.load_rate(at.state.q, at.factor, side);
         const VectorX motion = assembly_.violation_rate();  // g_f: the factor is the time
         if (largest_magnitude(motion) != 0.0) load -= constraint_force_rate(at);
         VectorX free;
@@ -280,13 +281,14 @@ private:
     }
 
     // Factorises at a point; sets its pivots and the direction of the path, of unit measure.
-    [[nodiscard]] Outcome prepare(Point& at) {
+    // @param side  as of Assembly::load_rate()
+    [[nodiscard]] Outcome prepare(Point& at, double side = 0.0) {
         idle_ = false;
         if (const std::optional<Fault> fault = evaluate(at)) return Outcome::of(*fault);
         const FactorReport factor = solver_.factorize(assembly_.tangent());
         if (factor.status != Status::converged) return Outcome::of(factor.status);
         at.negative_pivots = factor.negative_pivots;
-        solve_load(at, at.tangent_u);
+        solve_load(at, at.tangent_u, side);
         at.tangent_f = 1.0;
         constexpr double round_off = 1e-12;  // of the response, to that of all coordinates
         const double response = product(at.tangent_u, at.tangent_u);
@@ -305,7 +307,9 @@ private:
     [[nodiscard]] Outcome advance(const Point& from, const Control& control, Point& point) {
         const Outcome corrected = correct(control, point);
         if (corrected.failed()) return corrected;
-        Outcome outcome = prepare(point);
+        const bool landing = control.slope != 0.0;  // a load may end at the last factor
+        Outcome outcome =
+            prepare(point, landing ? std::copysign(1.0, from.factor - point.factor) : 0.0);
         outcome.iterations = corrected.iterations;
         if (outcome.failed() || orient(from, point)) return outcome;
         return Outcome::of(Status::diverged);
