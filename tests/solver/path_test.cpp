@@ -1099,6 +1099,10 @@ TEST_CASE("path: calls that cannot be meant are refused", "[path][bad-input]") {
     refused([](auto& o) { o.branch_step = 0.0; });
     refused([&](auto& o) { o.last_factor = nan; });
     refused([](auto& o) { o.direction = ancf::VectorX::Ones(2); });
+    ancf::PathOptions nowhere;
+    nowhere.control = ancf::PathControl::displacement;
+    CHECK_THROWS_WITH(ancf::follow_path(truss, solver, nowhere),
+                      Catch::Contains("displacement control needs `at`"));
     refused([](auto& o) {
         o.control = ancf::PathControl::displacement;
         o.at = {{0}, Field::r};  // held

@@ -18,6 +18,9 @@
 namespace ancf {
 
 ANCF_INLINE void PathOptions::check() const {
+    detail::require(control != PathControl::displacement || at.node != NodeId{},
+                    "PathOptions: displacement control needs `at`: a node and the vector of it "
+                    "that is controlled");
     detail::require_finite("PathOptions: first_factor", first_factor);
     detail::require(std::isfinite(first_step) && first_step != 0.0,
                     "PathOptions: first_step must be finite and not zero, got ", first_step);
