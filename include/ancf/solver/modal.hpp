@@ -27,7 +27,8 @@ namespace ancf {
 /// What modes are wanted and how well.
 struct ModalOptions {
     int count = 6;             ///< number of modes
-    double factor = 1.0;       ///< vibration: load factor of the state that the model is in
+    double factor = 1.0;       ///< vibration: load factor of the state that the model is in, which
+                               ///< is State::time after statics and paths
     double shift = 0.0;        ///< rad^2/s^2, below all wanted; negative for bodies that can move
     double tolerance = 1e-10;  ///< relative change of the eigenvalues
     int max_iterations = 500;  ///< of the subspace
