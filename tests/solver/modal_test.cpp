@@ -475,6 +475,32 @@ TEST_CASE("modes: an unstable state has no modes with any solver", "[modal]") {
     CHECK_THAT(report.message, ContainsSubstring("the state is unstable, or the shift too high"));
 }
 
+TEST_CASE("modes: an unstable column among many softer beams is seen", "[modal]") {
+    // among the slowest modes none has a part in it
+    using Planar = ancf::CrossSectionBeam<2>;
+    ancf::PlanarModel scene;
+    for (int k = 0; k < 12; ++k) {
+        const double y = 0.1 * k;
+        const auto soft = ancf::straight_beam<Planar>(scene, steel(), ancf::rectangle(0.001, 0.001),
+                                                      {0, y}, {1.0 + 0.01 * k, y}, 2, options());
+        scene.clamp(soft.first());
+    }
+    const auto column = ancf::straight_beam<Planar>(scene, steel(), ancf::rectangle(0.01, 0.01),
+                                                    {0, -1}, {0.3, -1}, 2, options());
+    scene.clamp(column.first(), ancf::Clamp::free_slope);
+    const double euler = pi * pi / 4.0 * young * 1e-8 / 12.0 / 0.09;
+    const double load = GENERATE(0.5, 1.5, 20.0);
+    INFO("load " << load);
+    scene.add(ancf::Force<2>(column.last(), {-load * euler, 0}));
+    ancf::EigenLu solver;
+    REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
+    ancf::ModalOptions wanted;
+    wanted.count = 1;
+    const auto report = ancf::natural_modes(scene, solver, wanted);
+    CHECK(report.status == (load < 1.0 ? Status::converged : Status::singular));
+    if (load > 1.0) CHECK_THAT(report.message, ContainsSubstring("the state is unstable"));
+}
+
 TEST_CASE("modes: a state that has no tangent names the element", "[modal]") {
     Scene scene = cantilever(2, 0.05);
     scene.state().q[scene.coordinate(ancf::NodeId{2}, ancf::Field::r)] =

@@ -17,6 +17,7 @@
 #include <ancf/model/loads/rotational_springs.hpp>
 #include <ancf/model/loads/springs.hpp>
 #include <ancf/solver/eigen_solver.hpp>
+#include <ancf/solver/linear_solver.hpp>
 #include <ancf/solver/statics.hpp>
 
 #include <support/bar.hpp>
@@ -28,6 +29,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -421,7 +423,11 @@ TEST_CASE("path: it does not leap to another branch near a bifurcation", "[path]
     INFO("aside " << aside << ", first step " << first_step);
     Truss truss = make_truss(2.0);
     truss.add(ancf::Force(apex, {aside, 0, 0}));
-    ancf::EigenLdlt solver;
+    ancf::EigenLdlt counts;
+    ancf::EigenLu counts_none;
+    ancf::LinearSolver& solver =
+        GENERATE(true, false) ? static_cast<ancf::LinearSolver&>(counts) : counts_none;
+    INFO(solver.name());
     ancf::PathOptions options;
     options.first_step = first_step;
     options.branch_step = 1.0;  // no bound of the first step
@@ -1007,9 +1013,25 @@ TEST_CASE("path: displacement control passes the limit point of the load", "[pat
     CHECK(report.critical[0].factor == Approx(limit_load(0.5)).epsilon(1e-9));
 }
 
+/// One that tells nothing of pivots, as solvers that iterate.
+class Blind : public ancf::LinearSolver {
+public:
+    [[nodiscard]] ancf::Storage storage() const noexcept override { return lu_.storage(); }
+    void analyze(const ancf::SparseMatrix& matrix) override { lu_.analyze(matrix); }
+    [[nodiscard]] ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) override {
+        return lu_.factorize(matrix);
+    }
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const override { lu_.solve(b, x); }
+    [[nodiscard]] std::string_view name() const noexcept override { return "blind"; }
+    [[nodiscard]] bool iterative() const noexcept override { return true; }
+
+private:
+    ancf::EigenLu lu_;
+};
+
 TEST_CASE("path: without a count of pivots limit points are still found", "[path]") {
     Truss truss = make_truss(0.5);
-    ancf::EigenLu solver;
+    Blind solver;
     ancf::PathOptions options;
     options.first_step = 0.5;
     options.last_factor = 10.0;
@@ -1017,6 +1039,43 @@ TEST_CASE("path: without a count of pivots limit points are still found", "[path
     REQUIRE(report.critical.size() == 2);
     CHECK(report.critical[0].factor == Approx(limit_load(0.5)).epsilon(1e-9));
     CHECK_FALSE(report.bifurcations_sought);
+}
+
+TEST_CASE("path: a column of two welded halves bifurcates where one of a piece does", "[path]") {
+    using Beam = ancf::CrossSectionBeam<2>;
+    const auto critical = [](bool welded, ancf::LinearSolver& solver) {
+        INFO(solver.name() << (welded ? ", welded" : ""));
+        ancf::PlanarModel column;
+        const auto steel = ancf::Material::isotropic(2.1e11, 0.3, 7800.0);
+        const auto section = ancf::rectangle(0.01, 0.01);
+        const auto foot = ancf::straight_beam<Beam>(column, steel, section, {0, 0}, {0.5, 0}, 2);
+        column.clamp(foot.first());
+        const auto head = ancf::straight_beam<Beam>(column, steel, section, {0.5, 0}, {1, 0}, 2);
+        if (welded)
+            column.add(ancf::PlanarWeld(column, foot.last(), head.first()));
+        else
+            column.attach(head.first(), foot.last());
+        column.add(ancf::Force<2>(head.last(), {-1.0, 0.0}));
+        ancf::PathOptions options;
+        options.first_step = 100.0;
+        options.last_factor = 600.0;
+        const auto report = ancf::follow_path(column, solver, options);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.bifurcations_sought);
+        CHECK(report.points.front().negative_pivots == 0);
+        CHECK(report.points.back().negative_pivots == 1);
+        REQUIRE(report.critical.size() == 1);
+        CHECK(report.critical[0].kind == CriticalKind::bifurcation);
+        CHECK(report.critical[0].half_width <= 1e-9);
+        return report.critical[0].factor;
+    };
+    ancf::EigenLdlt counts;
+    ancf::EigenLu counts_none;
+    const double expected = critical(false, counts);
+    const double euler = ancf::pi * ancf::pi / 4.0 * 2.1e11 * 1e-8 / 12.0;
+    CHECK(expected == Approx(euler).epsilon(5e-3));
+    CHECK(critical(false, counts_none) == Approx(expected).epsilon(1e-9));
+    CHECK(critical(true, counts_none) == Approx(expected).epsilon(1e-9));
 }
 
 TEST_CASE("path: a load that moves nothing is called that", "[path][bad-input]") {

@@ -75,8 +75,8 @@ struct ModalReport {
 /// @note  a state with an element that is no beam (docs/limits.md, "Directors") has no modes, and
 ///        no buckling loads either: status degenerate.
 /// @note  the factorised K - shift M must be positive definite on what constraints allow: status
-///        singular where it is not; lower the shift. Solvers that do not count pivots find that out
-///        from the modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
+///        singular where it is not; lower the shift. Solvers that iterate find that out from the
+///        modes sought alone. Of unsymmetric load stiffness the symmetric part counts.
 ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolver& solver,
                                                   const ModalOptions& options = {});
 

@@ -159,8 +159,8 @@ ANCF_LAZY [[nodiscard]] SparseMatrix braced(const Assembly& assembly, const Spar
     solver.analyze(A);
     const FactorReport factor = solver.factorize(A);
     if (factor.status != Status::converged) return factor.status;
-    return factor.negative_pivots > assembly.numbering().multipliers() ? Status::singular
-                                                                       : Status::converged;
+    const auto negative = negative_directions(assembly, A, factor, solver);
+    return negative.certain && negative.count > 0 ? Status::singular : Status::converged;
 }
 
 /// Returns a report with the cause of its failure in A.

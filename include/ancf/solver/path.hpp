@@ -38,7 +38,8 @@ struct PathPoint {
     double factor = 0.0;  ///< load factor
     double arc = 0.0;     ///< sum of the lengths of the steps up to here, as the control measures
     int iterations = 0;   ///< linear solves of the corrector
-    int negative_pivots = -1;  ///< of the tangent; 0 = stable under dead loads, -1 = unknown
+    int negative_pivots = -1;  ///< of the tangent on what constraints allow; 0 = stable under dead
+                               ///< loads, -1 = unknown
 };
 
 /// Where the tangent becomes singular.
@@ -112,7 +113,7 @@ struct PathReport {
     std::vector<PathPoint> points;        ///< in order
     std::vector<CriticalPoint> critical;  ///< in order
     /// Whether negative pivots were known at every point, so that bifurcations were looked for.
-    /// Where not, as with constraints and EigenLu, the path passes them without a word.
+    /// Where not, as under loads without a potential, the path passes them without a word.
     bool bifurcations_sought = false;
     /// Why a step failed, the last that did; converged where none has.
     Status failure = Status::converged;
@@ -130,10 +131,10 @@ struct PathReport {
 ///     const auto report = ancf::follow_path(model, solver, options);
 ///     for (const auto& point : report.critical) std::cout << point.factor << '\n';
 ///
-/// Negative pivots, and with them critical points of every kind, need a solver that counts them
-/// (EigenLdlt, a symmetric factorisation); with others limit points are still found. Of several
-/// points within one step those are found that a bisection tells apart; two that undo each other's
-/// change between the ends of a step are not seen.
+/// Under loads without a potential, and with a solver that iterates, negative pivots are unknown:
+/// limit points are still found. A solver that counts them, such as EigenLdlt, saves a
+/// factorisation at each point. Of several points within one step those are found that a bisection
+/// tells apart; two that undo each other's change between the ends of a step are not seen.
 /// Constraints may move with the load factor, which is their time.
 /// @throws InvalidArgument for options that cannot be meant, driven supports, or a scene that the
 ///         solver's storage does not suit.

@@ -9,6 +9,7 @@
 #include <ancf/solver/mechanism.hpp>
 #include <ancf/solver/path.hpp>
 #include <ancf/solver/redundancy.hpp>
+#include <ancf/solver/stability.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -290,7 +291,10 @@ private:
         if (const std::optional<Fault> fault = evaluate(at)) return Outcome::of(*fault);
         const FactorReport factor = solver_.factorize(assembly_.tangent());
         if (factor.status != Status::converged) return Outcome::of(factor.status);
-        at.negative_pivots = factor.negative_pivots;
+        const bool counts = options_.critical_points || factor.negative_pivots >= 0;
+        if (counts && model_.has_symmetric_loads())
+            at.negative_pivots =
+                negative_directions(assembly_, assembly_.tangent(), factor, solver_).count;
         solve_load(at, at.tangent_u, side);
         at.tangent_f = 1.0;
         constexpr double round_off = 1e-12;  // of the response, to that of all coordinates

@@ -40,10 +40,12 @@ public:
     /// @param lower   compressed, with the lower half or more: what is above the diagonal is left
     ///                aside.
     /// @param blocks  of each row its block, from 0: a node. Rows of one block stay together.
-    /// @param last    how many of the last rows are eliminated last, with their blocks.
+    /// @param last    how many of the last rows wait, with their blocks.
+    /// @param to_end  whether they wait for all other rows, or each for those that it has entries
+    ///                with.
     /// @return        false where a pivot is zero or not finite; no solution may then be asked for.
     [[nodiscard]] bool factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
-                                 int last = 0);
+                                 int last = 0, bool to_end = true);
 
     /// Returns the number of rows.
     [[nodiscard]] int size() const noexcept { return static_cast<int>(order_.size()); }
@@ -58,14 +60,14 @@ public:
     void solve(VectorX& x) const;
 
 private:
-    void order(const SparseMatrix& lower);
+    void order(const SparseMatrix& lower, bool to_end);
     void permute(const int* outer);
     void analyze();
     [[nodiscard]] int take_values(const double* values);
     [[nodiscard]] bool eliminate(int from);
 
     std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
-    int last_ = 0;                             // rows that are eliminated last
+    int last_ = 0;                             // rows that wait
     bool complete_ = false;                    // whether L belongs to the values
     std::vector<int> order_, place_;           // row at a place, place of a row
     // of the permuted matrix the upper half, by columns

@@ -115,7 +115,7 @@ ANCF_INLINE std::vector<int> blocks_of(const Numbering& numbering, int equations
 }
 
 ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vector<int>& blocks,
-                                       int last) {
+                                       int last, bool to_end) {
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
@@ -127,7 +127,7 @@ ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vec
         last_ = last;
         complete_ = false;
         inner_.assign(inner, inner_end);
-        order(lower);
+        order(lower, to_end);
         permute(outer);
         analyze();
         outer_.assign(outer, outer_end);
@@ -148,31 +148,37 @@ ANCF_INLINE int SparseLdlt::take_values(const double* values) {
 }
 
 /// Finds the order of elimination.
-ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
+ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower, bool to_end) {
     std::vector<std::vector<int>> neighbours = coupled_blocks(lower, blocks_);
     Records<char> waits(neighbours.size(), 0);
     for (std::size_t row = blocks_.size() - last_; row < blocks_.size(); ++row)
         waits[blocks_[row]] = 1;
-    const auto is_last = [&](int block) { return waits[block] != 0; };
+    std::vector<std::vector<int>> awaited(neighbours.size());
     for (std::size_t block = 0; last_ > 0 && block < neighbours.size(); ++block) {
         std::vector<int>& of = neighbours[block];
-        of.erase(is_last(static_cast<int>(block)) ? of.begin()
-                                                  : std::remove_if(of.begin(), of.end(), is_last),
-                 of.end());
+        const auto is_last = [&](int other) { return waits[other] != 0; };
+        of.erase(std::remove_if(of.begin(), of.end(), is_last), of.end());
+        if (waits[block] != 0) awaited[block] = std::exchange(of, {});
     }
     const std::vector<int> sequence = minimum_degree(std::move(neighbours));
-    std::vector<std::vector<int>> rows(sequence.size());
+    const auto end = 2 * static_cast<int>(sequence.size());
+    std::vector<int> turn(sequence.size());  // even, of blocks that wait odd or the end
+    for (int k = 0; k < end; k += 2) turn[sequence[k / 2]] = k;
+    for (std::size_t block = 0; block < turn.size(); ++block) {
+        if (waits[block] == 0) continue;
+        turn[block] = to_end ? end : 0;
+        for (const int other : awaited[block]) turn[block] = std::max(turn[block], turn[other] + 1);
+    }
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(end) + 1);  // at each turn
     for (std::size_t row = 0; row < blocks_.size(); ++row)
-        rows[blocks_[row]].push_back(static_cast<int>(row));
+        rows[turn[blocks_[row]]].push_back(static_cast<int>(row));
     order_.clear();
     place_.assign(blocks_.size(), -1);
-    for (const bool late : {false, true})
-        for (const int block : sequence)
-            for (const int row : rows[block]) {
-                if (is_last(block) != late) continue;
-                place_[row] = static_cast<int>(order_.size());
-                order_.push_back(row);
-            }
+    for (const std::vector<int>& at_turn : rows)
+        for (const int row : at_turn) {
+            place_[row] = static_cast<int>(order_.size());
+            order_.push_back(row);
+        }
 }
 
 /// Finds where each value of the lower half stands in the upper half of the permuted matrix.

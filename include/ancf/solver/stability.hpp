@@ -65,6 +65,25 @@ namespace detail {
 bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& held,
                  const VectorX& otherwise, VectorX& diagonal, Records<MatrixEntry>& entries);
 
+/// In how many directions that constraints allow a tangent is negative.
+struct NegativeDirections {
+    int count = -1;        ///< -1 = unknown
+    bool certain = false;  ///< not of round-off
+};
+
+/// Counts those of the symmetric part of a tangent by its pivots, with constraints as springs.
+/// @param tangent    in the pattern of the assembly's
+/// @param symmetric  whether it is
+[[nodiscard]] NegativeDirections negative_directions(const Assembly& assembly,
+                                                     const SparseMatrix& tangent, bool symmetric);
+
+/// Returns those of a symmetric tangent that a solver has factorised, as the solver counts them
+/// where it does; unknown where it only iterates.
+[[nodiscard]] NegativeDirections negative_directions(const Assembly& assembly,
+                                                     const SparseMatrix& tangent,
+                                                     const FactorReport& factor,
+                                                     const LinearSolver& solver);
+
 /// Tells whether an assembly's tangent K is so near an earlier one K_0, whose factors a solver has,
 /// that both have the same signs: no eigenvalue of K_0^-1 (K - K_0) is of the size of 1.
 [[nodiscard]] bool has_same_signs(const Assembly& assembly, const LinearSolver& solver);

@@ -72,7 +72,8 @@ ANCF_INLINE bool add_springs(const SparseMatrix& tangent, double stiffness, cons
 
 /// Tells whether the energy of the softest displacement, of either sign, is more than round-off and
 /// what the residual makes of it: that of a turn by an angle a is a^2 times the residual's moment.
-/// @param lower     half of the stiffness, with its diagonal and its factors
+/// @param lower     half of the stiffness, with its diagonal and its factors; rows of constraints
+///                  may follow
 /// @param residual  of the state
 /// @param lever     what a turn by 1 rad makes of each displacement at most
 ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
@@ -83,6 +84,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     for (int k = 0; k < size; ++k) x[k] *= probe_weight(k);
     for (int sweep = 0; sweep < inverse_iterations; ++sweep) {
         for (int k = 0; k < size; ++k) x[k] *= std::abs(diagonal[k]);
+        for (int k = size; k < x.size(); ++k) x[k] = 0.0;
         factor.solve(x);
         double square = 0.0;
         for (int k = 0; k < size; ++k) square += x[k] * x[k] * std::abs(diagonal[k]);
@@ -92,6 +94,7 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
     for (int j = 0; j < size; ++j)
         for (int k = lower.outerIndexPtr()[j]; k < lower.outerIndexPtr()[j + 1]; ++k) {
             const int i = lower.innerIndexPtr()[k];
+            if (i >= size) continue;
             const double term = (i == j ? 1.0 : 2.0) * x[i] * lower.valuePtr()[k] * x[j];
             energy += term;
             terms += std::abs(term);
@@ -105,44 +108,59 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
            16.0 * std::numeric_limits<double>::epsilon() * terms + angle * angle * moment;
 }
 
-/// Factorises a stiffness as L D L^T, constraints as springs.
+/// Counts the negative pivots of a stiffness L D L^T, constraints as springs or, exactly, as rows
+/// behind what they hold: of these, one pivot each is negative besides.
+/// @param tangent          of which that is the stiffness
 /// @param held, otherwise  as in add_springs()
 /// @param diagonal         of the stiffness
 /// @param entries          of its lower half; none where the tangent stores that
-[[nodiscard]] ANCF_INLINE Stability stability_with_springs(const Assembly& assembly, bool symmetric,
-                                                           const VectorX& held,
-                                                           const VectorX& otherwise,
-                                                           VectorX diagonal,
-                                                           Records<MatrixEntry> entries) {
-    constexpr double round_off = 1e-14;  // of a pivot, to the diagonal it comes from
-    constexpr double stiff = 1e4;        // of a spring, to what it holds
-    const SparseMatrix& tangent = assembly.tangent();
+/// @return                 unknown also where a row is not independent of the others
+[[nodiscard]] ANCF_INLINE NegativeDirections negative_pivots(
+    const Assembly& assembly, const SparseMatrix& tangent, const VectorX& held,
+    const VectorX& otherwise, bool exact, VectorX diagonal, Records<MatrixEntry> entries) {
+    constexpr double round_off = 1e-14;      // of a pivot, to the diagonal it comes from
+    constexpr double dependent = 1e-9;       // of a row's pivot, likewise
+    const double stiff = exact ? 1.0 : 1e4;  // of a spring, to what it holds
     const auto free = static_cast<int>(diagonal.size());
+    const int rows = exact ? static_cast<int>(tangent.cols()) : free;
     const bool stored = assembly.pattern().storage() == Storage::lower;  // and no constraints
-    if (!add_springs(tangent, stiff, held, otherwise, diagonal, entries)) return Stability::unknown;
-    const SparseMatrix made = stored ? SparseMatrix() : compressed(free, entries);
+    if (!add_springs(tangent, stiff, held, otherwise, diagonal, entries)) return {};
+    VectorX sizes = VectorX::Zero(rows);
+    for (int column = 0; column < free; ++column) {
+        sizes[column] = round_off * std::abs(diagonal[column]);
+        for (int k = tangent.outerIndexPtr()[column];
+             exact && k < tangent.outerIndexPtr()[column + 1]; ++k) {
+            const int row = tangent.innerIndexPtr()[k];
+            const double value = tangent.valuePtr()[k];
+            if (row < free || value == 0.0) continue;
+            entries.push_back({row, column, value});
+            sizes[row] += dependent * value * value / std::abs(diagonal[column]);
+        }
+    }
+    const SparseMatrix made = stored ? SparseMatrix() : compressed(rows, entries);
     const SparseMatrix& lower = stored ? tangent : made;
     SparseLdlt factor;
-    if (!factor.factorize(lower, blocks_of(assembly.numbering(), free))) return Stability::unknown;
-    bool positive = true;
-    for (int k = 0; k < free; ++k) {
-        if (!(std::abs(factor.pivot(k)) > round_off * std::abs(diagonal[k])))
-            return Stability::unknown;
-        positive = positive && factor.pivot(k) > 0.0;
+    if (!factor.factorize(lower, blocks_of(assembly.numbering(), rows), rows - free, false))
+        return {};
+    NegativeDirections found{free - rows, true};
+    for (int k = 0; k < rows; ++k) {
+        const bool small = !(std::abs(factor.pivot(k)) > sizes[k]);
+        if (small && k >= free) return {};
+        found.count += factor.pivot(k) < 0.0 ? 1 : 0;
+        found.certain = found.certain && !small;
     }
     VectorX residual;
     assembly.residual(residual);
     // what a turn by 1 rad makes of each free coordinate at most
     const double size = ConvergenceMonitor(assembly.model(), assembly.numbering()).size();
     const VectorX lever = length_powers(size, assembly.model().layout(), assembly.numbering());
-    if (!resists(lower, diagonal, factor, residual, lever)) return Stability::unknown;
-    if (positive) return Stability::stable;
-    return symmetric ? Stability::unstable : Stability::unknown;
+    found.certain = found.certain && resists(lower, diagonal, factor, residual, lever);
+    found.count = std::max(found.count, 0);
+    return found;
 }
 
-/// Judges the symmetric part of an assembly's tangent by its pivots, constraints as springs.
-[[nodiscard]] ANCF_INLINE Stability stability_of_tangent(const Assembly& assembly, bool symmetric) {
-    const SparseMatrix& tangent = assembly.tangent();
+ANCF_INLINE NegativeDirections negative_directions(const Assembly& assembly,
+                                                   const SparseMatrix& tangent, bool symmetric) {
     const int free = assembly.numbering().free_coordinates();
     const bool stored = assembly.pattern().storage() == Storage::lower;
     VectorX diagonal = VectorX::Zero(free);
@@ -153,23 +171,33 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
              ++k) {
             const int row = tangent.innerIndexPtr()[k];
             const double own = tangent.valuePtr()[k];
-            if (!std::isfinite(own)) return Stability::unknown;
+            if (!std::isfinite(own)) return {};
             if (row < column || row >= free) continue;
             const double value = symmetric ? own : 0.5 * (own + tangent.coeff(column, row));
             if (!stored) entries.push_back({row, column, value});
             if (row == column) diagonal[column] = value;
         }
-    if (free == 0) return Stability::stable;
+    if (free == 0) return {0, true};
     const VectorX stiffest = stiffest_of_unit(assembly, diagonal);
-    const Stability found =
-        stability_with_springs(assembly, symmetric, diagonal, stiffest, diagonal, entries);
-    if (found == Stability::stable || assembly.numbering().multipliers() == 0) return found;
-    // What has next to no stiffness itself, such as a body between two welds, has springs that are
-    // too soft for what else it holds. Where stiffer ones decide, they are right: a hundred times
-    // as stiff as what is stiffest, which leaves more digits to soft parts.
-    const Stability stiffer =
-        stability_with_springs(assembly, symmetric, 1e-2 * stiffest, stiffest, diagonal, entries);
-    return stiffer == Stability::unknown ? found : stiffer;
+    const auto found =
+        negative_pivots(assembly, tangent, diagonal, stiffest, false, diagonal, entries);
+    if ((found.certain && found.count == 0) || assembly.numbering().multipliers() == 0)
+        return found;
+    // springs may be too soft, and of what has next to no stiffness itself, such as a body between
+    // two welds, they are
+    const auto exact =
+        negative_pivots(assembly, tangent, stiffest, stiffest, true, diagonal, entries);
+    return exact.count < 0 ? found : exact;
+}
+
+ANCF_INLINE NegativeDirections negative_directions(const Assembly& assembly,
+                                                   const SparseMatrix& tangent,
+                                                   const FactorReport& factor,
+                                                   const LinearSolver& solver) {
+    if (factor.negative_pivots >= 0)
+        return {std::max(factor.negative_pivots - assembly.numbering().multipliers(), 0), true};
+    if (solver.iterative()) return {};
+    return negative_directions(assembly, tangent, true);
 }
 
 /// Whether all eigenvalues of a 4 x 4 matrix have positive real parts: Hurwitz's conditions on its
@@ -259,8 +287,12 @@ ANCF_INLINE Stability stability(const Assembly& assembly, const FactorReport& co
     constexpr double well_conditioned = 1e-10;
     const bool symmetric = assembly.model().has_symmetric_loads();
     if (!symmetric || counted.negative_pivots < 0 || !(counted.rcond > well_conditioned) ||
-        (solver != nullptr && !detail::has_same_signs(assembly, *solver)))
-        return detail::stability_of_tangent(assembly, symmetric);
+        (solver != nullptr && !detail::has_same_signs(assembly, *solver))) {
+        const auto negative = detail::negative_directions(assembly, assembly.tangent(), symmetric);
+        if (!negative.certain) return Stability::unknown;
+        if (negative.count == 0) return Stability::stable;
+        return symmetric ? Stability::unstable : Stability::unknown;
+    }
     return counted.negative_pivots > assembly.numbering().multipliers() ? Stability::unstable
                                                                         : Stability::stable;
 }
