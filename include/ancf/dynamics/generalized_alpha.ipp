@@ -204,7 +204,7 @@ private:
                 begin_anew();
                 continue;
             }
-            shift_algorithmic(step.width);
+            change_width(step.width);
             if (divides(step)) continue;
             next_.time = step.end;
             const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
@@ -230,13 +230,18 @@ private:
         }
     }
 
-    /// Moves the algorithmic acceleration to the time that belongs to another step.
+    /// Makes the start of a step what belongs to another width.
     ///
-    /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order.
-    void shift_algorithmic(double width) {
+    /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order. Rates are
+    /// off constraints by a multiple of h^2: left so, they would be a shock to a shorter step that
+    /// decays by rho a step.
+    void change_width(double width) {
         if (width == width_) return;
-        now_.algorithmic =
-            now_.acceleration + width / width_ * (now_.algorithmic - now_.acceleration);
+        const double ratio = width / width_;
+        now_.algorithmic = now_.acceleration + ratio * (now_.algorithmic - now_.acceleration);
+        VectorX held = now_.v;
+        if (problem_.multipliers() > 0 && problem_.project_rates(now_.time, now_.q, held, 1))
+            now_.v = held + ratio * ratio * (now_.v - held);
         width_ = width;
     }
 
