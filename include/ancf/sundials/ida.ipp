@@ -215,11 +215,16 @@ private:
         measured(tolerance_ * force * length / velocity, system_.mu(absolute));
     }
 
+    // By how much Newton's method must fall below a tolerance: 0.33 of IDA times the coefficient
+    // that set_up() gives it.
+    static constexpr double asked = 32.0;
+
     // Lets the tolerance of multipliers be no less than what round-off of the inertia forces leaves
     // in them: in short steps Newton's method could not bring them below. It takes all of the
-    // round-off where a run begins and in a step that is cut short, else a twentieth, as of elastic
-    // forces; no more than a thousandth of the forces, but in a step that is cut, where multipliers
-    // are those of the state.
+    // round-off in a step that is cut short, and `asked` times as much where a run begins, whose
+    // first corrections are no larger; else a twentieth, as of elastic forces. No more than a
+    // thousandth of the forces, but in a step that is cut, where multipliers are those of the
+    // state.
     // @param rest  s, to the time where the step has to end
     void resolve_multipliers(double rest) {
         if (inertia_round_off_ == 0.0) return;
@@ -230,7 +235,7 @@ private:
         const bool begins = now_.time - start_.time < 10.0 * first_step_;
         length = std::min(length, rest);
         double left = inertia_round_off_ / (length * length);
-        if (!is_cut && !begins) left *= 0.05;
+        if (!is_cut) left *= begins ? asked : 0.05;
         if (!is_cut) left = std::min(left, most_);
         double loosened = 1.0;
         if (left > least_) loosened = std::exp2(std::ceil(std::log2(left / least_)));
@@ -367,7 +372,7 @@ private:
         const double acceleration = problem_.largest_ratio(start_.acceleration);
         if (acceleration > 0.0) step = std::min(step, std::sqrt(0.5 * tolerance_ / acceleration));
         const double resolved =
-            inertia_round_off_ > 0.0 ? std::sqrt(inertia_round_off_ / most_) : 0.0;
+            inertia_round_off_ > 0.0 ? std::sqrt(asked * inertia_round_off_ / most_) : 0.0;
         return std::max(step, std::min(resolved, 1e-3 * duration));
     }
 
