@@ -290,7 +290,7 @@ private:
         int since = 0;       // corrections by the matrix at hand
         matrix_.steps += 1.0;
         const double least = round_off * remoteness(next_.q);
-        double before = 0.0;
+        double before = 0.0, pull = 0.0;
         for (int k = 1; k <= options_.max_iterations; ++k) {
             if (const Status status =
                     evaluate(next_, renew ? Request::tangent_and_damping : Request::force);
@@ -313,6 +313,8 @@ private:
             add(h, solution_.head(n));
             next_.lambda += solution_.tail(m);
             const double change = h * h * beta_hat_ * problem_.largest_ratio(solution_.head(n));
+            const bool balanced = !frames_.turn() || fresh ||
+                                  frames_.balances(problem_, solution_.tail(m), next_.lambda, pull);
             if (!std::isfinite(change)) return Status::not_finite;
             // far below the local error of the step, however short it is
             const double local = h * h * beta_hat_ * change_of_acceleration();
@@ -333,9 +335,9 @@ private:
             const bool noise = change <= least || (ratio >= 1.0 && small);
             if (left <= wanted || (k > 1 && noise)) {
                 // in a body that turns, what two corrections leave adds up over the steps
-                if (since > 2 || k == options_.max_iterations || !frames_.turn())
+                if (k == options_.max_iterations || !frames_.turn() || (since > 2 && balanced))
                     return Status::converged;
-                renew = false;
+                renew = since > 2;
                 before = change;
                 continue;
             }

@@ -228,7 +228,7 @@ private:
     /// Solves one step by Newton's method, again with a new tangent where the old one fails, and
     /// with frames that turn, or no longer do, where that is to be tried.
     [[nodiscard]] Status newton(double h) {
-        if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged)
+        if (!renew_ && system_.width() == h && iterate(h, false) == Status::converged && balanced_)
             return Status::converged;
         const Status status = iterate(h, true);
         return status == Status::converged || !frames_.fail() ? status : iterate(h, true);
@@ -249,6 +249,7 @@ private:
                 Y_[i] += (q - stage_[i].q) / (h * h);
             }
         }
+        pull_ = 0.0;
         int tangents = 0;  // of this step
         int since = 0;     // corrections by the matrices at hand
         const double least = resolution * remoteness(now_.q);
@@ -277,6 +278,8 @@ private:
                 renew = false;
             }
             change = correct(h);
+            balanced_ = !frames_.turn() || tangents > 0 ||
+                        frames_.balances(problem_, lambda_change_.back(), lambda_.back(), pull_);
             frames_.add_correction();
             if (!std::isfinite(change)) return Status::not_finite;
             // in a step far shorter than its error allows, what is left is to be small beside that
@@ -549,6 +552,8 @@ private:
     const std::size_t stages_;
     RadauSystem system_;
     TurningFrames frames_;
+    double pull_ = 0.0;     // N m, of the last correction of multipliers
+    bool balanced_ = true;  // whether kept matrices left little of them in the last step
     const double newton_tolerance_;
     const double of_accelerations_;       // the same, of what they move in a step
     const std::vector<double> at_start_;  // l_i(0)

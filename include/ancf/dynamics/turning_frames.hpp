@@ -17,6 +17,7 @@
 #include <ancf/types.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -87,6 +88,26 @@ public:
                 for (int i = 0; i < dimension_; ++i) x[first + i] = turned[i];
             }
         }
+    }
+
+    /// Tells whether the last two corrections of multipliers leave little of them.
+    ///
+    /// Where a constraint holds a node in place, no coordinate shows what a kept matrix leaves of
+    /// its force: |R - 1| of each correction, R the turn since the matrix was made.
+    /// @param change       the last correction, m entries.
+    /// @param multipliers  with it.
+    /// @param before       size of the correction before, N m; becomes that of the last one.
+    [[nodiscard]] static bool balances(const DynamicProblem& problem, const VectorX& change,
+                                       const VectorX& multipliers, double& before) {
+        constexpr double enough = 1e-4;
+        const VectorX arms = problem.assembly().violation_scale(problem.length_scale());
+        const auto size = [&](const VectorX& x) {
+            return std::sqrt(problem.sum_of_parts(arms.cwiseProduct(x).squaredNorm()));
+        };
+        const double last = size(change);
+        const double shrinks = std::min(last / before, 0.99);
+        before = last;
+        return !(shrinks / (1.0 - shrinks) * last > enough * size(multipliers));
     }
 
     /// Gives slopes and curvatures the strains that they had: those of `from`, turned as the nodes
