@@ -74,7 +74,7 @@ public:
     /// Writes G into a dense matrix: each free coordinate has a column, or -1.
     void write_rows(const std::vector<int>& columns, MatrixX& rows) const;
 
-    /// Adds (G^T mu)_q, and (G v)_q in the rows of the equations, to a matrix of the system's
+    /// Adds (G^T mu)_q, and (G v + g_t)_q in the rows of the equations, to a matrix of the system's
     /// pattern.
     void add_velocity_level(const VectorX& mu, SparseMatrix& matrix) const;
 

@@ -6,8 +6,10 @@
 #include <ancf/dynamics/constraint_set.hpp>
 #include <ancf/solver/redundancy.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace ancf::detail {
 
@@ -136,6 +138,24 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
         [&](int row, int free_one, double entry) { rows(row, columns[free_one]) += entry; });
 }
 
+/// Returns dG/dt = d(g_t)/dq, as of a joint whose drive turns its axes: by a difference over the
+/// time in which the drive moves 1e-5 of what the coordinates make of an equation.
+[[nodiscard]] ANCF_INLINE MatrixX turn_of_jacobian(const AnyConstraint& constraint,
+                                                   ConstraintState state) {
+    constexpr double share = 1e-5;
+    state.multipliers.setZero(constraint.equations());
+    ConstraintResult now, later;
+    constraint.terms(state, now);
+    const VectorX sizes = now.jacobian.cwiseAbs() * state.q.cwiseAbs();
+    double pace = 0.0;  // 1/s
+    for (Eigen::Index e = 0; e < sizes.size(); ++e)
+        if (sizes[e] > 0.0) pace = std::max(pace, std::abs(now.rate[e]) / sizes[e]);
+    if (!(pace > 0.0)) return MatrixX::Zero(now.jacobian.rows(), now.jacobian.cols());
+    const double start = std::exchange(state.time, state.time + share / pace);
+    constraint.terms(state, later);
+    return (later.jacobian - now.jacobian) / (state.time - start);
+}
+
 ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatrix& matrix) const {
     double* values = matrix.valuePtr();
     ConstraintState local;
@@ -148,6 +168,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
         const int equations = constraint.equations();
         gather(q_, read, local.q);
         gather(v_, read, local.v);
+        const MatrixX turn = turn_of_jacobian(constraint, local);
         for (int e = 0; e < equations; ++e) {
             if (left_out(first_[k] + e)) continue;
             // with one multiplier 1 the stiffness is the Hessian of that equation
@@ -157,7 +178,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
             const auto own = [&](Eigen::Index i) {
                 return result.active.empty() ? static_cast<int>(i) : result.active[i];
             };
-            VectorX row = VectorX::Zero(local.v.size());
+            VectorX row = turn.row(e).transpose();
             for (Eigen::Index j = 0; j < result.stiffness.cols(); ++j)
                 for (Eigen::Index i = 0; i < result.stiffness.rows(); ++i)
                     row[own(i)] += result.stiffness(i, j) * local.v[own(j)];

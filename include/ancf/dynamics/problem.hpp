@@ -224,7 +224,7 @@ public:
     }
 
     /// Writes [(G^T mu)_q, 0; (G v + g_t)_q, 0] into a matrix of tangent()'s pattern, for forms
-    /// that hold the constraint at velocity level (g_t as independent of q).
+    /// that hold the constraint at velocity level.
     void velocity_level(const VectorX& mu, SparseMatrix& out) const {
         check_multipliers(mu);
         if (detail::entries(out) != detail::entries(mass_)) out = mass_;
