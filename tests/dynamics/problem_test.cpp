@@ -173,7 +173,8 @@ TEST_CASE("problem: redundant constraints are named, or solved with the least mu
     CHECK(refused.status == Status::redundant);
     CHECK_THAT(refused.message,
                ContainsSubstring("constraint 2 (fixed r, component 1, of node 0), equation 0") &&
-                   ContainsSubstring("constraint 3 (distance between node 2"));
+                   ContainsSubstring("constraint 3 (distance between node 2") &&
+                   ContainsSubstring("ProblemOptions::redundancy"));
 
     ancf::ProblemOptions options;
     options.redundancy = Redundancy::minimum_norm;

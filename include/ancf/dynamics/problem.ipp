@@ -230,6 +230,7 @@ ANCF_INLINE void DynamicProblem::find_redundant(Start& start) {
     start.message = "these follow from the equations before them: ";
     for (std::size_t k = 0; k < dependent.size(); ++k)
         start.message += (k == 0 ? "" : "; ") + constraints_.describe(dependent[k]);
+    start.message += "; ProblemOptions::redundancy can leave them out";
 }
 
 ANCF_INLINE void DynamicProblem::check_sizes() const {
