@@ -324,6 +324,19 @@ TEST_CASE("add_body: a free body by leapfrog, whose multipliers are none", "[mod
     CHECK(report.energy_drift < 1e-6 * report.kinetic_largest);
 }
 
+TEST_CASE("add: the place of a constraint counts those of bodies", "[model][body]") {
+    Model model;
+    const NodeId first = model.add_node({0.0, 0.0, 0.0}), second = model.add_node({1.0, 0.0, 0.0});
+    add_body(model, first, 1.0, diagonal(1.0, 1.0, 1.0));
+    const int pin = model.add(Pin<3>(first, {0.0, 0.0, 0.0}));
+    add_body(model, second, 1.0, diagonal(1.0, 1.0, 1.0));
+    const int weld = model.add(Weld(model, first, second));
+    CHECK(pin == 1);
+    CHECK(weld == 3);
+    CHECK(model.constraints()[pin].name() == Pin<3>(first, {0.0, 0.0, 0.0}).name());
+    CHECK(model.constraints()[weld].name() == Weld(model, first, second).name());
+}
+
 TEST_CASE("add_body, point_of_body: what cannot be meant is refused", "[model][body][bad-input]") {
     const auto says = [](const char* text, const auto& act) {
         Model model;

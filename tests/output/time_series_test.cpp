@@ -41,11 +41,12 @@ constexpr double side = 0.1, pull = 800.0, lift = 30.0, length = 2.0;
 struct Cantilever {
     PlanarModel model;
     Beam<Element> beam;
+    int weld = -1;  // place of the constraint
 
     Cantilever()
         : beam(straight_beam<Element>(model, Material::isotropic(2e9, 0.3, 7800.0),
                                       rectangle(side, side), Point(0, 0), Point(length, 0), 4)) {
-        model.add(PlanarWeld(model, beam.first()));
+        weld = model.add(PlanarWeld(model, beam.first()));
         model.add(Force<2>(beam.last(), Point(pull, lift)));
     }
 
@@ -96,7 +97,7 @@ TEST_CASE("TimeSeries: section forces, stress and reactions of a cantilever are 
     TimeSeries series(out, scene.model);
     series.add_section_forces<Element>("tip", 3, 1.0);
     series.add_stress<Element>("axis", 0, 0.5);
-    series.add_reaction("weld", 0, scene.beam.first());
+    series.add_reaction("weld", scene.weld, scene.beam.first());
     REQUIRE(scene.settle());
     State state = scene.model.state();
     state.time = 0.25;

@@ -100,13 +100,14 @@ public:
         Scene::add(other, amplitude);
     }
 
-    /// Adds a constraint of this dimension, as Scene::add does.
+    /// Adds a constraint of this dimension, as Scene::add does; returns its place in constraints().
     template <class Constraint, std::enable_if_t<!is_load_v<Constraint>, int> = 0>
-    void add(Constraint constraint) {
+    int add(Constraint constraint) {
         static_assert(fits<Constraint>,
                       "the constraint is of another dimension than the model: Model takes Pin<3>, "
                       "Weld; PlanarModel takes Pin<2>, PlanarWeld");
-        if constexpr (fits<Constraint>) Scene::add(std::move(constraint));
+        if constexpr (fits<Constraint>) return Scene::add(std::move(constraint));
+        return -1;
     }
 
     /// Sets the acceleration of gravity, m/s^2.

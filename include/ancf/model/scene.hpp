@@ -288,24 +288,26 @@ public:
         add_load(AnyLoad(std::move(load)), std::move(amplitude));
     }
 
-    /// Adds a constraint.
+    /// Adds a constraint; returns its place in constraints().
     /// @throws InvalidArgument for a node that does not exist, a constraint of another dimension or
     ///         of no equations.
     template <class Constraint, std::enable_if_t<is_constraint_v<Constraint>, int> = 0>
-    void add(Constraint constraint) {
+    int add(Constraint constraint) {
         check_dimension("a constraint", detail::dimension_of<Constraint>::value);
         add_constraint(AnyConstraint(std::move(constraint)));
+        return static_cast<int>(constraints_.size()) - 1;
     }
 
     /// Stops the compilation: what is added is neither a load nor a constraint.
     template <class Other, std::enable_if_t<!is_load_v<Other> && !is_constraint_v<Other>, int> = 0>
-    void add(const Other&, const Amplitude& = {}) {
+    int add(const Other&, const Amplitude& = {}) {
         static_assert(
             is_load_v<Other>,
             "Model::add takes a load, which offers `Coupling coupling() const` and `void "
             "evaluate(const LoadState&, LoadResult&) const`, or a constraint, which offers "
             "`Coupling coupling() const`, `int equations() const`, `std::string name() const` and "
             "`void evaluate(const ConstraintState&, ConstraintResult&) const`");
+        return -1;
     }
 
     /// Adds a mass at a node, kg; gravity acts on it. A node without elements then has a position:

@@ -33,7 +33,7 @@ class DynamicProblem;
 ///
 ///     ancf::TimeSeries series(file, model);
 ///     series.add_section_forces<Element>("root", 0, 0.0);
-///     series.add_reaction("hinge", 0, beam.first());        // of the first constraint
+///     series.add_reaction("hinge", hinge, beam.first());    // hinge: what Model::add returned
 ///     series.add_reaction("foot", problem, beam.last());    // of what holds or drives this node
 ///     schedule.observe = [&](const ancf::Snapshot& seen) { series.write(seen); };
 ///
@@ -111,7 +111,7 @@ public:
 
     /// Adds the force F and the moment M about the node that a constraint exerts on the node, in
     /// global axes; N and N m.
-    /// @param constraint  place in Model::constraints().
+    /// @param constraint  place in Model::constraints(), as Model::add returned it.
     /// @throws InvalidArgument for a constraint that does not exist or does not hold the node.
     ANCF_LAZY void add_reaction(const std::string& name, int constraint, NodeId node);
 
