@@ -280,6 +280,8 @@ TEST_CASE("modes: of a following load's stiffness the symmetric part counts", "[
     REQUIRE(ancf::solve_statics(scene, solver).status == Status::converged);
     const auto found = ancf::natural_modes(scene, solver);
     REQUIRE(found.status == Status::converged);
+    CHECK_THAT(found.message,
+               ContainsSubstring("loads without a potential count by the symmetric"));
     ancf::Assembly assembly(scene, ancf::Storage::full);
     const ancf::State& state = scene.state();
     const ancf::VectorX rest = ancf::VectorX::Zero(state.q.size());
@@ -290,6 +292,21 @@ TEST_CASE("modes: of a following load's stiffness the symmetric part counts", "[
     const ancf::VectorX values = ancf::test::dense_modes(0.5 * (K + K.transpose()), M).values;
     for (int k = 0; k < 4; ++k)
         CHECK(found.modes.at(static_cast<std::size_t>(k)).value == Approx(values[k]).epsilon(1e-6));
+}
+
+TEST_CASE("modes: a state that is out of balance at the factor of the options is told", "[modal]") {
+    Scene scene = cantilever(4, 0.05);
+    scene.add(ancf::Force<3>({4}, {0.0, 0.0, 1e3}));
+    ancf::EigenLdlt solver;
+    ancf::StaticsOptions options;
+    options.last_factor = 2.0;
+    REQUIRE(ancf::solve_statics(scene, solver, options).status == Status::converged);
+    ancf::ModalOptions wanted;
+    const auto beside = ancf::natural_modes(scene, solver, wanted);
+    CHECK(beside.status == Status::converged);
+    CHECK(beside.message == "the state is out of balance at a load factor of 1");
+    wanted.factor = 2.0;
+    CHECK(ancf::natural_modes(scene, solver, wanted).message.empty());
 }
 
 TEST_CASE("modes: all of a scene can be asked for", "[modal]") {
@@ -709,6 +726,29 @@ TEST_CASE("buckling: Euler's column and the lateral buckling of a narrow beam", 
         CHECK(std::abs(report.modes[0].value) == Approx(68.2486).epsilon(1e-3));
         CHECK(std::abs(report.modes[1].value) == Approx(68.2486).epsilon(1e-3));
         CHECK(report.modes[0].value * report.modes[1].value < 0.0);
+    }
+}
+
+TEST_CASE("buckling: of a pair of loads of either sign the positive one comes first", "[modal]") {
+    for (int elements = 2; elements < 10; ++elements) {
+        INFO(elements << " elements");
+        Scene scene;
+        const auto beam =
+            ancf::straight_beam<Element>(scene, steel(), ancf::rectangle(0.1, 0.01), {0, 0, 0},
+                                         {2, 0, 0}, elements, ancf::CrossSectionOptions::best());
+        scene.clamp(beam.first());
+        scene.add(ancf::Force<3>(beam.last(), {0.0, -100.0, 0.0}));
+        ancf::ModalOptions wanted;
+        wanted.count = 3;
+        ancf::EigenLdlt solver;
+        const auto report = ancf::buckling_modes(scene, solver, wanted);
+        REQUIRE(report.status == Status::converged);
+        REQUIRE(report.modes.size() == 3);
+        CHECK(report.modes[0].value > 0.0);
+        CHECK(report.modes[1].value == Approx(-report.modes[0].value).epsilon(1e-8));
+        CHECK(report.modes[2].value > report.modes[0].value);
+        wanted.count = 1;
+        CHECK(ancf::buckling_modes(scene, solver, wanted).modes.at(0).value > 0.0);
     }
 }
 

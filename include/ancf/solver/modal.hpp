@@ -58,9 +58,9 @@ struct ModalReport {
     int iterations = 0;          ///< solutions with the whole subspace
     std::optional<Fault> fault;  ///< the element that failed, for degenerate and not_finite
     std::string message = {};    ///< what failed; of a singular tangent, what moves without
-                                 ///< stiffness; of converged vibrations fewer than are wanted and
-                                 ///< there, why; by how much the state violates constraints.
-                                 ///< Else empty
+                                 ///< stiffness; of vibrations also why fewer than are wanted are
+                                 ///< there, whether the state is out of balance or violates
+                                 ///< constraints, whether loads have no potential. Else empty
 };
 
 /// Returns the lowest natural modes of small vibrations about the model's state, undamped.
@@ -89,7 +89,8 @@ ANCF_LAZY [[nodiscard]] ModalReport natural_modes(const Scene& model, LinearSolv
 /// docs/theory-modal.md.
 /// @param model   unloaded in its state; it is left as it is.
 /// @param solver  any linear solver (linear_solver.hpp).
-/// @return        at most options.count modes; load factors, 1, shapes with x^T K_0 x = 1.
+/// @return        at most options.count modes; load factors, 1, of a pair of either sign the
+///                positive one first; shapes with x^T K_0 x = 1.
 /// @throws InvalidArgument for options that cannot be meant, a scene that the solver's storage does
 ///         not suit, supports or constraints that move with the load factor, loads whose part in
 ///         the tangent is not symmetric, and a state with more than a hundredth of the load found.

@@ -116,13 +116,10 @@ ANCF_INLINE void require_resting(const Assembly& assembly, const VectorX& q) {
                     constraint.name(), " moves", advice);
 }
 
-/// Throws where the loads' part of B = -K' is not symmetric: such loads have no potential, and the
-/// symmetric part buckles elsewhere or not at all.
-/// @param A  K_0, whose diagonal measures the unknowns.
-ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
-                                   const SparseMatrix& B) {
-    constexpr double round_off = 1e-6;  // of the largest entry
-    if (model.has_symmetric_loads()) return;
+/// Returns how far a matrix is from symmetric: the largest difference of two entries, relative to
+/// the largest entry.
+/// @param A  whose diagonal measures the unknowns.
+ANCF_INLINE double asymmetry(const SparseMatrix& A, const SparseMatrix& B) {
     VectorX unit = VectorX::Zero(A.cols());
     for (Eigen::Index k = 0; k < A.cols(); ++k)
         if (const double own = std::abs(A.coeff(k, k)); own > 0.0) unit[k] = 1.0 / std::sqrt(own);
@@ -134,9 +131,7 @@ ANCF_INLINE void require_potential(const Scene& model, const SparseMatrix& A,
             largest = std::max(largest, std::abs(value) * unit[i] * unit[j]);
             apart = std::max(apart, std::abs(value - B.coeff(j, i)) * unit[i] * unit[j]);
         }
-    require(apart <= round_off * largest,
-            "buckling_modes: loads that have no potential, such as FollowerForce and Moment, make "
-            "a tangent that is not symmetric; follow the path, and look at a motion beside it");
+    return largest > 0.0 ? apart / largest : 0.0;
 }
 
 /// Returns A + G^T W G: constraints act as springs, too.
@@ -242,6 +237,28 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (!fault) fault = assembly.inspect(state.q);
     if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     if (assembly.numbering().free_coordinates() == 0) return {};
+    std::string remarks;
+    const auto remark = [&](const std::string& text) {
+        if (!text.empty()) remarks += (remarks.empty() ? "" : "; ") + text;
+    };
+    const auto with_remarks = [&](ModalReport report) {
+        report.message += (report.message.empty() || remarks.empty() ? "" : "; ") + remarks;
+        return report;
+    };
+    const ConvergenceMonitor monitor(model, assembly.numbering());
+    const double violated = monitor.violation(assembly);
+    if (!(violated <= 1e-6))
+        remark(detail::joined({"the state violates its constraints by ", violated,
+                               " of the scene's size at a load factor of ", options.factor},
+                              17));
+    if (!(monitor.residual(assembly) <= 1e-6) && !monitor.at_round_off(assembly, state.q))
+        remark(
+            detail::joined({"the state is out of balance at a load factor of ", options.factor}));
+    if (!model.has_symmetric_loads() &&
+        detail::asymmetry(assembly.tangent(), assembly.tangent()) > 1e-12)
+        remark(
+            "loads without a potential count by the symmetric part of their stiffness: what they "
+            "do to frequencies and stability, a motion tells");
     const char* const high =
         "K - shift M is not positive definite: the state is unstable, or the shift too high";
     const char* const remedy =
@@ -252,8 +269,8 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     const SparseMatrix firm = detail::braced(assembly, A);
     if (const Status status = detail::factorise(assembly, firm, solver);
         status != Status::converged)
-        return detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm, solver, high,
-                                  remedy);
+        return with_remarks(detail::with_cause({status, {}, 0, {}, {}}, model, assembly, firm,
+                                               solver, high, remedy));
     const auto value = [&](double th, double& scale) {
         scale = 1.0 / std::sqrt(std::abs(th));  // x^T M x = th where x^T A x = 1
         return options.shift + 1.0 / th;
@@ -271,13 +288,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
             {"of ", wanted, " modes ", wanted - found,
              " have no mass, or are lost in round-off beside the slowest one: those a negative "
              "shift of the size of the squares wanted will find"});
-    const double violated = ConvergenceMonitor(model, assembly.numbering()).violation(assembly);
-    if (!(violated <= 1e-6))
-        report.message += detail::joined(
-            {report.message.empty() ? "" : "; ", "the state violates its constraints by ", violated,
-             " of the scene's size at a load factor of ", options.factor},
-            17);
-    return report;
+    return with_remarks(std::move(report));
 }
 
 ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
@@ -312,7 +323,10 @@ ANCF_LAZY ModalReport buckling_modes(const Scene& model, LinearSolver& solver,
     fault = deflected.change(unloaded, change);
     if (fault) return {fault->status, {}, 0, fault, assembly.describe(*fault)};
     SparseMatrix B = -change;
-    detail::require_potential(model, unloaded, B);
+    detail::require(
+        model.has_symmetric_loads() || detail::asymmetry(unloaded, B) <= 1e-6,  // of round-off
+        "buckling_modes: loads that have no potential, such as FollowerForce and Moment, make a "
+        "tangent that is not symmetric; follow the path, and look at a motion beside it");
     if (solver.storage() == Storage::full) detail::symmetrise(B);
     // B is the difference of two tangents: without load it has their round-off alone
     ModalReport report =

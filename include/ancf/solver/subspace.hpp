@@ -92,7 +92,7 @@ public:
                x.cwiseProduct(product(magnitude_, x)).colwise().sum().transpose();
     }
 
-    VectorX values;  ///< by falling magnitude
+    VectorX values;  ///< by falling magnitude, of a pair of either sign the positive one first
     Dense vectors;   ///< columns, x^T A x = 1
     int iterations = 0;
 
@@ -201,9 +201,12 @@ private:
         const Eigen::SelfAdjointEigenSolver<Dense> reduced(symmetric);
         std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
-        std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
-            return std::abs(reduced.eigenvalues()[i]) > std::abs(reduced.eigenvalues()[j]);
-        });
+        const auto size = [&](Eigen::Index i) {
+            const double value = reduced.eigenvalues()[i];
+            return std::abs(value) * (value > 0.0 ? 1.0 + 1e-6 : 1.0);
+        };
+        std::sort(order.begin(), order.end(),
+                  [&](Eigen::Index i, Eigen::Index j) { return size(i) > size(j); });
         Dense sorted(rank, rank);
         values.resize(rank);
         for (Eigen::Index k = 0; k < rank; ++k) {
