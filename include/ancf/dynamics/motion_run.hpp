@@ -454,6 +454,8 @@ protected:
     double corner_at_ = acts_at_;                                // s, of the last corner
     double uncut_width_ = 0.0;                                   // s, of the step that it cut
     bool has_short_step_ = false;  // whether it ended with the multipliers of its state
+    double highest_frequency_ =
+        std::numeric_limits<double>::infinity();  // rad/s, at the start; known with multipliers
 };
 
 }  // namespace ancf::detail

@@ -516,6 +516,8 @@ ANCF_INLINE MotionRun::MotionRun(DynamicProblem& problem, LinearSolver& solver,
     grid_.origin = start_.time;
     duration_ = schedule.end - start_.time;
     last_width_ = grid_.width;
+    if (has_started() && problem.multipliers() > 0)
+        highest_frequency_ = problem.highest_frequency(start_.time, start_.q);
 }
 
 ANCF_INLINE Step MotionRun::next_step(const MotionPoint& now, bool corners) {
@@ -626,6 +628,8 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
             problem_.accelerations(to.time, q, v, acceleration, lambda) == Status::converged;
         if (has_short_step_) to.lambda = std::move(lambda);
     }
+    // what a longer step leaves of vibrations that it does not resolve is small, but not the forces
+    recorder_.solve_multipliers(last_width_ * highest_frequency_ < 1.0);
     return recorder_.step(from, to, between);
 }
 
