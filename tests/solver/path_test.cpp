@@ -357,6 +357,22 @@ TEST_CASE("path: a steep truss bifurcates sideways before its limit load", "[pat
         const int coordinate = truss.coordinate(apex, Field::r);
         CHECK(sideways * side * branch.direction[coordinate] > 0.0);
     }
+
+    SECTION("a path along its mode lands on the branch, however long the first step") {
+        // which is a circle, x^2 + y^2 = h^2 - 2, under a load in proportion to y
+        const double share = GENERATE(0.99, 0.5, -0.5), first_step = GENERATE(0.3, 1.0, 2.0, 8.0);
+        INFO("share " << share << ", first step " << first_step);
+        truss.state() = report.critical[0].state;
+        ancf::PathOptions branch;
+        branch.first_factor = report.critical[0].factor;
+        branch.direction = report.critical[0].mode;
+        branch.branch_step = first_step;
+        branch.last_factor = share * sideways_load(2.0);
+        REQUIRE(ancf::follow_path(truss, solver, branch).status == Status::converged);
+        CHECK(truss.position(apex)[1] == Approx(share * std::sqrt(2.0)).epsilon(1e-6));
+        CHECK(std::abs(truss.position(apex)[0]) ==
+              Approx(std::sqrt(2.0 * (1.0 - share * share))).epsilon(1e-6));
+    }
 }
 
 TEST_CASE("path: one step may hold several critical points", "[path]") {

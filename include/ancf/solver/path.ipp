@@ -92,10 +92,12 @@ public:
             Outcome tried = advance(here, ahead, next);
             const double whole =
                 tried.failed() ? std::abs(ahead.length) : std::abs(length(here, next));
-            if (tried.failed() && !branching_) next = predicted(here, ahead);
+            if (tried.failed()) next = predicted(here, ahead);
             const bool landing = options_.last_factor && passes(here.factor, next.factor);
             if (landing) {
-                const Outcome landed = land(here, whole, tried.iterations, next);
+                // the first step along a mode could land on the branch that it leaves
+                const Outcome landed = branching_ ? Outcome::of(Status::diverged)
+                                                  : land(here, whole, tried.iterations, next);
                 if (!tried.failed() || !landed.failed()) tried = landed;
             }
             if (!tried.failed() && options_.critical_points && !branching_ &&
@@ -323,7 +325,8 @@ private:
     }
 
     // Returns the predictor of a step, cut at the last load factor; the beginning where it does not
-    // reach that. Where a load ends at that factor no state may be as far as a step wants.
+    // reach that, as along a mode. Where a load ends at that factor no state may be as far as a
+    // step wants.
     [[nodiscard]] Point predicted(const Point& from, const Control& ahead) const {
         Point point = from;
         const double way = options_.last_factor ? *options_.last_factor - from.factor : 0.0;
