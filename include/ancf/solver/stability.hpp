@@ -68,10 +68,11 @@ bool add_springs(const SparseMatrix& tangent, double stiffness, const VectorX& h
 /// In how many directions that constraints allow a tangent is negative.
 struct NegativeDirections {
     int count = -1;        ///< -1 = unknown
-    bool certain = false;  ///< not of round-off
+    bool certain = false;  ///< whether no pivot and no energy is round-off
 };
 
-/// Counts those of the symmetric part of a tangent by its pivots, with constraints as springs.
+/// Counts those of the symmetric part of a tangent by its pivots. Constraints are springs, and rows
+/// of the matrix where springs do not prove that there are none.
 /// @param tangent    in the pattern of the assembly's
 /// @param symmetric  whether it is
 [[nodiscard]] NegativeDirections negative_directions(const Assembly& assembly,

@@ -108,8 +108,8 @@ ANCF_INLINE bool resists(const SparseMatrix& lower, const VectorX& diagonal,
            16.0 * std::numeric_limits<double>::epsilon() * terms + angle * angle * moment;
 }
 
-/// Counts the negative pivots of a stiffness L D L^T, constraints as springs or, exactly, as rows
-/// behind what they hold: of these, one pivot each is negative besides.
+/// Counts the negative directions of a stiffness by the pivots of L D L^T. Constraints are springs
+/// or, exactly, rows behind what they hold. Each row has a negative pivot that does not count.
 /// @param tangent          of which that is the stiffness
 /// @param held, otherwise  as in add_springs()
 /// @param diagonal         of the stiffness
