@@ -116,10 +116,10 @@ ANCF_INLINE void require_resting(const Assembly& assembly, const VectorX& q) {
                     constraint.name(), " moves", advice);
 }
 
-/// Returns how far a matrix is from symmetric: the largest difference of two entries, relative to
-/// the largest entry.
+/// Returns how far B is from symmetric: its largest difference of two opposite entries, relative to
+/// its largest entry.
 /// @param A  whose diagonal measures the unknowns.
-ANCF_INLINE double asymmetry(const SparseMatrix& A, const SparseMatrix& B) {
+[[nodiscard]] ANCF_INLINE double asymmetry(const SparseMatrix& A, const SparseMatrix& B) {
     VectorX unit = VectorX::Zero(A.cols());
     for (Eigen::Index k = 0; k < A.cols(); ++k)
         if (const double own = std::abs(A.coeff(k, k)); own > 0.0) unit[k] = 1.0 / std::sqrt(own);
@@ -239,7 +239,7 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (assembly.numbering().free_coordinates() == 0) return {};
     std::string remarks;
     const auto remark = [&](const std::string& text) {
-        if (!text.empty()) remarks += (remarks.empty() ? "" : "; ") + text;
+        remarks += (remarks.empty() ? "" : "; ") + text;
     };
     const auto with_remarks = [&](ModalReport report) {
         report.message += (report.message.empty() || remarks.empty() ? "" : "; ") + remarks;
