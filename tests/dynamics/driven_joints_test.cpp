@@ -140,6 +140,34 @@ TEST_CASE("a driven body that turns far has the force of its hinge", "[constrain
     CHECK(hinge_force_error<RadauIIA>(radau) <= 4.0);  // 2.0: steps of 0.4 rad
 }
 
+TEST_CASE("the rates of a drive have the same derivative in every orientation", "[constraint]") {
+    const auto size = [](double turn, double start) {
+        Model model;
+        Matrix<double, 3> slopes;
+        slopes << std::cos(turn), -std::sin(turn), 0, std::sin(turn), std::cos(turn), 0, 0, 0, 1;
+        const NodeId body = model.add_node({0, 0, 0}, slopes);
+        add_body(model, body, 1.0, Vector<double, 3>(1, 2, 3).asDiagonal());
+        model.add(DrivenRevolute(model, body, {0, 0, 1},
+                                 Motion{[=](double t) { return 10.0 * (t - start); },
+                                        [](double) { return 10.0; }, [](double) { return 0.0; }}));
+        DynamicProblem problem(model);
+        VectorX q, mu = VectorX::Zero(problem.multipliers());
+        problem.numbering().gather_free(model.state().q, q);
+        problem.evaluate_constraints(start, q, VectorX::Zero(q.size()));
+        ancf::SparseMatrix out;
+        problem.velocity_level(mu, out);
+        return out.norm();
+    };
+    const double expected = size(0.7, 0.0);
+    CHECK(expected > 1.0);
+    // along the axes every product of coordinates is zero, or round-off
+    for (const double turn : {0.0, 0.5 * ancf::pi, ancf::pi})
+        for (const double start : {0.0, 1.0}) {
+            INFO("turn " << turn << ", start " << start);
+            CHECK(size(turn, start) == Approx(expected).epsilon(1e-4));  // 2e-5
+        }
+}
+
 /// Drives an arm by the energy-momentum scheme and checks that its joint has turned by the angle,
 /// with all turns and in every part of the way.
 template <class Arm>

@@ -139,19 +139,25 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
 }
 
 /// Returns dG/dt = d(g_t)/dq, as of a joint whose drive turns its axes: by a difference over the
-/// time in which the drive moves 1e-5 of what the coordinates make of an equation.
+/// time in which the drive moves 1e-5 of what vectors of their lengths make of an equation.
 [[nodiscard]] ANCF_INLINE MatrixX turn_of_jacobian(const AnyConstraint& constraint,
-                                                   ConstraintState state) {
+                                                   ConstraintState state, int dimension) {
     constexpr double share = 1e-5;
+    constexpr double resolved = 1e-10;  // of the time, at least
     state.multipliers.setZero(constraint.equations());
     ConstraintResult now, later;
     constraint.terms(state, now);
-    const VectorX sizes = now.jacobian.cwiseAbs() * state.q.cwiseAbs();
     double pace = 0.0;  // 1/s
-    for (Eigen::Index e = 0; e < sizes.size(); ++e)
-        if (sizes[e] > 0.0) pace = std::max(pace, std::abs(now.rate[e]) / sizes[e]);
+    for (Eigen::Index e = 0; e < now.jacobian.rows(); ++e) {
+        double size = 0.0;
+        for (Eigen::Index k = 0; k < state.q.size(); k += dimension)
+            size += now.jacobian.row(e).segment(k, dimension).norm() *
+                    state.q.segment(k, dimension).norm();
+        if (size > 0.0) pace = std::max(pace, std::abs(now.rate[e]) / size);
+    }
     if (!(pace > 0.0)) return MatrixX::Zero(now.jacobian.rows(), now.jacobian.cols());
-    const double start = std::exchange(state.time, state.time + share / pace);
+    const double later_by = std::max(share / pace, resolved * std::abs(state.time));
+    const double start = std::exchange(state.time, state.time + later_by);
     constraint.terms(state, later);
     return (later.jacobian - now.jacobian) / (state.time - start);
 }
@@ -161,6 +167,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
     ConstraintState local;
     ConstraintResult result;
     local.time = time_;
+    const int dimension = assembly_.model().layout().dimension();
     for (std::size_t k = 0; k < results_.size(); ++k) {
         const AnyConstraint& constraint = constraints_[k];
         const LocalCoordinates& coordinates = assembly_.constraint_coordinates(k);
@@ -168,7 +175,7 @@ ANCF_INLINE void ConstraintSet::add_velocity_level(const VectorX& mu, SparseMatr
         const int equations = constraint.equations();
         gather(q_, read, local.q);
         gather(v_, read, local.v);
-        const MatrixX turn = turn_of_jacobian(constraint, local);
+        const MatrixX turn = turn_of_jacobian(constraint, local, dimension);
         for (int e = 0; e < equations; ++e) {
             if (left_out(first_[k] + e)) continue;
             // with one multiplier 1 the stiffness is the Hessian of that equation
