@@ -159,6 +159,7 @@ ANCF_INLINE void ConstraintSet::write_rows(const std::vector<int>& columns, Matr
     const double later_by = std::max(share / pace, resolved * std::abs(state.time));
     const double start = std::exchange(state.time, state.time + later_by);
     constraint.terms(state, later);
+    if (!later.jacobian.allFinite()) return MatrixX::Zero(now.jacobian.rows(), now.jacobian.cols());
     return (later.jacobian - now.jacobian) / (state.time - start);
 }
 
