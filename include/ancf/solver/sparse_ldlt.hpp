@@ -60,14 +60,15 @@ public:
     void solve(VectorX& x) const;
 
 private:
-    void order(const SparseMatrix& lower, bool to_end);
+    void order(const SparseMatrix& lower);
     void permute(const int* outer);
     void analyze();
     [[nodiscard]] int take_values(const double* values);
     [[nodiscard]] bool eliminate(int from);
 
     std::vector<int> blocks_, outer_, inner_;  // the pattern whose order is known
-    int last_ = 0;                             // rows that wait
+    int last_ = 0;                             // rows that wait,
+    bool to_end_ = true;                       // for all others
     bool complete_ = false;                    // whether L belongs to the values
     std::vector<int> order_, place_;           // row at a place, place of a row
     // of the permuted matrix the upper half, by columns

@@ -119,15 +119,16 @@ ANCF_INLINE bool SparseLdlt::factorize(const SparseMatrix& lower, const std::vec
     const int* outer = lower.outerIndexPtr();
     const int* inner = lower.innerIndexPtr();
     const int *outer_end = outer + lower.cols() + 1, *inner_end = inner + outer[lower.cols()];
-    if (blocks != blocks_ || last != last_ ||
+    if (blocks != blocks_ || last != last_ || to_end != to_end_ ||
         !std::equal(outer, outer_end, outer_.begin(), outer_.end()) ||
         !std::equal(inner, inner_end, inner_.begin(), inner_.end())) {
         outer_.clear();  // until all is known
         blocks_ = blocks;
         last_ = last;
+        to_end_ = to_end;
         complete_ = false;
         inner_.assign(inner, inner_end);
-        order(lower, to_end);
+        order(lower);
         permute(outer);
         analyze();
         outer_.assign(outer, outer_end);
@@ -148,7 +149,7 @@ ANCF_INLINE int SparseLdlt::take_values(const double* values) {
 }
 
 /// Finds the order of elimination.
-ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower, bool to_end) {
+ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower) {
     std::vector<std::vector<int>> neighbours = coupled_blocks(lower, blocks_);
     Records<char> waits(neighbours.size(), 0);
     for (std::size_t row = blocks_.size() - last_; row < blocks_.size(); ++row)
@@ -166,7 +167,7 @@ ANCF_INLINE void SparseLdlt::order(const SparseMatrix& lower, bool to_end) {
     for (int k = 0; k < end; k += 2) turn[sequence[k / 2]] = k;
     for (std::size_t block = 0; block < turn.size(); ++block) {
         if (waits[block] == 0) continue;
-        turn[block] = to_end ? end : 0;
+        turn[block] = to_end_ ? end : 0;
         for (const int other : awaited[block]) turn[block] = std::max(turn[block], turn[other] + 1);
     }
     std::vector<std::vector<int>> rows(static_cast<std::size_t>(end) + 1);  // at each turn
