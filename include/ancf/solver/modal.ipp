@@ -257,8 +257,8 @@ ANCF_LAZY ModalReport natural_modes(const Scene& model, LinearSolver& solver,
     if (!model.has_symmetric_loads() &&
         detail::asymmetry(assembly.tangent(), assembly.tangent()) > 1e-12)
         remark(
-            "loads without a potential count by the symmetric part of their stiffness: what they "
-            "do to frequencies and stability, a motion tells");
+            "loads without a potential count by the symmetric part of their stiffness: only a "
+            "motion tells what they do to frequencies and stability");
     const char* const high =
         "K - shift M is not positive definite: the state is unstable, or the shift too high";
     const char* const remedy =

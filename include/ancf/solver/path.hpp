@@ -72,8 +72,8 @@ struct PathOptions {
 
     double first_factor = 0.0;           ///< load factor of the state that the model is in
     double first_step = 0.1;             ///< change of the load factor that the first step aims at,
-                                         ///< by any control, its sign the sense; no longer than
-                                         ///< `branch_step`
+                                         ///< by any control; negative: the load falls; no longer
+                                         ///< than `branch_step`
     double largest_step = 10.0;          ///< longest step, as a multiple of the first one; 1000
                                          ///< where a stiff scene buckles in the end
     double smallest_step = 1e-6;         ///< shortest step, likewise

@@ -201,6 +201,7 @@ private:
         const Eigen::SelfAdjointEigenSolver<Dense> reduced(symmetric);
         std::vector<Eigen::Index> order(static_cast<std::size_t>(rank));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
+        // pairs of either sign differ by less than this share
         const auto size = [&](Eigen::Index i) {
             const double value = reduced.eigenvalues()[i];
             return std::abs(value) * (value > 0.0 ? 1.0 + 1e-6 : 1.0);
