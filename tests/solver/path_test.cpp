@@ -1029,6 +1029,33 @@ TEST_CASE("path: displacement control passes the limit point of the load", "[pat
     CHECK(report.critical[0].factor == Approx(limit_load(0.5)).epsilon(1e-9));
 }
 
+TEST_CASE("path: displacement control names a coordinate that turns back", "[path]") {
+    // the apex is pushed through a long bar, which springs back as the truss snaps through
+    Truss truss = make_truss(0.5);
+    truss.add(ancf::Force(apex, {0, 1, 0}));  // takes back the load of the apex
+    const auto pushed = truss.add_node({0, 10.5, 0});
+    truss.connect<Bar>(truss.add_prototype(Bar(axial_stiffness, 1.0, 10.0)), apex, pushed);
+    for (const int across : {0, 2}) truss.fix(pushed, Field::r, across);
+    truss.fix(apex, Field::r, 0);
+    truss.add(ancf::Force(pushed, {0, -1, 0}));
+    ancf::EigenLdlt solver;
+    ancf::PathOptions options;
+    options.at = {pushed, Field::r};
+    options.component = 1;
+    options.last_factor = -0.9 * limit_load(0.5);
+    SECTION("by displacement") {
+        options.control = ancf::PathControl::displacement;
+        const auto report = ancf::follow_path(truss, solver, options);
+        CHECK(report.status == Status::diverged);
+        CHECK_THAT(report.message, Catch::Contains("turn back in the controlled coordinate"));
+    }
+    SECTION("by arc length") {
+        const auto report = ancf::follow_path(truss, solver, options);
+        CHECK(report.status == Status::converged);
+        CHECK(report.critical.size() == 1);
+    }
+}
+
 /// One that tells nothing of pivots, as solvers that iterate.
 class Blind : public ancf::LinearSolver {
 public:

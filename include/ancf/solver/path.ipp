@@ -108,6 +108,10 @@ public:
                 step_ *= 0.5;
                 if (step_ != 0.0 && std::abs(step_) >= options_.smallest_step * first_) continue;
                 report_.message = cause(tried.status, "the smallest step failed", here);
+                if (controlled_ >= 0 && !report_.fault)
+                    report_.message +=
+                        "; does the path turn back in the controlled coordinate? "
+                        "PathControl::cylindrical passes such points";
                 return finish(Status::diverged, here);
             }
             record(here, next, tried.iterations);
