@@ -86,9 +86,8 @@ function(ancf_make_native name)
     # GCC 12 takes fault with its own AVX-512 header.
     target_compile_options(${name} PUBLIC -march=native
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-array-bounds>")
-    # With wide registers these two take more than 700 MB otherwise: the compiler collects its garbage more often.
-    set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp
-        ${PROJECT_BINARY_DIR}/compiled/solver_subspace.cpp PROPERTIES COMPILE_OPTIONS
+    # With wide registers it takes more than 700 MB otherwise: the compiler collects its garbage more often.
+    set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp PROPERTIES COMPILE_OPTIONS
         "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=20;--param=ggc-min-heapsize=32768>")
 endfunction()
 

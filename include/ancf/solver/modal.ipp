@@ -193,7 +193,7 @@ template <class Value>
                                    const Value& value) {
     ModalReport report;
     const Numbering& numbering = assembly.numbering();
-    Subspace<MatrixX> space(A, B, scales, solver);
+    Subspace space(A, B, scales, solver);
     report.status = space.run(numbering.free_coordinates(), options.count, options.tolerance,
                               options.max_iterations);
     report.iterations = space.iterations;
