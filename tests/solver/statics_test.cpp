@@ -298,6 +298,69 @@ TEST_CASE("statics: a straight column is stable below Euler's load and unstable 
     }
 }
 
+/// A clamped column in the plane, a thousandth of its length deep, with a small force aside.
+std::pair<ancf::PlanarModel, ancf::NodeId> make_imperfect_column(double aside) {
+    ancf::PlanarModel scene;
+    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        scene, ancf::Material::isotropic(12e9, 0.3, 1000.0), ancf::rectangle(1.0, 1e-3), {0, 0},
+        {1, 0}, 16, ancf::CrossSectionOptions{ancf::Rule::mixed()});  // E I = 1 N m^2
+    scene.clamp(column.first());
+    scene.add(ancf::Force<2>(column.last(), {0.0, aside}));
+    return {std::move(scene), column.last()};
+}
+
+TEST_CASE("statics: an imperfect column ends bent beyond its buckling load", "[statics]") {
+    // the elastica whose tip has turned by 120 degrees
+    const double load = 1.884841 * ancf::pi * ancf::pi / 4.0;
+    const double aside = GENERATE(1e-3, -1e-3, 1e-5, -1e-5);
+    const int steps = GENERATE(1, 3, 10, 100);
+    const auto* const name = GENERATE("eigen-ldlt", "eigen-lu");
+    CAPTURE(aside, steps, name);
+    auto [scene, tip] = make_imperfect_column(aside);
+    scene.add(ancf::Force<2>(tip, {-load, 0.0}));
+    ancf::StaticsOptions options;
+    options.steps = steps;
+    const auto report = ancf::solve_statics(scene, *ancf::solver_named(name), options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == ancf::Stability::stable);
+    CHECK(scene.position(tip)[0] == Approx(0.123160).margin(1e-3));
+    CHECK(scene.position(tip)[1] == Approx(std::copysign(0.803171, aside)).margin(1e-3));
+}
+
+TEST_CASE("statics: an imperfect column bends where its end is pushed", "[statics]") {
+    // the elastica whose tip has turned by 40 degrees: K(p) = 1.620026, E(p) = 1.523799
+    const double x = 2.0 * 1.523799 / 1.620026 - 1.0, y = 2.0 * std::sin(ancf::pi / 9) / 1.620026;
+    const double load = 1.620026 * 1.620026;
+    const double aside = GENERATE(1e-3, -1e-5);
+    const int steps = GENERATE(30, 100);
+    CAPTURE(aside, steps);
+    auto [scene, tip] = make_imperfect_column(aside);
+    ancf::StaticsOptions options;
+    options.steps = steps;
+    const auto value = [x](double factor) { return 1.0 + factor * (x - 1.0); };
+    double reaction = 0.0;
+    SECTION("by a support") {
+        scene.prescribe(tip, Field::r, 0, value);
+        ancf::EigenLdlt solver;
+        const auto report = ancf::solve_statics(scene, solver, options);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        reaction = report.reactions[scene.coordinate(tip, Field::r)];
+    }
+    SECTION("by a joint") {
+        scene.add(ancf::FixedCoordinate<2>(
+            tip, Field::r, 0,
+            ancf::Motion{value, [x](double) { return x - 1.0; }, [](double) { return 0.0; }}));
+        ancf::EigenLu solver;
+        const auto report = ancf::solve_statics(scene, solver, options);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        reaction = -scene.state().multipliers[0];
+    }
+    CHECK(reaction == Approx(-load).epsilon(1e-3));
+    CHECK(scene.position(tip)[1] == Approx(std::copysign(y, aside)).margin(1e-3));
+}
+
 TEST_CASE("statics: a column that a joint alone holds is judged like a clamped one",
           "[statics][stability]") {
     for (const double load : {0.9, 1.1}) {

@@ -197,7 +197,7 @@ ANCF_INLINE NegativeDirections negative_directions(const Assembly& assembly,
     if (factor.negative_pivots >= 0)
         return {std::max(factor.negative_pivots - assembly.numbering().multipliers(), 0), true};
     if (solver.iterative()) return {};
-    return negative_directions(assembly, tangent, true);
+    return negative_directions(assembly, tangent, assembly.model().has_symmetric_loads());
 }
 
 /// Whether all eigenvalues of a 4 x 4 matrix have positive real parts: Hurwitz's conditions on its

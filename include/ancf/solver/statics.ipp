@@ -146,8 +146,9 @@ private:
         part_size_ = share_after(failed) * size;
         const bool stuck = is_stuck(failed);
         if (!jumped_ && newton_ == NewtonKind::automatic &&
-            (stuck || (report_.factor != options_.first_factor && wanders(failed)))) {
+            (stuck || passed_ || (report_.factor != options_.first_factor && wanders(failed)))) {
             unheld_ = stuck;
+            falls_ = passed_;
             jumped_ = true;
             way_ = Way::damped;
             return true;
@@ -247,6 +248,7 @@ private:
         failure_.clear();
         far_joint_.clear();
         reached_.reset();
+        passed_ = false;
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
@@ -367,7 +369,8 @@ private:
     /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
     /// D has the magnitudes of the tangent's diagonal, the largest one where that has a zero, and
     /// the largest force over the scene's size where it has none, as of masses on links. The time
-    /// is such that the correction is neither large nor against the force.
+    /// is such that the correction is neither large nor against the force; in a fall, that K + D/t
+    /// is positive definite: the motion leaves an unstable state to the side where it is pushed.
     Status correct_damped(LoadStep& step) {
         constexpr double wanted = 0.5, growth = 4.0, first_time = 1e6, shortest = 1e-3;
         constexpr double nothing = 1e-12;  // a correction of the multipliers alone
@@ -388,13 +391,20 @@ private:
         if (!(largest_magnitude(viscosity) > 0.0)) viscosity.setConstant(force / monitor_.size());
         for (int k = 0; k < free; ++k)
             if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
-        time_ = step.corrections.empty()
-                    ? first_time
-                    : time_ * std::min(growth, wanted / step.corrections.back());
+        if (step.corrections.empty()) {
+            time_ = falls_ ? 1.0 : first_time;
+        } else {
+            time_ *= std::min(growth_, wanted / step.corrections.back());
+        }
+        growth_ = std::min(2.0 * growth_, growth);
         while (time_ > shortest && step.iterations < most_iterations(step)) {
             for (int k = 0; k < free; ++k) values[at[k]] = diagonal[k] + viscosity[k] / time_;
-            if (correct(step) != Status::converged) {
-                time_ /= growth;
+            const bool solved = correct(step) == Status::converged;
+            if (!solved || (falls_ && negative_directions(assembly_, assembly_.tangent(),
+                                                          report_.factorisation, solver_)
+                                              .count > 0)) {
+                time_ /= falls_ ? 2.0 : growth;
+                if (falls_) growth_ = 1.0;
                 continue;
             }
             double work = 0.0;  // of forces on the correction, without what closes constraints
@@ -489,7 +499,7 @@ private:
 
     [[nodiscard]] int most_iterations(const LoadStep& step) const {
         const int most = options_.max_iterations;
-        if (step.newton == NewtonKind::plain) return most;
+        if (step.newton == NewtonKind::plain || (step.damped && falls_)) return most;
         const int shared = std::min(options_.mixed_iterations, most);
         return step.damped ? shared + std::min(shared, most - shared) : shared;
     }
@@ -530,7 +540,7 @@ private:
             return true;
         const bool small = !(*std::max_element(step.corrections.begin(), step.corrections.end()) >
                              small_correction);
-        if (small && !doubted_) return true;
+        if (small && !doubted_ && !step.damped && !may_be_unstable()) return true;
         if (step.damped) report_.factorisation = solver_.factorize(assembly_.tangent());
         if (report_.factorisation.status != Status::converged) return false;
         const Stability reached = stability(assembly_, report_.factorisation, counted_before(step));
@@ -541,10 +551,19 @@ private:
         const bool lost = reached == Stability::unstable ||
                           (reached == Stability::unknown && !model_.has_symmetric_loads() &&
                            !softest_decay(assembly_, solver_));
-        // small corrections from a stable state to an unstable one: the path itself gets there
+        // an imperfect column may end straight beyond its buckling load: let it fall
+        passed_ = small && lost && !jumped_;
+        if (passed_) return false;
+        // a perfect one does not fall: the path itself gets there
         if (small) stable_ = !lost;
         doubted_ = lost && !small;
         return !doubted_;
+    }
+
+    /// Whether the last factorisation leaves it open that a state is unstable.
+    [[nodiscard]] bool may_be_unstable() const {
+        const int negative = report_.factorisation.negative_pivots;
+        return negative < 0 ? !solver_.iterative() : negative > assembly_.numbering().multipliers();
     }
 
     /// Whether corrections are too large for an iteration that would converge, or wander.
@@ -636,8 +655,11 @@ private:
     int spent_ = 0;                // iterations before the step that the options ask for
     bool stable_ = true;           // as far as is known, the last state that was accepted
     bool doubted_ = false;         // the last step ended elsewhere
+    bool passed_ = false;          // the last step ended beyond a bifurcation
+    bool falls_ = false;           // a damped attempt leaves such a state
     bool moments_alone_ = false;   // loads act on slopes, none on a position
     double time_ = 0.0;            // of a damped correction
+    double growth_ = 4.0;          // of this time, at most
     double whole_ = 0.0;           // of the load factors
     double equal_ = 0.0;           // a step of equal ones
     double part_size_ = 0.0;       // of a step, or of the part of one that is tried next
