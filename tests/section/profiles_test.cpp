@@ -90,7 +90,8 @@ TEST_CASE("I-section: torsion constant has the accuracy that its page states",
     const Row table[] = {{20, 20, 1, 1, 19.493, 0.015},  {10, 20, 1, 2, 53.864, 0.015},
                          {10, 20, 2, 2, 98.583, 0.015},  {20, 20, 1, 2, 107.198, 0.015},
                          {10, 20, 2, 1, 56.398, 0.025},  {10, 20, 4, 4, 713.90, 0.015},
-                         {20, 40, 1, 2, 113.864, 0.015}, {10, 10, 2, 2, 71.919, 0.015}};
+                         {20, 40, 1, 2, 113.864, 0.015}, {10, 10, 2, 2, 71.919, 0.015},
+                         {10, 20, 1, 5, 583.5, 0.02}};
     for (const Row& row : table) {
         CAPTURE(row.width, row.height, row.web, row.flange);
         CHECK(i_section(row.width, row.height, row.web, row.flange).torsion_constant() ==
@@ -159,6 +160,7 @@ TEST_CASE("hollow rectangle and I-section: bad dimensions are refused by name",
                         {1, 1, 0.1, 0, "flange_thickness must be positive"},
                         {1, 4, 1, 1, "less than width 1"},
                         {1, 1, 0.1, 0.5, "half the height 1"},
+                        {0.2, 1, 0.02, 0.45, "at most half the width 0.2"},
                         {1, 1, 0.3, 0.1, "twice flange_thickness"}};
     for (const Bad& bad : beam)
         CHECK_THROWS_WITH(i_section(bad.a, bad.b, bad.c, bad.d), ContainsSubstring(bad.message));

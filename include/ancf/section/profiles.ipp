@@ -68,6 +68,9 @@ ANCF_INLINE Section i_section(double width, double height, double web_thickness,
     detail::require(flange_thickness < height / 2.0,
                     "flange_thickness must be less than half the height ", height, ", got ",
                     flange_thickness);
+    detail::require(flange_thickness <= width / 2.0 * (1.0 + 1e-12),
+                    "flange_thickness must be at most half the width ", width, ", got ",
+                    flange_thickness);
     detail::require(web_thickness <= 2.0 * flange_thickness,
                     "web_thickness must be at most twice flange_thickness ", flange_thickness,
                     ", got ", web_thickness);
