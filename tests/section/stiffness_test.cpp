@@ -131,8 +131,16 @@ TEST_CASE(
     "[section][stiffness]") {
     constexpr double tolerance = 1e-12;  // cancellation of the transport; measured 1e-15
     const double y = 0.5, z = -0.2;
-    const Section centred = ancf::rectangle(0.3, 0.7);
-    for (const auto model : {SectionModel::paper, SectionModel::saint_venant}) {
+    const Section full = ancf::rectangle(0.3, 0.7);
+    ancf::Moments second_order = full.moments();
+    second_order.yyyy = second_order.yyzz = second_order.zzzz = 0.0;
+    const Section second = Section::from_moments(second_order)
+                               .with_shear_correction(0.8, 0.7)
+                               .with_torsion_constant(0.005);
+    for (const auto& [centred, model] :
+         {std::pair{full, SectionModel::paper}, std::pair{full, SectionModel::saint_venant},
+          std::pair{second, SectionModel::paper}, std::pair{second, SectionModel::saint_venant}}) {
+        CAPTURE(centred.moments().has_fourth_order());
         const auto here = section_stiffness(steel, centred, model);
         const auto there = section_stiffness(steel, ancf::offset(centred, y, z), model);
         for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -43,7 +43,8 @@ public:
     /// with_...().
     ///
     /// With third and fourth moments all zero the section is known to second order only: the strain
-    /// terms quadratic in y and z then carry no stiffness (a beam given by E A, E I, G A and G J).
+    /// terms quadratic in y and z about the centroid then carry no stiffness (a beam given by E A,
+    /// E I, G A and G J).
     /// @throws InvalidArgument unless the moments can belong to an area, see validate().
     [[nodiscard]] static Section from_moments(const Moments& moments);
 

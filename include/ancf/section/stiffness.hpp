@@ -50,7 +50,8 @@ struct SectionStiffness {
 /// exact with two axes or a point of symmetry.
 ///
 /// A section known to second order only (Moments::has_fourth_order) gives the terms quadratic in y
-/// and z no stiffness: rows and columns 4 to 6 of `axial` are zero.
+/// and z about its centroid no stiffness. With the centroid on the axis rows and columns 4 to 6 of
+/// `axial` are zero; else they have what these terms add to the strain of the centroid.
 /// @throws InvalidArgument if the material has a value that is not positive, or the model needs a
 ///         shear correction factor or torsion constant that the section leaves unset.
 [[nodiscard]] SectionStiffness section_stiffness(const Material& material, const Section& section,

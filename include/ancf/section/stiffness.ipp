@@ -35,6 +35,27 @@ ANCF_INLINE Matrix<double, 3> saint_venant_block(const Moments& moments, double 
     return block;
 }
 
+/// Returns the axial block of a section known to second order: E int p p^T dA, p = (1, y, z), about
+/// the centroid (y_c, z_c), of its strain eps + y_c b_y + ... + z_c^2 (a_zz/2) and of the slopes
+/// b_y + y_c a_yy + z_c a_yz and b_z + y_c a_yz + z_c a_zz of the strain there.
+ANCF_INLINE Matrix<double, 6> second_order_block(const Moments& moments, double young) noexcept {
+    Matrix<double, 3> centred = moment_matrix<3>(centroidal(moments), young);
+    for (int k = 1; k < 3; ++k) centred(0, k) = centred(k, 0) = 0.0;  // round-off
+    const double y = moments.y / moments.area, z = moments.z / moments.area;
+    const double at[3][6] = {{1.0, y, z, y * y, y * z, z * z},
+                             {0.0, 1.0, 0.0, 2.0 * y, z, 0.0},
+                             {0.0, 0.0, 1.0, 0.0, y, 2.0 * z}};
+    Matrix<double, 6> block;
+    for (int i = 0; i < 6; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0.0;
+            for (int a = 0; a < 3; ++a)
+                for (int b = 0; b < 3; ++b) sum += at[a][i] * centred(a, b) * at[b][j];
+            block(i, j) = block(j, i) = sum;
+        }
+    return block;
+}
+
 }  // namespace detail
 
 ANCF_INLINE SectionStiffness section_stiffness(const Material& material, const Section& section,
@@ -45,11 +66,9 @@ ANCF_INLINE SectionStiffness section_stiffness(const Material& material, const S
     const double shear_z = section.shear_correction_z() * material.shear;
 
     SectionStiffness stiffness;
-    stiffness.axial = detail::moment_matrix<6>(moments, material.young);
-    if (!moments.has_fourth_order()) {
-        for (int i = 0; i < 6; ++i)
-            for (int j = 3; j < 6; ++j) stiffness.axial(i, j) = stiffness.axial(j, i) = 0.0;
-    }
+    stiffness.axial = moments.has_fourth_order()
+                          ? detail::moment_matrix<6>(moments, material.young)
+                          : detail::second_order_block(moments, material.young);
     if (model == SectionModel::saint_venant) {
         const Moments centred = centroidal(moments);
         const SectionPoint centre = section.shear_centre();
