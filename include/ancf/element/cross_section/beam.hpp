@@ -188,7 +188,8 @@ public:
 
     /// Returns the second Piola-Kirchhoff stress of a point in the order of green_strain(), Pa, by
     /// the diagonal material of [Dufva2006, Eq. 29]: shear stresses contain their correction
-    /// factors.
+    /// factors. Those of torsion are k G times the rate of twist times the distance from the shear
+    /// centre, whatever the torsion constant is: docs/limits.md.
     [[nodiscard]] Vector<double, 6> stress(const Coordinates& e, double xi, double y = 0.0,
                                            double z = 0.0) const noexcept {
         return moduli_.cwiseProduct(green_strain(e, xi, y, z));
