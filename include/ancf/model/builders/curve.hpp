@@ -23,6 +23,9 @@
 namespace ancf {
 
 /// A node of a reference curve: position, m, and slopes r_x, r_y (and r_z) as columns.
+///
+/// r_y (and r_z) are the section's axes: of unit length, normal to r_x and to each other. Others
+/// are taken, as a section that is sheared or stretched so without stress.
 template <int Dimension>
 struct CurvePoint {
     Vector<double, Dimension> position;  ///< m
