@@ -494,6 +494,12 @@ TEST_CASE("curve builders: what is no curve is refused", "[model][curve][bad-inp
         Model model;
         CHECK_THROWS_AS(each.build(model), InvalidArgument);
     }
+    Model model;
+    CHECK_THROWS_WITH(
+        arc<Spatial>(model, m, s, o, x, x, 1.0, 1.0, 4),
+        ContainsSubstring("arc: tangent and normal") && ContainsSubstring("1 0 0 and 1 0 0"));
+    CHECK_THROWS_WITH(helix<Spatial>(model, m, s, o, o, y, 1.0, 1.0, 1.0, 4),
+                      ContainsSubstring("helix: axis and outward"));
     // a cable has no slopes across: they may differ
     Model cables;
     CHECK_NOTHROW(beam_through<Cable<3>>(cables, m, circle(0.1),

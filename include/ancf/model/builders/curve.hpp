@@ -43,6 +43,12 @@ struct Curve {
     std::vector<double> lengths;  ///< parameter range of each element, or of all
 };
 
+/// Returns the reference slopes of two directions that a builder was given.
+/// @param names  of the builder and of them, for the message
+/// @throws InvalidArgument where one has no length or they are parallel.
+[[nodiscard]] Matrix<double, 3> slopes_of(const char* names, const Vector<double, 3>& direction,
+                                          const Vector<double, 3>& y_axis);
+
 /// The curves of the builders below. They throw what the builders document.
 /// @param start  slopes of the first node; the arc turns from the first to the second of them
 template <int Dimension>
@@ -118,7 +124,8 @@ auto arc(BasicModel<Dimension>& model, const Material& material, const Section& 
                   "an arc takes a normal in space alone: leave it out in the plane");
     detail::require_positive("arc: angle", angle);
     const auto curve =
-        detail::arc_curve<3>(from, reference_slopes(tangent, normal), radius, angle, elements);
+        detail::arc_curve<3>(from, detail::slopes_of("arc: tangent and normal", tangent, normal),
+                             radius, angle, elements);
     return beam_through<Element>(model, material, section, curve.points, curve.lengths,
                                  std::forward<Options>(options)...);
 }

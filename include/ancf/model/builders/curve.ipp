@@ -13,6 +13,15 @@
 
 namespace ancf::detail {
 
+ANCF_INLINE Matrix<double, 3> slopes_of(const char* names, const Vector<double, 3>& direction,
+                                        const Vector<double, 3>& y_axis) {
+    const double size = span(direction) * span(y_axis);
+    require(span(cross(direction, y_axis)) > 1e-8 * size, names,
+            " need lengths and must not be parallel, got ", components(direction), " and ",
+            components(y_axis));
+    return reference_slopes(direction, y_axis);
+}
+
 template <int Dimension>
 Curve<Dimension> arc_curve(const Vector<double, Dimension>& from,
                            const Matrix<double, Dimension>& start, double radius, double angle,
@@ -41,7 +50,8 @@ ANCF_LAZY Curve<3> helix_curve(const Vector<double, 3>& centre, const Vector<dou
     require_finite("helix: pitch", pitch);
     require_positive("helix: turns", turns);
     require(elements >= 1, "helix: at least one element is needed, got ", elements);
-    const Matrix<double, 3> frame = reference_slopes(axis, outward);  // axis, outward, across
+    const Matrix<double, 3> frame =
+        slopes_of("helix: axis and outward", axis, outward);  // axis, outward, across
     const double rise = pitch / (2.0 * pi);
     const double per_radian = std::sqrt(radius * radius + rise * rise);
     std::vector<CurvePoint<3>> points;
