@@ -38,7 +38,7 @@ public:
         beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
         beta_hat_ = beta_ * (1.0 - af_) / (1.0 - am_);
         gamma_hat_ = gamma_ * (1.0 - af_) / (1.0 - am_);
-        error_constant_ = std::abs(beta_ + 0.5 * offset_ - 1.0 / 6.0);
+        error_constant_ = beta_ + 0.5 * offset_ - 1.0 / 6.0;
         const int n = problem.size();
         for (int j = 0; j < system_.outerSize(); ++j)
             for (int k = system_.outerIndexPtr()[j]; k < system_.outerIndexPtr()[j + 1]; ++k)
@@ -106,6 +106,8 @@ private:
         now_.acceleration = now_.algorithmic = start_.acceleration;
         width_ = duration_ > 0.0 ? std::min(grid_.width, duration_) : grid_.width;
         linearised_width_ = 0.0;
+        jerk_.setZero(problem_.size());
+        peak_ = 0.0;
         if (offset_ == 0.0 && !goes_on) return;
         static_cast<MotionPoint&>(next_) = now_;
         if (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
@@ -157,13 +159,15 @@ private:
     /// Takes the end of the run that goes on into now_, and where its matrix was made into next_.
     /// Returns whether it ended by a step that was cut.
     [[nodiscard]] bool read(const Memory& memory) {
-        const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 7);
+        const VectorX& values = recall("GeneralizedAlpha", "generalized_alpha", memory, 8);
         require(values[7] == options_.rho, "GeneralizedAlpha: the memory is of rho ", values[7],
                 ", the options have ", options_.rho);
-        problem_.set_length_scale(values[11]);
+        problem_.set_length_scale(values[12]);
         static_cast<MotionPoint&>(now_) = recall(memory, "", values[0]);
         now_.acceleration = memory.get("acceleration", problem_.size());
         now_.algorithmic = memory.get("algorithmic", problem_.size());
+        jerk_ = memory.get("jerk", problem_.size());
+        peak_ = values[11];
         width_ = values[4];
         linearised_width_ = values[6];
         if (linearised_width_ > 0.0)
@@ -180,7 +184,7 @@ private:
             (evaluate(next_, Request::tangent_and_damping) != Status::converged ||
              factorise(linearised_width_) != Status::converged))
             linearised_width_ = 0.0;  // the first step builds a matrix of its own
-        const VectorX& values = memory.get("scalars", 13);
+        const VectorX& values = memory.get("scalars", 14);
         matrix_ = {values[8], values[9], values[10]};
         frames_.recall(memory);
     }
@@ -188,9 +192,10 @@ private:
     void remember_run() {
         remember("generalized_alpha", now_,
                  {width_, linearised_.time, linearised_width_, options_.rho, matrix_.steps,
-                  matrix_.contraction, matrix_.told});
+                  matrix_.contraction, matrix_.told, peak_});
         report_.memory.put("acceleration", now_.acceleration);
         report_.memory.put("algorithmic", now_.algorithmic);
+        report_.memory.put("jerk", jerk_);
         report_.memory.put("frames", frames_.memory());
         if (linearised_width_ > 0.0) remember("linearised_", linearised_);
     }
@@ -209,12 +214,16 @@ private:
             next_.time = step.end;
             const Status status = step.turn.fits() ? newton(step.width) : Status::diverged;
             double error = 0.0;
-            if (status == Status::converged && control_.is_adaptive())
+            if (status == Status::converged && control_.is_adaptive()) {
                 error = weigh(error_constant_ * step.width * step.width * change_of_acceleration() /
                                   options_.tolerance,
                               step.width);
-            const double factor = 0.85 / std::cbrt(std::max(error, 1e-3));
+                // in a vibration accelerations change little twice a period
+                peak_ = std::max(error, 0.9 * peak_);
+            }
+            const double factor = 0.85 / std::cbrt(std::max(peak_, 1e-3));
             if (status == Status::converged && error <= 1.0) {
+                jerk_ = 0.5 * (jerk_ + (next_.algorithmic - now_.algorithmic) / step.width);
                 grid_.take(step);
                 frames_.end_step(step.width);
                 rests_ = error < resting;
@@ -232,16 +241,26 @@ private:
 
     /// Makes the start of a step what belongs to another width.
     ///
-    /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order. Rates are
-    /// off constraints by a multiple of h^2: left so, they would be a shock to a shorter step that
-    /// decays by rho a step.
+    /// a_n stands for v'(t_n + offset h): without the shift a change of h costs an order. After
+    /// steps of one width v_n is off the rate of the positions by -error_constant h^2 v''. Left so,
+    /// it would be a shock to constraints, and to vibrations that steps do not resolve, that decays
+    /// by rho a step. What is off the constraints is known.
     void change_width(double width) {
         if (width == width_) return;
         const double ratio = width / width_;
         now_.algorithmic = now_.acceleration + ratio * (now_.algorithmic - now_.acceleration);
+        const auto hold = [&](VectorX& v) {
+            return problem_.multipliers() == 0 || problem_.project_rates(now_.time, now_.q, v, 1);
+        };
         VectorX held = now_.v;
-        if (problem_.multipliers() > 0 && problem_.project_rates(now_.time, now_.q, held, 1))
-            now_.v = held + ratio * ratio * (now_.v - held);
+        bool holds = hold(held);
+        VectorX moved = held;
+        if (control_.is_adaptive()) {
+            moved -= error_constant_ * (width * width - width_ * width_) * jerk_;
+            holds = holds && hold(moved);
+        }
+        if (holds) now_.v = moved + ratio * ratio * (now_.v - held);
+        peak_ *= ratio * ratio * ratio;
         width_ = width;
     }
 
@@ -423,7 +442,9 @@ private:
 
     TurningFrames frames_;
     Point now_, next_;
-    double width_ = 0.0;             // step that now_.algorithmic belongs to
+    double width_ = 0.0;             // step that now_.algorithmic, now_.v and peak_ belong to
+    double peak_ = 0.0;              // largest error of late, of the tolerance
+    VectorX jerk_;                   // mean rate of a over the steps of late; 0 at the start
     MotionPoint linearised_;         // where the factorised matrix was evaluated
     double linearised_width_ = 0.0;  // its step; 0: there is no matrix
     Experience matrix_;
