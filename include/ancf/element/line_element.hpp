@@ -224,7 +224,8 @@ protected:
     /// @param needs  what it must have then
     void require_admissible(const char* needs) const {
         detail::require(self().admissible(reference_),
-                        "the reference coordinates of an element need ", needs, ", got ",
+                        "the reference coordinates of an element need ", needs,
+                        " (where a curve turns far in an element, take more elements), got ",
                         detail::components(reference_));
     }
 

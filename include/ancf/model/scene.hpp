@@ -243,7 +243,7 @@ public:
     /// @throws InvalidArgument for a node that does not exist.
     void pin(NodeId node) { fix(node, Field::r); }
 
-    /// Frees what was held or driven of a vector.
+    /// Frees what was held or driven of a vector, in all components.
     /// @throws InvalidArgument for a node that does not exist or a vector that is attached.
     void release(NodeId node, Field field);
 

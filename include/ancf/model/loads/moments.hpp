@@ -103,8 +103,8 @@ private:
 /// Whether a load keeps its direction in space or its components in the node's frame.
 enum class Attachment { space, frame };
 
-/// A moment vector on the frame (t, n, c) of a node's section, t normal to r_y and r_z, n and c
-/// between them, N m.
+/// A moment vector on the frame (t, n, c) of a node's section, N m: t is normal to r_y and r_z, n
+/// and c are their directions turned to a right angle, r_y by 1 - f of what it lacks, r_z by f.
 ///
 /// With u, w the unit vectors of r_y and r_z, s = |u x w|, t = u x w/s:
 ///     Q_ry = (f m_t t x u - m.w/s t)/|r_y|,   Q_rz = ((1 - f) m_t t x w + m.u/s t)/|r_z|.
