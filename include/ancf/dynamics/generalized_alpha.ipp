@@ -223,7 +223,9 @@ private:
             }
             const double factor = 0.85 / std::cbrt(std::max(peak_, 1e-3));
             if (status == Status::converged && error <= 1.0) {
-                jerk_ = 0.5 * (jerk_ + (next_.algorithmic - now_.algorithmic) / step.width);
+                // vibrations that steps do not resolve fade in it as fast as in the motion
+                jerk_ += (1.0 - options_.rho) *
+                         ((next_.algorithmic - now_.algorithmic) / step.width - jerk_);
                 grid_.take(step);
                 frames_.end_step(step.width);
                 rests_ = error < resting;
