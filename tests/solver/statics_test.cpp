@@ -327,6 +327,26 @@ TEST_CASE("statics: an imperfect column ends bent beyond its buckling load", "[s
     CHECK(scene.position(tip)[1] == Approx(std::copysign(0.803171, aside)).margin(1e-3));
 }
 
+TEST_CASE("statics: an imperfect square column bends along its push", "[statics]") {
+    // shears of the section make the diagonal softer: bent along its y axis it is unstable too
+    ancf::Model scene;
+    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        scene, ancf::Material::isotropic(12e9, 0.3, 1000.0), ancf::rectangle(0.03, 0.03), {0, 0, 0},
+        {1, 0, 0}, 8, ancf::CrossSectionOptions{ancf::Rule::mixed()});
+    scene.clamp(column.first());
+    const double load = 1.884841 * ancf::pi * ancf::pi / 4.0 * 12e9 * std::pow(0.03, 4) / 12.0;
+    scene.add(ancf::Force<3>(column.last(), {-load, 1e-4 * load, 0.0}));
+    ancf::StaticsOptions options;
+    options.steps = GENERATE(1, 10);
+    ancf::EigenLdlt solver;
+    const auto report = ancf::solve_statics(scene, solver, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == ancf::Stability::unstable);
+    // the elastica, which is neither stretched nor sheared; the straight column is at (1, 0)
+    CHECK(scene.position(column.last())[0] == Approx(0.123160).margin(0.01));  // 0.11904
+    CHECK(scene.position(column.last())[1] == Approx(0.803171).margin(0.01));  // 0.80279
+}
+
 TEST_CASE("statics: an imperfect column bends where its end is pushed", "[statics]") {
     // the elastica whose tip has turned by 40 degrees: K(p) = 1.620026, E(p) = 1.523799
     const double x = 2.0 * 1.523799 / 1.620026 - 1.0, y = 2.0 * std::sin(ancf::pi / 9) / 1.620026;

@@ -554,9 +554,10 @@ private:
         // an imperfect column may end straight beyond its buckling load: let it fall
         passed_ = small && lost && !jumped_;
         if (passed_) return false;
-        // a perfect one does not fall: the path itself gets there
-        if (small) stable_ = !lost;
-        doubted_ = lost && !small;
+        // a perfect one does not fall, or on a plane alone: the path itself gets there
+        const bool leads = small || (step.damped && falls_);
+        if (leads) stable_ = !lost;
+        doubted_ = lost && !leads;
         return !doubted_;
     }
 
