@@ -219,7 +219,7 @@ private:
                                   options_.tolerance,
                               step.width);
                 // in a vibration accelerations change little twice a period
-                peak_ = std::max(error, 0.87 * peak_);
+                peak_ = std::max(error, 0.85 * peak_);
             }
             const double factor = 0.85 / std::cbrt(std::max(peak_, 1e-3));
             if (status == Status::converged && error <= 1.0) {
