@@ -80,15 +80,20 @@ if(ANCF_WITH_OPENMP)
     endif()
 endif()
 
+# For sources that take more than 700 MB otherwise: the compiler collects its garbage more often.
+function(ancf_compile_in_less_memory)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS
+        "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=20;--param=ggc-min-heapsize=32768>")
+endfunction()
+
 # Lets a compiled library take all instructions of this machine and threads: its objects have another layout.
 function(ancf_make_native name)
     target_link_libraries(${name} PUBLIC ancf_threads)
     # GCC 12 takes fault with its own AVX-512 header.
     target_compile_options(${name} PUBLIC -march=native
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-Wno-array-bounds>")
-    # With wide registers it takes more than 700 MB otherwise: the compiler collects its garbage more often.
-    set_source_files_properties(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp PROPERTIES COMPILE_OPTIONS
-        "$<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=20;--param=ggc-min-heapsize=32768>")
+    # with wide registers
+    ancf_compile_in_less_memory(${PROJECT_BINARY_DIR}/compiled/element_ContinuumBeam_3_.cpp)
 endfunction()
 
 # For benchmarks.

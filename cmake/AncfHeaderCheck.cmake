@@ -41,6 +41,7 @@ foreach(header IN LISTS headers)
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/header-check/${stem}.cpp
         CONTENT "#include <${header}>\n#include <${header}>\n")
 endforeach()
+ancf_compile_in_less_memory(${PROJECT_BINARY_DIR}/header-check/ancf_ancf_hpp.cpp)
 add_custom_target(ancf_header_check)
 foreach(kind plain with_eigen)
     if(${kind})
