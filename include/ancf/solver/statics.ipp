@@ -393,6 +393,7 @@ private:
             if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
         if (step.corrections.empty()) {
             time_ = falls_ ? 1.0 : first_time;
+            growth_ = growth;
         } else {
             time_ *= std::min(growth_, wanted / step.corrections.back());
         }
@@ -554,7 +555,7 @@ private:
         // an imperfect column may end straight beyond its buckling load: let it fall
         passed_ = small && lost && !jumped_;
         if (passed_) return false;
-        // a perfect one does not fall, or on a plane alone: the path itself gets there
+        // a perfect one does not fall, or within a plane alone: the path itself gets there
         const bool leads = small || (step.damped && falls_);
         if (leads) stable_ = !lost;
         doubted_ = lost && !leads;
@@ -660,7 +661,7 @@ private:
     bool falls_ = false;           // a damped attempt leaves such a state
     bool moments_alone_ = false;   // loads act on slopes, none on a position
     double time_ = 0.0;            // of a damped correction
-    double growth_ = 4.0;          // of this time, at most
+    double growth_ = 0.0;          // of this time, at most
     double whole_ = 0.0;           // of the load factors
     double equal_ = 0.0;           // a step of equal ones
     double part_size_ = 0.0;       // of a step, or of the part of one that is tried next
