@@ -564,6 +564,40 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         CHECK(report.stability == ancf::Stability::stable);
         CHECK(model.position(lower.last())[1] == Approx(-1.5).epsilon(1e-6));
     }
+    SECTION("pendulums hang in space, from wherever they start") {
+        const ancf::Vector<double, 3> start =
+            GENERATE(ancf::Vector<double, 3>(0.28, 0.95, 0.13), ancf::Vector<double, 3>(1, 0, 0),
+                     ancf::Vector<double, 3>(0.8, -0.6, 0), ancf::Vector<double, 3>(-0.5, 0.8, 0.9),
+                     ancf::Vector<double, 3>(0.5, 0.2, -0.7));
+        const int elements = GENERATE(1, 4), parts = GENERATE(1, 2);
+        CAPTURE(start, elements, parts);
+        const ancf::Vector<double, 3> end = start.normalized();
+        const ancf::Vector<double, 3> lower = ancf::Vector<double, 3>(0, 0.7, 0) - 0.4 * end;
+        const ancf::Vector<double, 3> axis = {-end[2], 0.0, end[0]};  // horizontal, across the rod
+        ancf::Model model;
+        const auto rod =
+            ancf::straight_beam<ancf::TorsionBeam>(model, steel, section, {0, 0, 0}, end, elements);
+        auto tip = rod.last();
+        if (parts == 1) {
+            model.pin(rod.first());
+            model.fix(rod.first(), Field::r_y, 2);  // else it spins
+        } else {
+            const auto next = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+                model, steel, section, end, end + lower, elements);
+            model.add(ancf::Revolute(model, rod.first(), axis));
+            model.add(ancf::Revolute(model, tip, next.first(), axis));
+            tip = next.last();
+        }
+        model.set_gravity({0.0, -9.81, 0.0});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
+        CHECK(std::abs(model.position(tip)[0]) < 1e-6);
+        CHECK(model.position(tip)[1] ==
+              Approx(-1.0 - (parts == 2 ? lower.norm() : 0.0)).epsilon(1e-5));
+    }
     SECTION("springs that a load draws hold aside") {
         ancf::PlanarModel model;
         const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);

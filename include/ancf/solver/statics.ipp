@@ -130,6 +130,7 @@ private:
     /// @param size  of the step, in load factors
     /// @param turn  of the driven joints in it, rad
     [[nodiscard]] bool try_again(const LoadStep& failed, double size, double turn) {
+        if (way_ == Way::damped && unheld_ && !falls_) return falls_ = true;
         if (way_ != Way::usual) {
             const bool going = way_ != Way::plain;
             way_ = Way::usual;  // and the part that the attempt before has left
@@ -161,12 +162,9 @@ private:
         return true;
     }
 
-    /// Whether a step could not begin: its first tangent is singular, of masses alone to round-off.
-    [[nodiscard]] bool is_stuck(const LoadStep& failed) const {
-        constexpr double beyond_reason = 1e10;
-        if (failed.iterations == 0) return failed.status == Status::singular;
-        return masses_alone_ && !failed.corrections.empty() &&
-               failed.corrections.front() > beyond_reason;
+    /// Whether nothing holds the scene where a step that failed begins.
+    [[nodiscard]] bool is_stuck(const LoadStep& failed) {
+        return failed.corrections.empty() ? failed.status == Status::singular : begins_unheld();
     }
 
     /// Whether the next step may be longer. After a failed one, two have to succeed.
@@ -335,12 +333,26 @@ private:
                 add_curvature(!step.corrections.empty() || follows());
             const Status solved = step.damped ? correct_damped(step) : correct(step);
             if (solved != Status::converged) return solved;
+            constexpr double far = 2.0;
+            if (step.iterations == 1 && monitor_.correction(correction_) > far && begins_unheld())
+                return Status::singular;
             if (any(!all_finite(correction_)))
                 return failure_.empty() ? Status::not_finite : Status::diverged;
             if (!move(state, residual, step.newton)) return report_.fault->status;
             correction = monitor_.correction(correction_);
             step.corrections.push_back(correction);
         }
+    }
+
+    /// Whether nothing holds the scene where the run begins but what turning adds to the first
+    /// tangent of an automatic step. Keeps the correction.
+    [[nodiscard]] bool begins_unheld() {
+        constexpr double rcond_of_round_off = 1e-14;
+        if (report_.steps.size() > 1 || newton_ != NewtonKind::automatic || exchange_ != nullptr ||
+            solver_.iterative() || !evaluate(model_.state(), nullptr))
+            return false;
+        const FactorReport plain = solver_.factorize(assembly_.tangent());
+        return plain.status == Status::singular || !(plain.rcond > rcond_of_round_off);
     }
 
     /// Whether constraints repeat each other or a support, by the first tangent of the run.
