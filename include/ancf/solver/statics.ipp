@@ -78,7 +78,7 @@ private:
     [[nodiscard]] double next_wanted() const {
         const double first = options_.first_factor;
         const double wanted = options_.adaptive
-                                  ? report_.factor + (way_ == Way::usual ? part_size_ : equal_)
+                                  ? report_.factor + (in_parts() ? part_size_ : equal_)
                                   : first + whole_ * (steps_done_ + 1) / options_.steps;
         return std::abs(wanted - first) > std::abs(whole_) * (1.0 - 1e-12) ? options_.last_factor
                                                                            : wanted;
@@ -86,10 +86,14 @@ private:
 
     /// Returns the load factor wanted, or the end of a part of that step after one that failed.
     [[nodiscard]] double next_part(double wanted) const {
-        const bool in_parts =
-            newton_ == NewtonKind::automatic && way_ == Way::usual &&
-            std::abs(wanted - report_.factor) > std::abs(part_size_) * (1.0 + 1e-9);
-        return in_parts ? report_.factor + part_size_ : wanted;
+        const bool part = newton_ == NewtonKind::automatic && in_parts() &&
+                          std::abs(wanted - report_.factor) > std::abs(part_size_) * (1.0 + 1e-9);
+        return part ? report_.factor + part_size_ : wanted;
+    }
+
+    /// Whether the next attempt is one part, not all that is left of a step.
+    [[nodiscard]] bool in_parts() const {
+        return way_ == Way::usual || (way_ == Way::damped && falls_by_parts_);
     }
 
     /// Returns the load factor wanted, or an earlier one up to which driven joints turn by what a
@@ -118,6 +122,8 @@ private:
         if (!whole) return true;
         turn_share_ = 1.0;
         jumped_ = false;
+        failed_falls_ = 0;
+        falls_by_parts_ = false;
         spent_ = report_.iterations();
         ++steps_done_;
         if (!options_.progress || options_.progress(report_.factor, model_.state())) return true;
@@ -133,6 +139,10 @@ private:
         if (way_ == Way::damped && unheld_ && !falls_) return falls_ = true;
         if (way_ != Way::usual) {
             const bool going = way_ != Way::plain;
+            if (way_ == Way::damped && falls_ && ++failed_falls_ < most_falls) {
+                falls_by_parts_ = true;
+                part_size_ = 0.5 * size;
+            }
             way_ = Way::usual;  // and the part that the attempt before has left
             return going;
         }
@@ -144,13 +154,17 @@ private:
             newton_ = NewtonKind::plain;  // from here on, as a run without cuts of its own
             return true;
         }
-        part_size_ = share_after(failed) * size;
-        const bool stuck = is_stuck(failed);
-        if (!jumped_ && newton_ == NewtonKind::automatic &&
-            (stuck || passed_ || (report_.factor != options_.first_factor && wanders(failed)))) {
-            unheld_ = stuck;
-            falls_ = passed_;
-            jumped_ = true;
+        if (passed_ > 1 && 0.5 * std::abs(size) >= options_.min_step * std::abs(whole_)) {
+            falls_by_parts_ = true;  // from beyond a single one it falls to the right side
+            part_size_ = 0.5 * size;
+            return true;
+        }
+        falls_ = passed_ > 0;
+        part_size_ = falls_ ? size : share_after(failed) * size;
+        unheld_ = !falls_ && is_stuck(failed);
+        if (falls_ || (!jumped_ && newton_ == NewtonKind::automatic &&
+                       (unheld_ || (report_.factor != options_.first_factor && wanders(failed))))) {
+            jumped_ = jumped_ || !falls_;
             way_ = Way::damped;
             return true;
         }
@@ -246,7 +260,7 @@ private:
         failure_.clear();
         far_joint_.clear();
         reached_.reset();
-        passed_ = false;
+        passed_ = 0;
         LoadStep& step = report_.steps.emplace_back();
         step.factor = factor;
         step.newton = newton;
@@ -313,12 +327,13 @@ private:
             const double residual = monitor_.residual(assembly_);
             step.residuals.push_back(residual);
             if (!std::isfinite(residual)) return Status::not_finite;
-            const bool at_rest = correction <= options_.correction_tolerance;
-            if (at_rest && residual <= options_.residual_tolerance) return accept(state);
+            const bool at_rest = correction <= options_.correction_tolerance &&
+                                 residual <= options_.residual_tolerance;
+            if (at_rest && !begins_to_fall(step)) return accept(state);
             // a scene without loads that is at rest needs no correction to know it
             const bool idle = step.iterations == 0 && !moved &&
                               !any(largest_magnitude(assembly_.external_force()) != 0.0);
-            if (idle || settled(step) || stagnates(step)) {
+            if (idle || ((settled(step) || stagnates(step)) && !begins_to_fall(step))) {
                 step.at_round_off = monitor_.at_round_off(assembly_, state.q);
                 if (step.at_round_off) return accept(state);
             }
@@ -517,6 +532,17 @@ private:
         return step.damped ? shared + std::min(shared, most - shared) : shared;
     }
 
+    /// Whether a fall is still at its beginning, where corrections are small too.
+    [[nodiscard]] bool begins_to_fall(const LoadStep& step) {
+        constexpr double begun = 0.01, still = 1e-6;
+        if (!step.damped || !falls_ || step.corrections.empty() ||
+            step.corrections.back() <= still * options_.correction_tolerance ||
+            *std::max_element(step.corrections.begin(), step.corrections.end()) > begun)
+            return false;
+        const FactorReport factor = solver_.factorize(assembly_.tangent());
+        return negative_directions(assembly_, assembly_.tangent(), factor, solver_).count > 0;
+    }
+
     /// Whether the last correction is far below its tolerance and beside what the step has moved.
     [[nodiscard]] bool settled(const LoadStep& step) const {
         if (step.corrections.empty()) return false;
@@ -565,8 +591,12 @@ private:
                           (reached == Stability::unknown && !model_.has_symmetric_loads() &&
                            !softest_decay(assembly_, solver_));
         // an imperfect column may end straight beyond its buckling load: let it fall
-        passed_ = small && lost && !jumped_;
-        if (passed_) return false;
+        if (small && lost && !step.damped && failed_falls_ < most_falls) {
+            const NegativeDirections negative =
+                negative_directions(assembly_, assembly_.tangent(), report_.factorisation, solver_);
+            passed_ = std::max(negative.count, 1);
+            return false;
+        }
         // a perfect one does not fall, or within a plane alone: the path itself gets there
         const bool leads = small || (step.damped && falls_);
         if (leads) stable_ = !lost;
@@ -669,8 +699,11 @@ private:
     int spent_ = 0;                // iterations before the step that the options ask for
     bool stable_ = true;           // as far as is known, the last state that was accepted
     bool doubted_ = false;         // the last step ended elsewhere
-    bool passed_ = false;          // the last step ended beyond a bifurcation
+    int passed_ = 0;               // bifurcations that the last step ended beyond
     bool falls_ = false;           // a damped attempt leaves such a state
+    static constexpr int most_falls = 8;
+    int failed_falls_ = 0;         // in this step
+    bool falls_by_parts_ = false;  // and not all that is left of it
     bool moments_alone_ = false;   // loads act on slopes, none on a position
     double time_ = 0.0;            // of a damped correction
     double growth_ = 0.0;          // of this time, at most
