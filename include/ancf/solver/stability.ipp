@@ -7,6 +7,7 @@
 #include <ancf/assembly/assembly.hpp>
 #include <ancf/model/scene.hpp>
 #include <ancf/solver/convergence.hpp>
+#include <ancf/solver/dense_lu.hpp>
 #include <ancf/solver/direct_solver.hpp>
 #include <ancf/solver/sparse_ldlt.hpp>
 #include <ancf/solver/stability.hpp>
@@ -200,29 +201,24 @@ ANCF_INLINE NegativeDirections negative_directions(const Assembly& assembly,
     return negative_directions(assembly, tangent, assembly.model().has_symmetric_loads());
 }
 
-/// Whether all eigenvalues of a 4 x 4 matrix have positive real parts: Hurwitz's conditions on its
-/// characteristic polynomial, which is from Leverrier's recursion.
-[[nodiscard]] ANCF_INLINE bool all_to_the_right(const double (&matrix)[4][4]) {
-    double power[4][4] = {}, c[5] = {1.0};
-    for (int order = 1; order <= 4; ++order) {
-        for (int i = 0; i < 4; ++i) power[i][i] += c[order - 1];
-        double next[4][4] = {};
-        for (int i = 0; i < 4; ++i)
-            for (int j = 0; j < 4; ++j)
-                for (int k = 0; k < 4; ++k) next[i][j] -= matrix[i][k] * power[k][j];
-        for (int i = 0; i < 4; ++i) {
-            c[order] -= next[i][i] / order;
-            std::copy_n(next[i], 4, power[i]);
-        }
+/// Whether all eigenvalues of a small matrix have positive real parts: S = (S + S^-1)/2 then goes
+/// from the matrix to the identity.
+[[nodiscard]] ANCF_INLINE bool all_to_the_right(DenseLu<double>::Matrix matrix) {
+    constexpr int sweeps = 40;  // a spread of 2^20 takes twenty and a few
+    matrix /= matrix.cwiseAbs().maxCoeff();
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        DenseLu<double> lu{matrix, {}};
+        if (!lu.factorize()) return false;
+        matrix = 0.5 * (matrix + lu.inverse());
     }
-    return c[1] > 0.0 && c[3] > 0.0 && c[4] > 0.0 &&
-           c[1] * c[2] * c[3] > c[3] * c[3] + c[1] * c[1] * c[4];
+    return std::abs(matrix.trace() - static_cast<double>(matrix.rows())) < 0.5;
 }
 
-/// Inverse iteration with four vectors, and the projection of K^-1 D on what they span.
+/// Inverse iteration with six vectors, and the projection of K^-1 D on what they span. The slowest
+/// come first. Where the first four end within a pair of complex ones, the first five do not.
 ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& solver) {
-    constexpr int count = 4, sweeps = 6;
-    const int free = assembly.numbering().free_coordinates();
+    constexpr int least = 4, most = 6, sweeps = 6;
+    const int free = assembly.numbering().free_coordinates(), count = std::min(most, free);
     VectorX metric = VectorX::Zero(free), load = VectorX::Zero(assembly.numbering().unknowns());
     for (int k = 0; k < free; ++k) metric[k] = std::abs(assembly.tangent().coeff(k, k));
     const auto product = [&](const VectorX& a, const VectorX& b) {
@@ -230,11 +226,11 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
         for (int k = 0; k < free; ++k) sum += a[k] * metric[k] * b[k];
         return sum;
     };
-    VectorX x[count], y[count];
+    VectorX x[most], y[most];
     for (int i = 0; i < count; ++i) {
         y[i] = VectorX::Zero(free);
         for (int k = 0; k < free; ++k)
-            y[i][k] = (probe_weight(count * k + i) - 1.0) / std::sqrt(metric[k]);
+            y[i][k] = (probe_weight(most * k + i) - 1.0) / std::sqrt(metric[k]);
     }
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (int i = 0; i < count; ++i) {
@@ -250,10 +246,12 @@ ANCF_INLINE bool softest_decay(const Assembly& assembly, const LinearSolver& sol
             }
             solve_with(solver, load, y[i]);
         }
-    double projected[count][count];
+    DenseLu<double>::Matrix projected(count, count);
     for (int i = 0; i < count; ++i)
-        for (int j = 0; j < count; ++j) projected[i][j] = product(x[i], y[j]);
-    return all_to_the_right(projected);
+        for (int j = 0; j < count; ++j) projected(i, j) = product(x[i], y[j]);
+    for (int first = std::min(least, count); first <= count; ++first)
+        if (all_to_the_right(projected.topLeftCorner(first, first))) return true;
+    return false;
 }
 
 /// By power iteration. One product is enough where it leaves less of the probe than the share that
