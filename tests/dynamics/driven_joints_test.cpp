@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace driven_joints_motion_test {
@@ -219,6 +220,34 @@ TEMPLATE_TEST_CASE("energy-momentum cuts a step by the turn of its joints, and n
     CHECK(slow.convergence_failures == 0);
     // 2 pi rad/s at the most in 32 parts of pi/16
     CHECK(turn<TestType>(pi, 1).smallest_step <= 1.0 / 32.0);
+}
+
+TEMPLATE_TEST_CASE("a run that stops within a divided step goes on with the same bits",
+                   "[constraint][dynamics]", EnergyMomentum, GeneralizedAlpha, RadauIIA) {
+    // 10 rad in steps of 1/8 s: parts of pi/12 at the most
+    auto options = TestType().options();
+    options.step = 0.125;
+    if constexpr (std::is_same_v<TestType, RadauIIA>) options.tolerance = 0.0;
+    test::DrivenArm parts(test::smooth_turn(10.0)), whole(test::smooth_turn(10.0));
+    const auto run = [&](Scene& model, double last, const Memory& memory = {}) {
+        DynamicProblem problem(model);
+        EigenLu solver;
+        Schedule schedule;
+        schedule.end = 0.75;
+        schedule.progress = [=](double time, double) { return time < last; };
+        return TestType(options).integrate(problem, solver, schedule, memory);
+    };
+    const DynamicsReport first = run(parts.model, 0.51);
+    REQUIRE(first.status == Status::stopped);
+    REQUIRE(first.time < 0.6);  // no multiple of the step
+    const DynamicsReport second = run(parts.model, 1.0, first.memory);
+    const DynamicsReport all = run(whole.model, 1.0);
+    CHECK(second.status == Status::converged);
+    CHECK(all.status == Status::converged);
+    CHECK(all.steps == first.steps + second.steps);
+    CHECK(parts.model.state().q == whole.model.state().q);
+    CHECK(parts.model.state().v == whole.model.state().v);
+    CHECK(parts.model.state().multipliers == whole.model.state().multipliers);
 }
 
 TEST_CASE("a motion that twists an element by too much ends, or says which one and when",

@@ -398,6 +398,8 @@ protected:
         report_.memory.put("scalars", numbers);
         if (const VectorX& angles = problem_.angle_potentials(); angles.size() > 0)
             report_.memory.put("angles", angles);
+        if (grid_.part > 0.0)
+            report_.memory.put("parts", Vector<double, 2>(grid_.part, grid_.parts));
         report_.memory.put("signature", signature(problem_, end));
     }
     void remember(const std::string& prefix, const MotionPoint& point) {

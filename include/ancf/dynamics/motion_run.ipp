@@ -642,12 +642,17 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
             ": the memory is of time ", numbers[0], " s, the model of ", now, " s");
     const bool adaptive = control_.is_adaptive();
     grid_.origin = numbers[0];
-    if (adaptive || numbers[3] == control_.first) grid_ = {numbers[1], numbers[3], numbers[2]};
+    const bool keeps = adaptive || numbers[3] == control_.first;
+    if (keeps) grid_ = {numbers[1], numbers[3], numbers[2]};
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
     failed_width_ = numbers[own + 5];
-    for (const auto& [name, values] : memory.values)
+    for (const auto& [name, values] : memory.values) {
         if (name == "angles") problem_.set_angle_potentials(values);
+        if (name != "parts" || values.size() != 2 || !keeps || adaptive) continue;
+        grid_.part = last_width_ = values[0];
+        grid_.parts = static_cast<int>(values[1]);
+    }
     return numbers;
 }
 
