@@ -49,7 +49,7 @@ private:
     void recall_run(const Memory& memory) {
         const int n = problem_.size();
         const int m = problem_.multipliers();
-        const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 4);
+        const VectorX& values = recall("EnergyMomentum", "energy_momentum", memory, 4, 7);
         problem_.set_length_scale(values[8]);
         const MotionPoint end = recall(memory, "", values[0]);
         require_continuation("EnergyMomentum", memory, problem_, now_, end);

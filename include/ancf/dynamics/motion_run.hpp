@@ -409,9 +409,10 @@ protected:
     }
 
     /// Returns the numbers of a memory and goes on with its grid.
-    /// @param who  the integrator, for messages.
+    /// @param who    the integrator, for messages.
+    /// @param width  place of the last step's width.
     const VectorX& recall(const char* who, const char* integrator, const Memory& memory,
-                          Eigen::Index own);
+                          Eigen::Index own, Eigen::Index width = 4);
     [[nodiscard]] MotionPoint recall(const Memory& memory, const std::string& prefix,
                                      double time) const {
         const int n = problem_.size();
@@ -427,6 +428,11 @@ protected:
     /// slope by a quarter of its length: Newton's method may find another solution from there.
     [[nodiscard]] bool moves_far(const MotionPoint& at, double width) const {
         return width * problem_.largest_ratio(at.v) > 0.25;
+    }
+    /// Has multipliers reported that belong to each state, after a step that resolves the scene.
+    /// What a longer step leaves of vibrations is small, but not the forces.
+    void solve_multipliers(double width) noexcept {
+        recorder_.solve_multipliers(width * highest_frequency_ < 1.0);
     }
     /// Tells whether the run that goes on ended beside the grid, by a step far shorter than the
     /// others. With constraints what its rates changed by is what is left of g and G v, over powers

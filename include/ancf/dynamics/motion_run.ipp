@@ -628,13 +628,13 @@ ANCF_INLINE bool MotionRun::record(const MotionPoint& from, MotionPoint& to,
             problem_.accelerations(to.time, q, v, acceleration, lambda) == Status::converged;
         if (has_short_step_) to.lambda = std::move(lambda);
     }
-    // what a longer step leaves of vibrations that it does not resolve is small, but not the forces
-    recorder_.solve_multipliers(last_width_ * highest_frequency_ < 1.0);
+    solve_multipliers(last_width_);
     return recorder_.step(from, to, between);
 }
 
 ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integrator,
-                                             const Memory& memory, Eigen::Index own) {
+                                             const Memory& memory, Eigen::Index own,
+                                             Eigen::Index width) {
     require(memory.integrator == integrator, who, ": the memory is that of ", memory.integrator);
     const VectorX& numbers = memory.get("scalars", own + 6);
     const double now = start_.time;
@@ -647,6 +647,7 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
     last_width_ = grid_.width;
     failed_width_ = numbers[own + 5];
+    solve_multipliers(numbers[width]);
     for (const auto& [name, values] : memory.values) {
         if (name == "angles") problem_.set_angle_potentials(values);
         if (name != "parts" || values.size() != 2 || !keeps || adaptive) continue;
