@@ -2,7 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// State files: where a motion stands, to go on from later. Text, exact to the last bit.
+/// State files: where a motion stands, to go on from later.
+///
+///     ancf::save_state("half.txt", {model.state(), report.memory});  // of the first run
+///     // later: build the model as for the first run, joints and springs too; then
+///     const auto saved = ancf::load_state("half.txt");
+///     model.state() = saved.state;
+///     ancf::DynamicProblem problem(model);
+///     integrator.integrate(problem, solver, schedule, saved.memory);
+///
+/// Text, exact to the last bit:
 ///
 ///     ancf-state 1
 ///     time 0.6
