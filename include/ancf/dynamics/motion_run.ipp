@@ -645,7 +645,8 @@ ANCF_INLINE const VectorX& MotionRun::recall(const char* who, const char* integr
     const bool keeps = adaptive || numbers[3] == control_.first;
     if (keeps) grid_ = {numbers[1], numbers[3], numbers[2]};
     if (adaptive && grid_.width > control_.most) grid_ = {numbers[0], control_.most};
-    last_width_ = grid_.width;
+    const bool in_parts = keeps && !adaptive && grid_.count > 0.0 && numbers[width] > 0.0;
+    last_width_ = in_parts ? numbers[width] : grid_.width;
     failed_width_ = numbers[own + 5];
     solve_multipliers(numbers[width]);
     for (const auto& [name, values] : memory.values) {
