@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace turning_scenes_test {
@@ -436,20 +437,25 @@ TEST_CASE("statics: an end whose motions decay is not taken again where a pair o
     CHECK(checked == 15);
 }
 
+/// Clamped at both ends, of span 1; its path ends at a quarter to nine tenths of the loads below.
+std::pair<Model, NodeId> make_shallow_arch(double load) {
+    Model scene;
+    const double half = 0.25, radius = 0.5 / std::sin(half);
+    const auto beam = arc<Engineering>(
+        scene, Material::isotropic(12.0 / std::pow(0.01, 4), 0.3, 1.0), rectangle(0.01, 0.01),
+        {0, 0, 0}, {std::cos(half), std::sin(half), 0}, {std::sin(half), -std::cos(half), 0},
+        radius, 2.0 * half, 16, Engineering::Options::best());
+    scene.clamp(beam.first(), Clamp::free_slope);
+    scene.clamp(beam.last(), Clamp::free_slope);
+    const NodeId crown = beam.nodes[8];
+    scene.add(Force<3>(crown, {0, -load, 0}));
+    return {std::move(scene), crown};
+}
+
 TEST_CASE("statics: a shallow arch snaps through in one call", "[statics][turning]") {
-    // clamped at both ends, of span 1; the path ends at a quarter to nine tenths of the load
     for (const double load : {20.0, 50.0}) {
         INFO("load " << load);
-        Model scene;
-        const double half = 0.25, radius = 0.5 / std::sin(half);
-        const auto beam = arc<Engineering>(
-            scene, Material::isotropic(12.0 / std::pow(0.01, 4), 0.3, 1.0), rectangle(0.01, 0.01),
-            {0, 0, 0}, {std::cos(half), std::sin(half), 0}, {std::sin(half), -std::cos(half), 0},
-            radius, 2.0 * half, 16, Engineering::Options::best());
-        scene.clamp(beam.first(), Clamp::free_slope);
-        scene.clamp(beam.last(), Clamp::free_slope);
-        const NodeId crown = beam.nodes[8];
-        scene.add(Force<3>(crown, {0, -load, 0}));
+        auto [scene, crown] = make_shallow_arch(load);
         CHECK(scene.position(crown)[1] > 0.06);
         EigenLu solver;
         const auto report = solve_statics(scene, solver);
@@ -460,6 +466,20 @@ TEST_CASE("statics: a shallow arch snaps through in one call", "[statics][turnin
         CHECK(report.steps.back().damped);
         CHECK(report.iterations() <= 60);  // measured 30 and 40
     }
+}
+
+TEST_CASE("statics: a shallow arch snaps through in several steps", "[statics][turning]") {
+    const double load = GENERATE(15.0, 20.0, 30.0, 50.0, 80.0);
+    StaticsOptions options;
+    options.steps = GENERATE(3, 10);
+    CAPTURE(load, options.steps);
+    auto [scene, crown] = make_shallow_arch(load);
+    EigenLu solver;
+    const auto report = solve_statics(scene, solver, options);
+    CHECK(report.status == Status::converged);
+    CHECK(report.stability == Stability::stable);
+    CHECK(scene.position(crown)[1] < -0.038);
+    CHECK(report.iterations() <= 200);  // 41 to 154 measured
 }
 
 TEST_CASE("statics: slopes stand where supports hold or drive them", "[statics][turning]") {
