@@ -368,6 +368,31 @@ TEST_CASE("statics: a fall that begins with tiny corrections goes on", "[statics
           Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(1e-3));
 }
 
+TEST_CASE("statics: a column that has fallen stays on the side where it is pushed", "[statics]") {
+    const double degrees = GENERATE(88.0, 104.0, 120.0);  // a step ends 5 % above the buckling load
+    const double turned = degrees * ancf::pi / 180.0;
+    double a = 1.0, b = std::cos(turned / 2.0);  // to their arithmetic-geometric mean
+    for (int k = 0; k < 6; ++k) b = std::sqrt(b * std::exchange(a, 0.5 * (a + b)));
+    const double quarter = ancf::pi / (2.0 * a);  // K(sin(turned / 2))
+    const double push = GENERATE(1e-4, 1e-6);
+    CAPTURE(degrees, push);
+    ancf::Model scene;
+    const double height = 0.01, width = 0.03;
+    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(width, height),
+        {0, 0, 0}, {1, 0, 0}, 12, ancf::CrossSectionOptions{ancf::Rule::mixed()});
+    scene.clamp(column.first());
+    const double load = quarter * quarter * 2e11 * width * std::pow(height, 3) / 12.0;
+    scene.add(ancf::Force<3>(column.last(), {-load, push * load, 0.0}));
+    ancf::StaticsOptions options;
+    options.steps = 20;
+    const auto report = solve(scene, options);
+    REQUIRE(report.status == Status::converged);
+    CHECK(report.stability == ancf::Stability::stable);
+    CHECK(scene.position(column.last())[1] ==
+          Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(3e-3));
+}
+
 TEST_CASE("statics: an imperfect column bends where its end is pushed", "[statics]") {
     // the elastica whose tip has turned by 40 degrees: K(p) = 1.620026, E(p) = 1.523799
     const double x = 2.0 * 1.523799 / 1.620026 - 1.0, y = 2.0 * std::sin(ancf::pi / 9) / 1.620026;

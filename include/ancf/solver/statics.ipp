@@ -154,13 +154,12 @@ private:
             newton_ = NewtonKind::plain;  // from here on, as a run without cuts of its own
             return true;
         }
-        if (passed_ > 1 && 0.5 * std::abs(size) >= options_.min_step * std::abs(whole_)) {
-            falls_by_parts_ = true;  // from beyond a single one it falls to the right side
-            part_size_ = 0.5 * size;
-            return true;
-        }
+        part_size_ = share_after(failed) * size;
+        const bool cuttable = std::abs(part_size_) >= options_.min_step * std::abs(whole_);
+        if (passed_ > 1 && cuttable)
+            return falls_by_parts_ = true;  // from beyond a single one it falls to the right side
         falls_ = passed_ > 0;
-        part_size_ = falls_ ? size : share_after(failed) * size;
+        if (falls_) part_size_ = size;
         unheld_ = !falls_ && is_stuck(failed);
         if (falls_ || (!jumped_ && newton_ == NewtonKind::automatic &&
                        (unheld_ || (report_.factor != options_.first_factor && wanders(failed))))) {
@@ -168,8 +167,7 @@ private:
             way_ = Way::damped;
             return true;
         }
-        if (cuts(failed) && std::abs(part_size_) >= options_.min_step * std::abs(whole_))
-            return true;
+        if (cuts(failed) && cuttable) return true;
         if (!may_retry(failed)) return false;
         way_ = Way::plain;  // what a run without cuts would have tried
         part_size_ = equal_;
