@@ -716,6 +716,31 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
     }
 }
 
+/// One that tells nothing of the condition, as the smallest of linear_solver.hpp.
+class Blunt final : public ancf::LinearSolver {
+public:
+    [[nodiscard]] ancf::Storage storage() const noexcept override { return lu_.storage(); }
+    void analyze(const ancf::SparseMatrix& matrix) override { lu_.analyze(matrix); }
+    [[nodiscard]] ancf::FactorReport factorize(const ancf::SparseMatrix& matrix) override {
+        return {lu_.factorize(matrix).status};
+    }
+    void solve(const ancf::VectorX& b, ancf::VectorX& x) const override { lu_.solve(b, x); }
+    [[nodiscard]] std::string_view name() const noexcept override { return "blunt"; }
+
+private:
+    ancf::EigenLu lu_;
+};
+
+TEST_CASE("statics: with a solver that estimates no condition supports hold as well", "[statics]") {
+    auto [scene, tip] = make_imperfect_column(10.0);
+    Blunt solver;
+    const auto report = ancf::solve_statics(scene, solver);
+    REQUIRE(report.status == Status::converged);
+    CHECK_FALSE(report.held_by_loads);
+    CHECK(report.steps.size() == 1);
+    CHECK(scene.position(tip)[1] == Approx(0.8106).margin(1e-3));  // the elastica
+}
+
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {
     Chain empty;
     CHECK(solve(empty).status == Status::converged);

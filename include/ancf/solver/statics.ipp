@@ -365,7 +365,8 @@ private:
             solver_.iterative() || !evaluate(model_.state(), nullptr))
             return false;
         const FactorReport plain = solver_.factorize(assembly_.tangent());
-        return plain.status == Status::singular || !(plain.rcond > rcond_of_round_off);
+        return plain.status == Status::singular ||
+               (plain.rcond > 0.0 && plain.rcond <= rcond_of_round_off);  // 0 is unknown
     }
 
     /// Whether constraints repeat each other or a support, by the first tangent of the run.
