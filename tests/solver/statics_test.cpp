@@ -42,11 +42,12 @@ constexpr double axial_stiffness = 100.0;
 struct NaNBelow {
     static constexpr int dimension = 2;
     ancf::NodeId node;
+    double told = 1.0;  // stiffness; the larger, the smaller a correction
     [[nodiscard]] ancf::Coupling coupling() const { return {{node, Field::r}}; }
     void evaluate(const ancf::LoadState& at, ancf::LoadResult& out) const {
         out.force = -at.q;
         if (at.q[1] < 0.5) out.force[1] = std::numeric_limits<double>::quiet_NaN();
-        out.stiffness(0, 0) = out.stiffness(1, 1) = -1.0;
+        out.stiffness(0, 0) = out.stiffness(1, 1) = -told;
     }
 };
 
@@ -792,6 +793,19 @@ TEST_CASE("statics: failures are values and leave the last equilibrium", "[stati
         const auto report = ancf::solve_statics(model, solver);
         CHECK(report.status == Status::not_finite);
         CHECK(report.message == "the force of load 0 is not finite");
+    }
+    SECTION("a load that is not a number where the bound on iterations ends the run") {
+        ancf::PlanarModel model;
+        const auto mass = model.add_node({0.0, 1.0});
+        model.add_mass(mass, 1.0);
+        model.add(NaNBelow{mass, 2.0});
+        ancf::EigenLu solver;
+        ancf::StaticsOptions options;
+        options.max_iterations = 2;
+        const auto report = ancf::solve_statics(model, solver, options);
+        CHECK(report.status == Status::not_finite);
+        CHECK(report.steps.size() == 1);
+        CHECK(report.fault.has_value());
     }
     SECTION("a load that is not a number") {
         Chain chain = make_chain();

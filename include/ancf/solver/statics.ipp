@@ -362,8 +362,12 @@ private:
     [[nodiscard]] bool begins_unheld() {
         constexpr double rcond_of_round_off = 1e-14;
         if (report_.steps.size() > 1 || newton_ != NewtonKind::automatic || exchange_ != nullptr ||
-            solver_.iterative() || !evaluate(model_.state(), nullptr))
+            solver_.iterative())
             return false;
+        const auto fault = report_.fault;  // of the attempt that failed
+        const bool evaluated = evaluate(model_.state(), nullptr);
+        report_.fault = fault;
+        if (!evaluated) return false;
         const FactorReport plain = solver_.factorize(assembly_.tangent());
         return plain.status == Status::singular ||
                (plain.rcond > 0.0 && plain.rcond <= rcond_of_round_off);  // 0 is unknown
