@@ -38,7 +38,8 @@ public:
           without_sections_(!masses_alone_ && !some([](const ElementGroup& of) {
               return of.fields().contains(Field::r_y);
           })),
-          newton_(possible(options.newton)) {
+          newton_(possible(options.newton)),
+          most_falls_(model.has_symmetric_loads() ? 8 : 1) {
         solver_.analyze(assembly_.tangent());
     }
 
@@ -139,9 +140,12 @@ private:
         if (way_ == Way::damped && !falls_) return falls_ = true;
         if (way_ != Way::usual) {
             const bool going = way_ != Way::plain;
-            if (way_ == Way::damped && falls_ && ++failed_falls_ < most_falls) {
-                falls_by_parts_ = true;
-                part_size_ = 0.5 * size;
+            if (way_ == Way::damped && falls_) {
+                failed_falls_ = may_take(0.5 * size) ? failed_falls_ + 1 : most_falls_;
+                if (failed_falls_ < most_falls_) {
+                    falls_by_parts_ = true;
+                    part_size_ = 0.5 * size;
+                }
             }
             way_ = Way::usual;  // and the part that the attempt before has left
             return going;
@@ -155,8 +159,7 @@ private:
             return true;
         }
         part_size_ = share_after(failed) * size;
-        const bool cuttable = std::abs(part_size_) >= options_.min_step * std::abs(whole_);
-        if (passed_ > 1 && cuttable)
+        if (passed_ > 1 && may_take(part_size_))
             return falls_by_parts_ = true;  // from beyond a single one it falls to the right side
         falls_ = passed_ > 0;
         if (falls_) part_size_ = size;
@@ -167,11 +170,16 @@ private:
             way_ = Way::damped;
             return true;
         }
-        if (cuts(failed) && cuttable) return true;
+        if (cuts(failed) && may_take(part_size_)) return true;
         if (!may_retry(failed)) return false;
         way_ = Way::plain;  // what a run without cuts would have tried
         part_size_ = equal_;
         return true;
+    }
+
+    /// Whether a part is not shorter than the options allow.
+    [[nodiscard]] bool may_take(double part) const {
+        return std::abs(part) >= options_.min_step * std::abs(whole_);
     }
 
     /// Whether nothing holds the scene where a step that failed begins.
@@ -594,7 +602,7 @@ private:
                           (reached == Stability::unknown && !model_.has_symmetric_loads() &&
                            !softest_decay(assembly_, solver_));
         // an imperfect column may end straight beyond its buckling load: let it fall
-        if (small && lost && !step.damped && failed_falls_ < most_falls) {
+        if (small && lost && !step.damped && failed_falls_ < most_falls_) {
             const NegativeDirections negative =
                 negative_directions(assembly_, assembly_.tangent(), report_.factorisation, solver_);
             passed_ = std::max(negative.count, 1);
@@ -704,8 +712,8 @@ private:
     bool doubted_ = false;         // the last step ended elsewhere
     int passed_ = 0;               // bifurcations that the last step ended beyond
     bool falls_ = false;           // a damped attempt leaves such a state
-    static constexpr int most_falls = 8;
     int failed_falls_ = 0;         // in this step
+    int most_falls_;               // of them; loads without a potential may go round for ever
     bool falls_by_parts_ = false;  // and not all that is left of it
     bool moments_alone_ = false;   // loads act on slopes, none on a position
     double time_ = 0.0;            // of a damped correction
