@@ -34,10 +34,9 @@ public:
           turning_(model, assembly_.numbering()),
           exchange_(model.exchange()),
           constraints_(exchange_ != nullptr ? exchange_->constraints() : model.constraints()),
-          masses_alone_(!some([](const ElementGroup&) { return true; })),
-          without_sections_(!masses_alone_ && !some([](const ElementGroup& of) {
-              return of.fields().contains(Field::r_y);
-          })),
+          without_sections_(
+              some([](const ElementGroup&) { return true; }) &&
+              !some([](const ElementGroup& of) { return of.fields().contains(Field::r_y); })),
           newton_(possible(options.newton)),
           most_falls_(model.has_symmetric_loads() ? 8 : 1) {
         solver_.analyze(assembly_.tangent());
@@ -702,7 +701,6 @@ private:
     Turning turning_;
     const detail::Exchange* exchange_;               // of a part of a scene
     const std::vector<AnyConstraint>& constraints_;  // of the whole one
-    bool masses_alone_;                              // no elements
     bool without_sections_;                          // elements, and none has r_y
     NewtonKind newton_;
     static constexpr int none_failed = 2;
