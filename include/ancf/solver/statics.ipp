@@ -721,8 +721,8 @@ private:
     double part_size_ = 0.0;       // of a step, or of the part of one that is tried next
     int steps_done_ = 0;           // of those that the options ask for
     Way way_ = Way::usual;         // of the next attempt
-    bool jumped_ = false;          // whether a damped attempt was made in this step
-    bool unheld_ = false;          // and that since its first tangent was singular
+    bool jumped_ = false;          // a damped attempt but a fall was made in this step
+    bool unheld_ = false;          // and that since nothing holds the scene where it begins
     double turn_share_ = 1.0;  // of the turn that one step may take, where a longer one has failed
     Instant instant_;
     StaticsReport report_;
