@@ -136,7 +136,7 @@ private:
     /// @param size  of the step, in load factors
     /// @param turn  of the driven joints in it, rad
     [[nodiscard]] bool try_again(const LoadStep& failed, double size, double turn) {
-        if (way_ == Way::damped && !falls_) return falls_ = true;
+        if (way_ == Way::damped && !falls_ && failed_falls_ < most_falls_) return falls_ = true;
         if (way_ != Way::usual) {
             const bool going = way_ != Way::plain;
             if (way_ == Way::damped && falls_) {
