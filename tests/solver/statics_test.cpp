@@ -678,6 +678,23 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         CHECK(model.position(tip)[1] ==
               Approx(-1.0 - (parts == 2 ? lower.norm() : 0.0)).epsilon(1e-5));
     }
+    SECTION("thin pendulums hang, however little they lean") {
+        const double lean = GENERATE(-0.016, 0.01, 0.02, 0.03, 0.05, 1e-4, 3e-7);  // of a radian
+        const double radius = GENERATE(1e-4, 1e-3, 3e-3, 0.01);
+        CAPTURE(lean, radius);
+        ancf::Model model;
+        const auto rod = ancf::straight_beam<ancf::TorsionBeam>(
+            model, steel, ancf::circle(radius), {0, 0, 0}, {std::cos(lean), 0, -std::sin(lean)}, 1);
+        model.add(ancf::Revolute(model, rod.first(), {0, 1, 0}));
+        model.set_gravity({0.0, 0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
+        CHECK(report.iterations() < 60);
+        CHECK(model.position(rod.last())[2] == Approx(-1.0).epsilon(1e-6));
+    }
     SECTION("springs that a load draws hold aside") {
         ancf::PlanarModel model;
         const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);
@@ -773,6 +790,28 @@ TEST_CASE("statics: with a solver that estimates no condition supports hold as w
     CHECK_FALSE(report.held_by_loads);
     CHECK(report.steps.size() == 1);
     CHECK(scene.position(tip)[1] == Approx(0.8106).margin(1e-3));  // the elastica
+}
+
+TEST_CASE("statics: no load holds a clamped beam, however slender", "[statics]") {
+    const ancf::Vector<double, 3> along(0.6, -0.8, 0.0), across(0.8, 0.6, 0.0);
+    const double radius = GENERATE(1e-3, 1e-5, 2e-6), load = GENERATE(10.0, 100.0);
+    const auto section = ancf::circle(radius);
+    CAPTURE(radius, load);
+    ancf::EigenLu solver;
+    ancf::Model model;
+    const auto beam = ancf::straight_beam<ancf::TorsionBeam>(
+        model, ancf::Material::isotropic(2e11, 0.3, 7800.0), section, {0, 0, 0}, along, 32);
+    model.clamp(beam.first());
+    const double force = load * 2e11 * section.moments().yy;  // N: 10 and 100 E I/L^2
+    model.add(ancf::Force<3>(beam.last(), force * across));
+    const auto report = solve_statics(model, solver);
+    INFO(report.message);
+    REQUIRE(report.status == Status::converged);
+    CHECK_FALSE(report.held_by_loads);
+    CHECK(report.iterations() < 15);  // 5 to 7
+    // the elastica
+    const double sideways = model.position(beam.last()).dot(across);
+    CHECK(sideways == Approx(load < 50.0 ? 0.8106 : 0.9414).epsilon(1e-3));
 }
 
 TEST_CASE("statics: an empty model and a wholly held one are solved", "[statics]") {

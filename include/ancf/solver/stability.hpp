@@ -89,6 +89,12 @@ struct NegativeDirections {
 /// that both have the same signs: no eigenvalue of K_0^-1 (K - K_0) is of the size of 1.
 [[nodiscard]] bool has_same_signs(const Assembly& assembly, const LinearSolver& solver);
 
+/// Tells whether a displacement meets no stiffness: the energy of the softest one is round-off
+/// beside that of its vectors' stiffnesses, each by itself. Slenderness and direction count less
+/// than in the condition of the tangent.
+/// @param solver  has the tangent factorised
+[[nodiscard]] bool moves_freely(const Assembly& assembly, const LinearSolver& solver);
+
 /// Tells whether the softest motions of D dx/dt = -K x decay, D the diagonal of the tangent K: what
 /// pivots of the symmetric part do not say under loads without a potential.
 /// @param solver  has the tangent factorised, or one near it

@@ -365,9 +365,10 @@ private:
     }
 
     /// Whether nothing holds the scene where the run begins but what turning adds to the first
-    /// tangent of an automatic step. Keeps the correction.
+    /// tangent of an automatic step. A beam so slender that its bending is round-off beside its
+    /// stretch counts as held unless the load is far beyond it too. Keeps the correction.
     [[nodiscard]] bool begins_unheld() {
-        constexpr double rcond_of_round_off = 1e-14;
+        constexpr double rcond_of_round_off = 1e-14, far_beyond = 1e3;
         if (report_.steps.size() > 1 || newton_ != NewtonKind::automatic || exchange_ != nullptr ||
             solver_.iterative())
             return false;
@@ -376,8 +377,13 @@ private:
         report_.fault = fault;
         if (!evaluated) return false;
         const FactorReport plain = solver_.factorize(assembly_.tangent());
-        return plain.status == Status::singular ||
-               (plain.rcond > 0.0 && plain.rcond <= rcond_of_round_off);  // 0 is unknown
+        if (plain.status == Status::singular) return true;
+        VectorX moved;
+        assembly_.residual(residual_);
+        solve_with(solver_, residual_, moved);
+        return (!(plain.rcond > rcond_of_round_off) ||
+                !(monitor_.correction(moved) <= far_beyond)) &&
+               moves_freely(assembly_, solver_);
     }
 
     /// Whether constraints repeat each other or a support, by the first tangent of the run.
