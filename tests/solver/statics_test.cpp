@@ -11,6 +11,7 @@
 #include <ancf/element/torsion/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/curve.hpp>
+#include <ancf/model/builders/rigid_body.hpp>
 #include <ancf/model/constraints.hpp>
 #include <ancf/model/loads.hpp>
 #include <ancf/model/loads/springs.hpp>
@@ -755,6 +756,40 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         const double length = unit + (links ? 0.0 : weight / stiffness);
         CHECK(model.position(mass)[1] == Approx(-length).epsilon(1e-9));
         CHECK(std::abs(model.position(mass)[0]) < 1e-6 * unit);
+    }
+    SECTION("a swing of three bodies hangs, whatever the unit of length") {
+        const double unit = GENERATE(1.0, 1e-6, 1e6);
+        const int steps = GENERATE(1, 4);
+        CAPTURE(unit, steps);
+        using Point = ancf::Vector<double, 3>;
+        const double lean = 1.2;  // rad
+        const Point arm = unit * Point(std::sin(lean), -std::cos(lean), 0.0);
+        const Point across(0.7 * unit, 0.0, 0.0), axis(0.0, 0.0, 1.0);
+        const Point corners[] = {Point(0.0, 0.0, 0.0), arm, arm + across, across};
+        ancf::Model model;
+        ancf::NodeId first[3], last[3];
+        for (int k = 0; k < 3; ++k) {
+            const Point middle = 0.5 * (corners[k] + corners[k + 1]);
+            const auto body = model.add_node(middle);
+            const double inertia = 0.1 * unit * unit;
+            add_body(model, body, 1.0 + k, Point(inertia, inertia, inertia).asDiagonal());
+            first[k] = point_of_body(model, body, corners[k]);
+            last[k] = point_of_body(model, body, corners[k + 1]);
+        }
+        model.add(ancf::Revolute(model, first[0], axis));
+        model.add(ancf::Universal(model, last[0], first[1], axis, {0, 1, 0}));
+        model.add(ancf::Universal(model, last[1], first[2], axis, {1, 0, 0}));
+        model.add(ancf::Pin<3>(last[2], corners[3]));
+        model.set_gravity({0.0, -9.81 * unit, 0.0});
+        ancf::StaticsOptions options;
+        options.steps = steps;
+        const auto report = solve_statics(model, solver, options);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
+        CHECK(std::abs(model.position(last[0])[0]) < 1e-5 * unit);
+        CHECK(model.position(last[0])[1] == Approx(-unit).epsilon(1e-9));
     }
     SECTION("what no load holds stays singular") {
         ancf::PlanarModel model;

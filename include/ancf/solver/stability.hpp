@@ -50,8 +50,8 @@ enum class Stability {
 
 namespace detail {
 
-/// Returns for each free coordinate the largest stiffness among those of its unit, or among all
-/// where that is zero.
+/// Returns for each free coordinate the largest stiffness among those of its unit. Where that is
+/// zero, it is what resists a displacement by the scene's size as the stiffest of all does.
 /// @param diagonal  of the tangent, free coordinates alone
 [[nodiscard]] VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& diagonal);
 

@@ -25,18 +25,23 @@ namespace detail {
 
 ANCF_INLINE VectorX stiffest_of_unit(const Assembly& assembly, const VectorX& diagonal) {
     const Numbering& numbering = assembly.numbering();
-    const double most = largest_magnitude(diagonal);
-    double largest[3] = {};  // of r_xx, slopes, positions
+    const Layout& layout = assembly.model().layout();
+    const double size = ConvergenceMonitor(assembly.model(), numbering).size();
+    double largest[3] = {}, most = 0.0;  // of r_xx, slopes, positions; of a turn by 1 rad, J
     VectorX stiffest(diagonal.size());
     for (const bool known : {false, true})
         for (int k = 0; k < numbering.coordinates(); ++k) {
             const int equation = numbering.equation(k);
             if (equation < 0) continue;
-            double& own = largest[1 + length_power(assembly.model().layout().field_of(k))];
-            if (known)
-                stiffest[equation] = own > 0.0 ? own : most;
-            else
-                own = std::max(own, std::abs(diagonal[equation]));
+            const int power = length_power(layout.field_of(k));
+            const double square = std::pow(size, 2 * power);
+            double& own = largest[1 + power];
+            if (known) {
+                stiffest[equation] = own > 0.0 ? own : most / square;
+                continue;
+            }
+            own = std::max(own, std::abs(diagonal[equation]));
+            most = std::max(most, std::abs(diagonal[equation]) * square);
         }
     return stiffest;
 }

@@ -411,7 +411,7 @@ private:
 
     /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
     /// D has the magnitudes of the tangent's diagonal, the largest one where that has a zero, and
-    /// the largest force over the scene's size where it has none, as of masses on links. The time
+    /// what the largest force makes of a turn where it has none, as of masses on links. The time
     /// is such that the correction is neither large nor against the force; in a fall, that K + D/t
     /// is positive definite: the motion leaves an unstable state to the side where it is pushed.
     Status correct_damped(LoadStep& step) {
@@ -424,16 +424,14 @@ private:
         for (int k = 0; k < free; ++k) diagonal[k] = values[at[k]];
         // what has no stiffness of its own is as viscous as the stiffest of its unit
         VectorX viscosity = diagonal.cwiseAbs();
-        double stiffest[3] = {}, force = 0.0;
-        const std::vector<int> all = free_coordinates(assembly_.numbering());
-        const auto unit = [&](int k) { return length_power(model_.layout().field_of(all[k])) + 1; };
-        for (int k = 0; k < free; ++k) {
-            stiffest[unit(k)] = std::max(stiffest[unit(k)], viscosity[k]);
-            force = std::max(force, std::abs(residual_[k]));
-        }
-        if (!(largest_magnitude(viscosity) > 0.0)) viscosity.setConstant(force / monitor_.size());
+        const VectorX stiffest = stiffest_of_unit(assembly_, diagonal);
+        const VectorX lever =
+            length_powers(monitor_.size(), model_.layout(), assembly_.numbering());
+        double load = 0.0;  // work of the largest force on a turn by 1 rad, J
+        for (int k = 0; k < free; ++k) load = std::max(load, std::abs(residual_[k]) * lever[k]);
         for (int k = 0; k < free; ++k)
-            if (viscosity[k] <= 1e-15 * stiffest[unit(k)]) viscosity[k] = stiffest[unit(k)];
+            if (!(viscosity[k] > 1e-15 * stiffest[k]))
+                viscosity[k] = stiffest[k] > 0.0 ? stiffest[k] : load / (lever[k] * lever[k]);
         if (step.corrections.empty()) {
             time_ = falls_ ? 1.0 : first_time;
             growth_ = growth;
