@@ -791,6 +791,52 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
         CHECK(std::abs(model.position(last[0])[0]) < 1e-5 * unit);
         CHECK(model.position(last[0])[1] == Approx(-unit).epsilon(1e-9));
     }
+    SECTION("two bodies in a row fall between a support and a rod that at first rests") {
+        using Point = ancf::Vector<double, 2>;
+        const double lean = GENERATE(0.0, 0.3, 0.36, 0.4);  // of all, rad
+        CAPTURE(lean);
+        const auto at = [&](double x, double y) {
+            return Point(x * std::cos(lean) + y * std::sin(lean),
+                         y * std::cos(lean) - x * std::sin(lean));
+        };
+        ancf::PlanarModel model;
+        ancf::NodeId first[2], last[2];
+        for (int k = 0; k < 2; ++k) {
+            const auto body = model.add_node(at(k + 0.5, 0.0));
+            add_body(model, body, 1.0, 0.1);
+            first[k] = point_of_body(model, body, at(k, 0.0));
+            last[k] = point_of_body(model, body, at(k + 1.0, 0.0));
+        }
+        const auto rod = ancf::straight_beam<Rod>(model, ancf::Material::isotropic(2e11, 0.3, 1e-6),
+                                                  section, at(2.0, 0.0), at(2.0, 1.0), 2);
+        model.add(ancf::Pin<2>(first[0], at(0.0, 0.0)));
+        model.add(ancf::Pin<2>(first[1], last[0]));
+        model.add(ancf::Pin<2>(rod.first(), last[1]));
+        model.add(ancf::Pin<2>(rod.last(), at(2.0, 1.0)));
+        model.set_gravity({0.0, -9.81});
+        const auto report = solve_statics(model, solver);
+        INFO(report.message);
+        REQUIRE(report.status == Status::converged);
+        CHECK(report.stability == ancf::Stability::stable);
+        CHECK(report.held_by_loads);
+        CHECK(report.iterations() < 30);
+        // links of length 1: heights of both bodies by the angle of the first, none where they part
+        const auto height = [&](double angle) {
+            const Point knee(std::cos(angle), std::sin(angle)), apart = at(2.0, 1.0) - knee;
+            const double half = 0.5 * apart.norm(), off = std::sqrt(1.0 - half * half);
+            const Point below(apart[1] / apart.norm() * off, -apart[0] / apart.norm() * off);
+            return knee[1] + 0.5 * (knee + 0.5 * apart + below)[1];
+        };
+        double low = -1.5, high = -lean;
+        for (int k = 0; k < 100; ++k) {
+            const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+            if (height(a) < height(b))
+                high = b;
+            else
+                low = a;
+        }
+        CHECK(model.position(last[0])[1] == Approx(std::sin(low)).epsilon(1e-5));
+    }
     SECTION("what no load holds stays singular") {
         ancf::PlanarModel model;
         const auto rod = ancf::straight_beam<Rod>(model, steel, section, {0, 0}, {1, 0}, 4);

@@ -214,7 +214,10 @@ ANCF_INLINE bool moves_freely(const Assembly& assembly, const LinearSolver& solv
     const Numbering& numbering = assembly.numbering();
     const SparseMatrix& tangent = assembly.tangent();
     const int components = assembly.model().dimension();
-    // of each vector what its stiffest component has
+    VectorX diagonal(numbering.free_coordinates());
+    for (int k = 0; k < diagonal.size(); ++k) diagonal[k] = std::abs(tangent.coeff(k, k));
+    const VectorX otherwise = stiffest_of_unit(assembly, diagonal);
+    // of each vector what its stiffest component has; of a body what the stiffest of its unit has
     VectorX stiffness = VectorX::Zero(tangent.cols());
     for (int first = 0; first < numbering.coordinates(); first += components) {
         double most = 0.0;
@@ -222,10 +225,8 @@ ANCF_INLINE bool moves_freely(const Assembly& assembly, const LinearSolver& solv
             for (int k = first; k < first + components; ++k) {
                 const int equation = numbering.equation(k);
                 if (equation < 0) continue;
-                if (known)
-                    stiffness[equation] = most;
-                else
-                    most = std::max(most, std::abs(tangent.coeff(equation, equation)));
+                most = std::max(most, diagonal[equation]);
+                if (known) stiffness[equation] = most > 0.0 ? most : otherwise[equation];
             }
     }
     VectorX x = unit_scales(tangent), load = x;
