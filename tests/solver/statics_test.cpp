@@ -728,7 +728,8 @@ TEST_CASE("statics: what a load alone can hold is found where the load holds it"
     }
     SECTION("masses alone hang on a spring, on links, below and beside them") {
         // unit of length, m: whatever it is
-        const double unit = GENERATE(1.0, 1e-9, 1e9), angle = GENERATE(0.0, 0.1, 1.5);
+        const double unit = GENERATE(1.0, 1e-9, 1e9),
+                     angle = GENERATE(0.0, 0.1, 1.5, 0.5 * ancf::pi);
         const bool links = GENERATE(false, true);
         CAPTURE(unit, angle, links);
         const double weight = 3.0 * 9.81 * unit, stiffness = links ? 0.0 : 1000.0;

@@ -411,7 +411,7 @@ private:
 
     /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
     /// D has the magnitudes of the tangent's diagonal, the largest one where that has a zero, and
-    /// what the largest force makes of a turn where it has none, as of masses on links. The time
+    /// at least what the largest force makes of a turn: masses on links have no other. The time
     /// is such that the correction is neither large nor against the force; in a fall, that K + D/t
     /// is positive definite: the motion leaves an unstable state to the side where it is pushed.
     Status correct_damped(LoadStep& step) {
@@ -429,9 +429,10 @@ private:
             length_powers(monitor_.size(), model_.layout(), assembly_.numbering());
         double load = 0.0;  // work of the largest force on a turn by 1 rad, J
         for (int k = 0; k < free; ++k) load = std::max(load, std::abs(residual_[k]) * lever[k]);
-        for (int k = 0; k < free; ++k)
-            if (!(viscosity[k] > 1e-15 * stiffest[k]))
-                viscosity[k] = stiffest[k] > 0.0 ? stiffest[k] : load / (lever[k] * lever[k]);
+        for (int k = 0; k < free; ++k) {
+            if (viscosity[k] <= 1e-15 * stiffest[k]) viscosity[k] = stiffest[k];
+            viscosity[k] = std::max(viscosity[k], load / (lever[k] * lever[k]));
+        }
         if (step.corrections.empty()) {
             time_ = falls_ ? 1.0 : first_time;
             growth_ = growth;
