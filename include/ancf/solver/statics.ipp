@@ -411,7 +411,7 @@ private:
 
     /// The correction of a motion D dx/dt = -R(x) over a time: one step of Euler's backward method.
     /// D has the magnitudes of the tangent's diagonal, the largest one where that has a zero, and
-    /// at least what the largest force makes of a turn: masses on links have no other. The time
+    /// at least what the largest load makes of a turn: masses on links have no other. The time
     /// is such that the correction is neither large nor against the force; in a fall, that K + D/t
     /// is positive definite: the motion leaves an unstable state to the side where it is pushed.
     Status correct_damped(LoadStep& step) {
@@ -427,8 +427,10 @@ private:
         const VectorX stiffest = stiffest_of_unit(assembly_, diagonal);
         const VectorX lever =
             length_powers(monitor_.size(), model_.layout(), assembly_.numbering());
-        double load = 0.0;  // work of the largest force on a turn by 1 rad, J
-        for (int k = 0; k < free; ++k) load = std::max(load, std::abs(residual_[k]) * lever[k]);
+        double load = 0.0;  // work of the largest one on a turn by 1 rad, J
+        VectorX force;
+        assembly_.numbering().gather_free(assembly_.external_force(), force);
+        for (int k = 0; k < free; ++k) load = std::max(load, std::abs(force[k]) * lever[k]);
         for (int k = 0; k < free; ++k) {
             if (viscosity[k] <= 1e-15 * stiffest[k]) viscosity[k] = stiffest[k];
             viscosity[k] = std::max(viscosity[k], load / (lever[k] * lever[k]));
