@@ -3,6 +3,7 @@
 
 #include <ancf/dynamics/generalized_alpha.hpp>
 #include <ancf/dynamics/momentum.hpp>
+#include <ancf/element/cable/cable.hpp>
 #include <ancf/element/planar/beam.hpp>
 #include <ancf/model/builders/beam.hpp>
 #include <ancf/model/builders/rigid_body.hpp>
@@ -13,6 +14,7 @@
 #include <ancf/solver/automatic.hpp>
 #include <ancf/solver/eigen_solver.hpp>
 #include <ancf/solver/scaled.hpp>
+#include <ancf/solver/statics.hpp>
 
 #include <dynamics/scenes.hpp>
 #include <support/bar.hpp>
@@ -596,6 +598,50 @@ TEST_CASE("generalized-alpha: a bar that vibrates faster than the steps keeps th
     const auto report = GeneralizedAlpha(fixed(2e-3)).integrate(problem, solver, until(0.2));
     CHECK(report.status == Status::converged);
     CHECK(report.steps <= 105);  // 100, few of them divided
+}
+
+TEST_CASE("generalized-alpha: a bridge at rest takes no steps in parts", "[dynamics]") {
+    const auto steel = ancf::Material::isotropic(2e11, 0.3, 7800.0);
+    ancf::PlanarModel model;
+    const auto deck = ancf::straight_beam<ancf::CrossSectionBeam<2>>(
+        model, steel, ancf::rectangle(0.3, 0.3), {0, 0}, {20, 0}, 10,
+        ancf::CrossSectionOptions{ancf::Rule::mixed()});
+    model.pin(deck.first());
+    model.fix(deck.last(), Field::r, 1);
+    const auto height = [](double x) { return 1.0 + 0.04 * (x - 10.0) * (x - 10.0); };
+    NodeId end{};
+    for (int k = 0; k < 10; ++k) {
+        const double x = 2.0 * k, next = x + 2.0;
+        const auto cable = ancf::straight_beam<ancf::Cable<2>>(
+            model, steel, ancf::circle(0.03), {x, height(x)}, {next, height(next)}, 1);
+        if (k == 0)
+            model.pin(cable.first());
+        else
+            model.attach(cable.first(), end, Field::r);
+        end = cable.last();
+        if (k == 9) break;
+        const auto hanger = ancf::straight_beam<ancf::Cable<2>>(model, steel, ancf::circle(0.01),
+                                                                {next, height(next)}, {next, 0}, 1);
+        model.attach(hanger.first(), end, Field::r);
+        model.attach(hanger.last(), deck.node(k + 1), Field::r);
+    }
+    model.pin(end);
+    model.set_gravity({0.0, -9.81});
+    model.add_mass(deck.node(3), 2000.0);
+    ancf::EigenLu solver;
+    REQUIRE(ancf::solve_statics(model, solver).status == Status::converged);
+    model.state().time = 0.0;
+
+    const VectorX rest = model.state().q;
+    ancf::DynamicProblem problem(model);
+    const double step = 8.5e-4;
+    const DynamicsReport report =
+        GeneralizedAlpha(fixed(step))
+            .integrate(problem, solver, ancf::equal_intervals(0.0, 400 * step, 400 * step));
+    REQUIRE(report.status == Status::converged);
+    CHECK((model.state().q - rest).lpNorm<Eigen::Infinity>() < 1e-11);
+    CHECK(report.convergence_failures == 0);  // 22, with 13 iterations a step
+    CHECK(report.iterations < 6 * report.steps);
 }
 
 TEST_CASE("generalized-alpha: steps that turn a stiff body too far do not end as converged",

@@ -353,7 +353,9 @@ private:
             // at the round-off of the residual the corrections no longer shrink
             const bool small =
                 change <= 1e3 * options_.newton_tolerance && (fresh || ratio <= most_noise);
-            const bool noise = change <= least || (ratio >= 1.0 && small);
+            // a matrix of this step takes far more than half of an error
+            const bool stays = ratio >= (fresh && left <= options_.newton_tolerance ? 0.5 : 1.0);
+            const bool noise = change <= least || (stays && small);
             if (left <= wanted || (k > 1 && noise)) {
                 // in a body that turns, what two corrections leave adds up over the steps
                 if (k == options_.max_iterations || !frames_.turn() || (since > 2 && balanced))
