@@ -349,37 +349,36 @@ TEST_CASE("statics: an imperfect square column bends along its push", "[statics]
     CHECK(scene.position(column.last())[1] == Approx(0.803171).margin(0.01));  // 0.80279
 }
 
+/// A clamped column in space, of steel and 1 m long, under a tip force in units of its E I.
+std::pair<ancf::Model, ancf::NodeId> make_space_column(double width, double height, int elements,
+                                                       const ancf::Vector<double, 3>& force) {
+    ancf::Model scene;
+    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
+        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(width, height),
+        {0, 0, 0}, {1, 0, 0}, elements, ancf::CrossSectionOptions{ancf::Rule::mixed()});
+    scene.clamp(column.first());
+    scene.add(ancf::Force<3>(column.last(), 2e11 * width * std::pow(height, 3) / 12.0 * force));
+    return {std::move(scene), column.last()};
+}
+
 TEST_CASE("statics: a fall that begins with tiny corrections goes on", "[statics]") {
     // a load 2 % above that of buckling; the elastica whose tip has turned by 24 degrees
     const double turned = 24.0 * ancf::pi / 180.0;
     const double quarter = ancf::pi / 2.0 * 1.0110777;  // K(sin(turned / 2))
-    ancf::Model scene;
-    const double height = 1e-3, width = 8e-3;
-    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
-        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(width, height),
-        {0, 0, 0}, {1, 0, 0}, 12, ancf::CrossSectionOptions{ancf::Rule::mixed()});
-    scene.clamp(column.first());
-    const double load = quarter * quarter * 2e11 * width * std::pow(height, 3) / 12.0;
-    scene.add(ancf::Force<3>(column.last(), {-load, 1e-8 * load, 0.0}));
+    const double load = quarter * quarter;
+    auto [scene, tip] = make_space_column(8e-3, 1e-3, 12, {-load, 1e-8 * load, 0.0});
     ancf::StaticsOptions options;
     options.steps = GENERATE(1, 3, 10);
     const auto report = solve(scene, options);
     REQUIRE(report.status == Status::converged);
     CHECK(report.stability == ancf::Stability::stable);
-    CHECK(scene.position(column.last())[1] ==
-          Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(1e-3));
+    CHECK(scene.position(tip)[1] == Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(1e-3));
 }
 
 TEST_CASE("statics: falls that fail leave parts of min_step at least", "[statics]") {
     // a square column falls too slowly beyond many bifurcations
-    ancf::Model scene;
-    const double size = 0.01, bending = 2e11 * std::pow(size, 4) / 12.0;
-    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
-        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(size, size), {0, 0, 0},
-        {1, 0, 0}, 12, ancf::CrossSectionOptions{ancf::Rule::mixed()});
-    scene.clamp(column.first());
-    const double load = 5.0 * ancf::pi * ancf::pi / 4.0 * bending;
-    scene.add(ancf::Force<3>(column.last(), {-load, 1e-8 * load, 0.0}));
+    const double load = 5.0 * ancf::pi * ancf::pi / 4.0;
+    auto [scene, tip] = make_space_column(0.01, 0.01, 12, {-load, 1e-8 * load, 0.0});
     ancf::StaticsOptions options;
     options.min_step = 0.6;
     const auto report = solve(scene, options);
@@ -389,18 +388,13 @@ TEST_CASE("statics: falls that fail leave parts of min_step at least", "[statics
 }
 
 TEST_CASE("statics: loads without a potential take one fall that fails", "[statics]") {
-    ancf::Model scene;
     const double size = 0.02, bending = 2e11 * std::pow(size, 4) / 12.0;
-    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
-        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(size, size), {0, 0, 0},
-        {1, 0, 0}, 16, ancf::CrossSectionOptions{ancf::Rule::mixed()});
-    scene.clamp(column.first());
-    scene.add(ancf::Force<3>(column.last(), {-20.0 * bending, 1.0 * bending, 2.0 * bending}));
-    scene.add(ancf::Moment(column.last(), {3.0 * bending, bending, bending}));
+    auto [scene, tip] = make_space_column(size, size, 16, {-20.0, 1.0, 2.0});
+    scene.add(ancf::Moment(tip, {3.0 * bending, bending, bending}));
     const auto report = solve(scene);
     CHECK(report.status == Status::converged);
-    CHECK(report.iterations() <=
-          400);  // measured 278; with eight falls 1158, up to a factor of 0.58
+    // measured 278; with eight falls 1158, up to a factor of 0.58
+    CHECK(report.iterations() <= 400);
 }
 
 TEST_CASE("statics: a column that has fallen stays on the side where it is pushed", "[statics]") {
@@ -411,21 +405,14 @@ TEST_CASE("statics: a column that has fallen stays on the side where it is pushe
     const double quarter = ancf::pi / (2.0 * a);  // K(sin(turned / 2))
     const double push = GENERATE(1e-4, 1e-6);
     CAPTURE(degrees, push);
-    ancf::Model scene;
-    const double height = 0.01, width = 0.03;
-    const auto column = ancf::straight_beam<ancf::CrossSectionBeam<3>>(
-        scene, ancf::Material::isotropic(2e11, 0.3, 7800.0), ancf::rectangle(width, height),
-        {0, 0, 0}, {1, 0, 0}, 12, ancf::CrossSectionOptions{ancf::Rule::mixed()});
-    scene.clamp(column.first());
-    const double load = quarter * quarter * 2e11 * width * std::pow(height, 3) / 12.0;
-    scene.add(ancf::Force<3>(column.last(), {-load, push * load, 0.0}));
+    const double load = quarter * quarter;
+    auto [scene, tip] = make_space_column(0.03, 0.01, 12, {-load, push * load, 0.0});
     ancf::StaticsOptions options;
     options.steps = 20;
     const auto report = solve(scene, options);
     REQUIRE(report.status == Status::converged);
     CHECK(report.stability == ancf::Stability::stable);
-    CHECK(scene.position(column.last())[1] ==
-          Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(3e-3));
+    CHECK(scene.position(tip)[1] == Approx(2.0 * std::sin(turned / 2.0) / quarter).margin(3e-3));
 }
 
 TEST_CASE("statics: an imperfect column bends where its end is pushed", "[statics]") {
